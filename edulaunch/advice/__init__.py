@@ -1,4 +1,4 @@
-"""Advice for users: rules that look at facts, and their sentences.
+"""Advice for users: rules look for mistakes, and each rule has sentences that explain its mistake.
 
 Lower rooms raise ROS 2's own errors and record facts. Rules look for mistakes in an error, a dry run, a Recording or the
 sources of a package. `rendered` puts a finding into words at the edge (console, cell, page, report). `docs/advice.md` lists
@@ -42,7 +42,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    """Return each name when it is first used: who judges a run without a finding loads no words."""
+    """Import each name when it is first used, so that a run without a finding loads no sentences."""
     if name not in _MODULES:
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
     return getattr(import_module(f'{__name__}.{_MODULES[name]}'), name)

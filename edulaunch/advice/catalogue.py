@@ -62,7 +62,7 @@ def messages() -> dict[str, str]:
 
 
 def _of_rubric(path: str) -> Iterator[str]:
-    """Yield the title, and what a student reads of each check of a rubric in YAML."""
+    """Yield the title of a rubric in YAML, and the sentences of its checks that students read."""
     import yaml
 
     with open(path, encoding='utf-8') as file:
@@ -147,7 +147,7 @@ def languages() -> list[str]:
 
 
 def missing(language: str) -> list[str]:
-    """Names of the rules whose translation is still missing, from `missing.txt` of the language; [] without the file."""
+    """Return the names of the rules without a translation, from `missing.txt` of the language; [] if that file does not exist."""
     path = os.path.join(LOCALE, language, 'missing.txt')
     if not os.path.isfile(path):
         return []
@@ -189,7 +189,7 @@ def update(language: str) -> tuple[int, int]:
 
 
 def main() -> None:
-    """Bring every language up to date, and say how far it is."""
+    """Update the catalogue of every language, and print what is missing."""
     for language in languages():
         print('{}: {} sentences, {} of them not translated'.format(language, *update(language)))
 

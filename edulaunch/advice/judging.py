@@ -1,4 +1,4 @@
-"""Asking the rules: findings in order, the worst first, none of them twice."""
+"""Ask the rules, and return their findings: each finding once, and the worst first."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ MOST = 20
 
 
 def judge(recording: Recording) -> list[Finding]:
-    """Return what is wrong in a run: by the rules over recordings, and over the errors that ended its programs."""
+    """Return the mistakes in a run, found by the rules over recordings and over the errors that ended its programs."""
     with collector_paused():  # in a large recording, garbage collection takes longer than the rules
         return _judge(recording)
 
@@ -51,7 +51,7 @@ def _judge(recording: Recording) -> list[Finding]:
 
 @lru_cache(maxsize=16)
 def of_scripts(scripts: tuple[Script, ...]) -> tuple[Finding, ...]:
-    """Return what the rules over launch files find; the same files keep their syntax trees, so each is judged once."""
+    """Return the findings of the rules over launch files. Equal files share their syntax trees, so each is judged once."""
     return tuple(_asked('scripts', list(scripts)))
 
 
@@ -68,7 +68,9 @@ LONELY = frozenset(
 
 
 def _without_consequences(findings: list[Finding], recording: Recording) -> list[Finding]:
-    """Leave out findings about a missing partner if a program of the command failed, because that may be the partner."""
+    """Leave out findings about a missing partner if a program of the command failed, because the partner may be in
+    that program.
+    """
     own = [process for process in recording.processes if recording.command is None or process.name in recording.command]
     names = {process.name for process in own}
     is_absent = any(finding.rule in ABSENT for finding in findings)
@@ -80,7 +82,7 @@ def _without_consequences(findings: list[Finding], recording: Recording) -> list
 
 
 def _has_failed(process: ProcessRecord) -> bool:
-    """Return whether an error ended a program: Ctrl-C is not one."""
+    """Return whether an error ended a program. Ctrl-C is not an error."""
     return process.exception is not None and process.exception['type'] not in INTERRUPTS
 
 
@@ -120,7 +122,7 @@ def _named(finding: Finding) -> set[str]:
 
 
 def judge_plan(rehearsal: Rehearsal) -> list[Finding]:
-    """Return what is wrong with a launch file, by its dry run."""
+    """Return the mistakes in a launch file, found in its dry run."""
     findings = in_order([*_asked('plans', rehearsal), *_asked('scripts', list(students_python(rehearsal)))])
     better = [one for one in findings if one.rule != FAILS]
     if len(better) < len(findings):
@@ -129,7 +131,7 @@ def judge_plan(rehearsal: Rehearsal) -> list[Finding]:
 
 
 def _behind_failure(rehearsal: Rehearsal) -> list[Finding]:
-    """Return what the rules over errors say of the error that ended a dry run: more than that the launch file fails."""
+    """Return the findings about the error that ended a dry run, if a rule explains more than the failure itself."""
     error = rehearsal.plan['error'] or {}
     cause = error.get('cause')
     if cause is None:
@@ -141,24 +143,24 @@ def _behind_failure(rehearsal: Rehearsal) -> list[Finding]:
 
 
 def judge_scripts(scripts: list[Script]) -> list[Finding]:
-    """Return what is wrong with launch files in Python, by their syntax trees; nothing of them is executed."""
+    """Return the mistakes in Python launch files, found in their syntax trees. None of their code is executed."""
     return in_order(_asked('scripts', scripts))
 
 
 def judge_failure(error: Failure | BaseException) -> list[Finding]:
-    """Return what is behind an error."""
+    """Return the mistakes behind an error."""
     return in_order(_asked('errors', error if isinstance(error, Failure) else failure_of(error)))
 
 
 def judge_sources(path: str) -> list[Finding]:
-    """Return what is wrong with the packages of a workspace or package folder; nothing of them is executed."""
+    """Return the mistakes in the packages of a workspace or package folder. None of their code is executed."""
     from edulaunch.advice.source_package import workspace_at
 
     return judge_workspace(workspace_at(path))
 
 
 def judge_workspace(workspace: Workspace) -> list[Finding]:
-    """Return the same, of a workspace that was read already."""
+    """Return the mistakes in a workspace that was read already."""
     found = _asked('workspaces', workspace)
     for source in (one for one in workspace.sources if not one.is_of_ros_1):
         found += _asked('sources', source)
@@ -166,7 +168,7 @@ def judge_workspace(workspace: Workspace) -> list[Finding]:
 
 
 def failures(recording: Recording) -> Iterator[Failure]:
-    """Yield the error that ended the launch, and the errors that ended programs, in order of the programs."""
+    """Yield the error that ended the launch, and then the errors that ended programs, in the order of the programs."""
     launch = recording.launch
     if launch.error is not None:
         type_, cause = launch.error_type or '', launch.error_cause or ''
@@ -179,7 +181,9 @@ def failures(recording: Recording) -> Iterator[Failure]:
 
 
 def in_order(findings: Iterable[Finding]) -> list[Finding]:
-    """Return the worst first, then what is sure, then by time; one of each, and nothing that only follows from another."""
+    """Return findings without duplicates and without consequences of others: the worst first, then the certain ones, then by
+    time.
+    """
     rules = {finding.rule: rule_named(finding.rule) for finding in findings}
     causes = [one for one in findings if rules[one.rule].hides]
     first: dict[tuple[Any, ...], Finding] = {}
@@ -190,7 +194,7 @@ def in_order(findings: Iterable[Finding]) -> list[Finding]:
 
 
 def _may_hide(cause: Finding, other: Finding) -> bool:
-    """Return whether both are about one node or program, as far as that is known. Frames of tf belong to all nodes."""
+    """Return whether two findings may be about one node or program, as far as that is known. Frames of tf belong to all nodes."""
     error = other.facts.get('error') if other.rule == DIED and cause.rule.startswith('tf.') else None
     if error and not _LOOKUP_ERROR.match(error):
         return False
@@ -205,7 +209,7 @@ def _nodes(finding: Finding) -> set[str]:
 
 
 def _asked(kind: str, thing: Any) -> list[Finding]:
-    """Return what all rules over that kind of thing say of it."""
+    """Return the findings of all rules over one kind of thing."""
     return [finding for rule in rules_over(kind) for finding in _findings_by(rule, thing)]
 
 

@@ -23,8 +23,8 @@ STANDARD = ('os', 'sys', 'pathlib', 'math', 'json', 'yaml', 'xacro', 'time', 'ra
 
 @cache
 def names_in(module: str) -> list[str]:
-    """Return what a module exports, or what it defines when it has no `__all__`; nothing when it is not here. Who only reads a
-    report has not sourced ROS 2 yet.
+    """Return the names that a module exports, or that it defines if it has no `__all__`. Return no names if the module cannot be
+    imported: the reader of a report may not have sourced ROS 2.
     """
     try:
         source()
@@ -60,7 +60,7 @@ def nearest_anywhere(name: str) -> str | None:
 
 
 def keywords_of(cls: type) -> list[str]:
-    """Return the keyword arguments that a constructor takes, inherited ones included while it passes `**kwargs` on."""
+    """Return the keyword arguments of a constructor, with the inherited ones if it passes `**kwargs` on."""
     found: list[str] = []
     for base in cls.__mro__:
         code = getattr(base.__dict__.get('__init__'), '__code__', None)

@@ -13,27 +13,29 @@ if TYPE_CHECKING:
 
 
 def branches(rehearsal: Rehearsal) -> Iterator[Branch]:
-    """Return all that launch came to, in order."""
+    """Return all branches that launch visited, in order."""
     from edulaunch.advice.plan.why import branches
 
     return branches(rehearsal.outline)
 
 
 def nodes(rehearsal: Rehearsal) -> Iterator[tuple[Branch, dict[str, Any]]]:
-    """Yield the node actions that were executed, each with its item."""
+    """Yield each executed node action with its item."""
     for branch in branches(rehearsal):
         if branch.item is not None and branch.item['kind'] == 'node':
             yield branch, branch.item
 
 
 def name_of(item: dict[str, Any]) -> str:
-    """Return what people call a node of a plan: its name, or its executable where the launch file leaves that to the program."""
+    """Return the name of a node in a plan, or its executable if the launch file gives it no name."""
     name: str = item['runtime_name'] or item['executable']
     return name
 
 
 def place_of(branch: Branch) -> dict[str, Any]:
-    """`file` and `line` of a finding: of the student's file, not of the link by which it is presented as installed."""
+    """Return `file` and `line` of a finding. The file is the student's own, not the link through which the package
+    is installed.
+    """
     return {} if branch.origin is None else {'file': os.path.realpath(branch.origin.file), 'line': branch.origin.line}
 
 
@@ -44,7 +46,7 @@ def launch_files(rehearsal: Rehearsal) -> list[str]:
 
 
 def students_python(rehearsal: Rehearsal) -> Iterator[tuple[str, ast.Module]]:
-    """Yield the student's own Python launch files with their syntax trees; nothing of them is executed."""
+    """Yield the student's own Python launch files with their syntax trees. None of their code is executed."""
     from edulaunch.engine.underlay_place import is_students
     from edulaunch.ros.sources.source_package import parsed
 

@@ -24,10 +24,12 @@ def _nowhere(file: str, line: int) -> str:
 
 
 class Reader(NamedTuple):
-    """
+    """The language, the folder and the notebook of a reader.
+
+    :ivar language: such as 'de'; English is the language of the rules, and the fallback for a language without a catalogue.
     :ivar language: such as 'de'; English is the language of the rules, and the fallback for a language without a catalogue.
     :ivar folder: paths below it become relative.
-    :ivar cell: what to say of a line of a file that a cell of the reader's notebook wrote: its place there, or ''.
+    :ivar cell: a function that returns the place in a notebook's cell that wrote a line of a file, or ''.
     """
 
     language: str = ENGLISH
@@ -43,11 +45,13 @@ class Reader(NamedTuple):
         return text if self.language == ENGLISH else _retelling(self.language)(text)
 
     def short(self, text: str) -> str:
-        """Return a path below the reader's folder relative to it; any other text as it is."""
+        """Return a path in the reader's folder as a relative path, and any other string unchanged."""
         return text.removeprefix(os.path.join(self.folder, '')) if len(self.folder) > 1 else text
 
     def place(self, file: str, line: int | None) -> str:
-        """Return a place in a file as the reader sees it: 'follow.launch.py:12', in a notebook with the line of the cell."""
+        """Return a place in a file as the reader sees it, such as 'follow.launch.py:12'; in a notebook with the
+        line of the cell.
+        """
         short = self.short(file)
         if line is None:
             return short
@@ -56,7 +60,7 @@ class Reader(NamedTuple):
 
 
 def reader_of(env: Mapping[str, str], folder: str) -> Reader:
-    """Return who reads in a terminal with these variables, in that folder."""
+    """Return the reader of a terminal with these variables, in that folder."""
     return Reader(language_of(env), folder)
 
 
@@ -76,12 +80,12 @@ def language_of(env: Mapping[str, str]) -> str:
 
 
 def _plain_name(locale: str) -> str:
-    """Return a locale without its encoding and variant: 'de_DE' of 'de_DE.UTF-8@euro'."""
+    """Return a locale without its encoding and variant, such as 'de_DE' for 'de_DE.UTF-8@euro'."""
     return locale.partition('.')[0].partition('@')[0]
 
 
 def reader_here() -> Reader:
-    """Return who started this program."""
+    """Return the reader who started this program."""
     try:
         folder = os.getcwd()
     except OSError:  # the current folder has been removed
@@ -92,7 +96,9 @@ def reader_here() -> Reader:
 
 
 class _CellsOf:
-    """Which cell wrote a file with `%%writefile`, from the history of a notebook: of several the last."""
+    """Finds the cell that wrote a file with `%%writefile` in the history of a notebook. If several cells did, the last one
+    counts.
+    """
 
     def __init__(self, shell: Any, reader: Reader) -> None:
         self._shell = shell
@@ -111,13 +117,13 @@ class _CellsOf:
 
 
 def catalogue_file(language: str) -> str:
-    """Return the path of the catalogue of a language, which has translations for people to edit."""
+    """Return the path of a language's catalogue, a file of translations that people can edit."""
     return os.path.join(LOCALE, language, 'LC_MESSAGES', 'advice.po')
 
 
 @cache
 def translations(language: str) -> dict[str, str]:
-    """Return the translation of each English sentence, {} for a language without a catalogue.
+    """Return the translation of each English sentence; {} for a language without a catalogue.
 
     :param language: such as 'de' or 'de_AT'; the catalogue of 'de' serves a country that has none of its own.
     """
@@ -175,7 +181,9 @@ MOST_WORDS = 2
 
 
 class _Pattern(NamedTuple):
-    """A template: the strings before, between and after its fields, their names, and the other language's template."""
+    """A template: the strings before, between and after its fields, the names of the fields, and the template in the other
+    language.
+    """
 
     texts: tuple[str, ...]
     names: tuple[str, ...]
@@ -188,7 +196,7 @@ class _Pattern(NamedTuple):
         return [name for before, after, name in ends if not (before[-1:] == after[:1] != '' and after[:1] in '"\'')]
 
     def explains(self, foreign: list[str]) -> bool:
-        """Return whether a sentence in the other language remains one, with these facts that have no translation."""
+        """Return whether the result is a sentence in the other language, with these facts that have no translation."""
         own = sum(len(_WORD.findall(text)) for text in self.texts)
         lines = [line for fact in foreign for line in fact.splitlines()[:1]]
         return max((len(_WORD.findall(line)) for line in lines), default=0) <= max(own, MOST_WORDS) - (own < 2)
@@ -210,7 +218,7 @@ class _Pattern(NamedTuple):
 
 
 class Retelling:
-    """Retells sentences by a catalogue.
+    """Translates finished sentences with the templates of a catalogue.
 
     :param catalogue: English template -> template of the other language, with the same fields.
     """
@@ -222,13 +230,13 @@ class Retelling:
         self._patterns = [pattern for pattern in found if pattern is not None]
 
     def __call__(self, text: str) -> str:
-        """Return the sentence in the other language; as it is when no template fits."""
+        """Return the sentence in the other language, or unchanged if no template matches."""
         self._tries = 0
         return self._translated(text, DEEPEST)[1] if len(text) <= LONGEST else text
 
     def _translated(self, text: str, depth: int) -> tuple[int, str]:
-        """Return how many letters of a message templates explain, and the message in the other language. Of
-        several templates that fit, the one that explains most of the text is meant.
+        """Return the message in the other language, and the number of letters that templates matched. If several templates match,
+        use the one that matches most of the message.
         """
         # a single word in a fact is a name, so it is not translated
         if text in self._whole and (depth == DEEPEST or ' ' in text):
@@ -260,7 +268,9 @@ def _plain(template: str) -> str:
 
 
 def _pattern(english: str, other: str) -> _Pattern | None:
-    """Return None for fields without text between them, because the end of the first is unknown."""
+    """Return the pattern of a template. Return None if two fields have no text between them, because the end of the first one is
+    unknown.
+    """
     texts, names = [''], []
     for text, name, _, _ in Formatter().parse(english):
         texts[-1] += text

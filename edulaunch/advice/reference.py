@@ -1,4 +1,4 @@
-"""Where the documentation describes a rule of advice: a page of `docs/advice/` and an anchor on it.
+"""The page of `docs/advice/` and the anchor where the documentation describes each rule of advice.
 
 The pages are fixed here, by the group of a rule, what it looks at, and the first letter of its name. The address of a rule
 therefore changes only when the rule is renamed.
@@ -12,10 +12,10 @@ from edulaunch.advice.rule import KINDS, Rule, rules_over
 
 
 class ReferencePage(NamedTuple):
-    """One page of rules.
+    """One page of the reference.
 
     :ivar name: its file in `docs/advice/`, without the suffix.
-    :ivar kinds: what its rules look at.
+    :ivar kinds: the kinds of things that its rules look at.
     :ivar letters: the first and the last letter with which the names of its rules begin, after the group.
     """
 

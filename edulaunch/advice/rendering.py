@@ -1,5 +1,5 @@
-"""A finding in words: the only module that turns facts into sentences of advice. Below an error, at the end of a run,
-by the doctor, and as marks of the live view.
+"""Turn a finding into sentences. No other module does so. The sentences appear below an error, at the end of a run, in the
+doctor, and as marks of the live view.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ MOST_SHOWN = 5
 
 
 class Rendered(NamedTuple):
-    """The sentences of a finding; `why` is '' where the rule gives no reason, `where` where no place is known."""
+    """The sentences of a finding. `why` is '' if the rule gives no reason, and `where` is '' if the place is not known."""
 
     what: str
     where: str
@@ -32,12 +32,12 @@ class Rendered(NamedTuple):
     sign: str = 'warning'
 
     def __str__(self) -> str:
-        """Return what is wrong, where, and what to do, in the form of error messages."""
+        """Return the mistake, its place, and what to do, in the form of error messages."""
         return f'{self.what}{self.where and f" ({self.where})"}\n  help: {self.do}'
 
 
 def rendered(finding: Finding, reader: Reader | None = None) -> Rendered:
-    """Return what is wrong, where, why that matters, and what to do."""
+    """Return a finding as sentences: the mistake, its place, the reason, and what to do."""
     rule = rule_named(finding.rule)
     reader = reader_here() if reader is None else reader
     facts = {**finding.facts, finding.kind: finding.name}
@@ -50,7 +50,7 @@ def rendered(finding: Finding, reader: Reader | None = None) -> Rendered:
 def warning_lines(
     findings: Sequence[Finding], reader: Reader | None = None, shown_by: str = '', most: int = MOST_SHOWN
 ) -> list[str]:
-    """Return what is reported at the end of a run, each with what to do; the worst, and how many more there are.
+    """Return the lines that a run prints at its end: the worst findings with what to do, and the number of the others.
 
     :param shown_by: the command or expression that shows all of them.
     """
@@ -70,11 +70,11 @@ def end_of_run_lines(
     typed: str = '',
     shown_by: str = 'for warning in recording.warnings: print(warning)',
 ) -> list[str]:
-    """Return what is reported where a run has ended.
+    """Return the lines that are printed at the end of a run.
 
-    :param recording: of a run, or of one command of a machine (`Session.of_command`).
-    :param helped: programs whose error was explained below the error itself.
-    :param typed: the command itself: its reader has just seen that it failed, and what it printed last.
+    :param recording: the recording of a run, or of one command of a machine (`Session.of_command`).
+    :param helped: programs whose error message already had an explanation.
+    :param typed: the program of the command itself, whose failure and last output the reader has just seen.
     :param shown_by: the command or expression that shows all findings, where there are too many.
     """
     findings = [one for one in recording.advice if one.process not in helped and (one.rule, one.name) != (DIED, typed)]
@@ -90,12 +90,12 @@ def place(finding: Finding, reader: Reader) -> Iterator[str]:
 
 
 def _sign(level: str, reader: Reader) -> str:
-    """Return how a line begins: an error is in the reader's program, not in the command that reports it."""
+    """Return the start of a line. An error is in the reader's program, not in the command that reports it."""
     return reader.says('note') if level == 'info' else reader.says('warning')
 
 
 def _worded(templates: Iterable[str], facts: dict[str, Any], reader: Reader) -> str:
-    """Return the first template whose facts are all known, with its facts, or ''."""
+    """Return the first template whose facts are all known, filled in with its facts, or ''."""
     for template in templates:
         if all(facts.get(name) not in (None, [], ()) for name in fields_of(template)):
             return reader.says(template).format_map({name: _listed(value, reader) for name, value in facts.items()})
@@ -103,7 +103,7 @@ def _worded(templates: Iterable[str], facts: dict[str, Any], reader: Reader) -> 
 
 
 def _listed(value: Any, reader: Reader) -> Any:
-    """Return a list of names as words; of a long one the beginning. Return a path as the reader sees it."""
+    """Return a list of names as words, shortened if it is long. Return a path as the reader sees it."""
     if isinstance(value, str):
         return reader.short(value)
     if not isinstance(value, (list, tuple)):
@@ -112,11 +112,11 @@ def _listed(value: Any, reader: Reader) -> Any:
 
 
 def help_below(error: dict[str, Any], env: Mapping[str, str]) -> str | None:
-    """Return one line about an error, None when nothing is known of it.
+    """Return one line of help for an error, or None if no rule explains it.
 
     :param error: `type`, `message`, `facts` and `place`; and `process`, the program that it ended. Without it, the error is
         in a launch file, and the help includes its place.
-    :param env: of the program in whose terminal it is read.
+    :param env: the environment variables of the reader's terminal.
     """
     file, line = error.get('place') or (None, None)
     failure = Failure(error['type'], error['message'], file, line, None, error.get('process'), error['facts'])
@@ -129,18 +129,20 @@ def help_below(error: dict[str, Any], env: Mapping[str, str]) -> str | None:
 
 
 def help_of(error: dict[str, Any]) -> str | None:
-    """Return what is wrong and what to do, in one line, about an error as data, in the language of who started this program."""
+    """Return one line of help for an error given as data: the mistake and what to do, in the language of who started this
+    program.
+    """
     file, line = error.get('place') or (None, None)
     return help_text(Failure(error['type'], error['message'], file, line, facts=error['facts']))
 
 
 def help_of_facts(facts: dict[str, Any]) -> str:
-    """Return what is wrong and what to do in one line, from facts alone, or ''."""
+    """Return one line of help from facts alone, or ''."""
     return help_text(Failure('', '', facts=facts)) or ''
 
 
 def help_text(failure: Failure, reader: Reader | None = None) -> str | None:
-    """Return what is wrong and what to do, in one line; None when no rule knows the error."""
+    """Return one line of help: the mistake and what to do. Return None if no rule explains the error."""
     found = judge_failure(failure)
     if not found:
         return None
@@ -152,7 +154,7 @@ FORMAT = 1
 
 
 def diagnosis(findings: Sequence[Finding], reader: Reader) -> Iterator[str]:
-    """Yield the lines for people, the worst first."""
+    """Yield the lines of a diagnosis for people, the worst finding first."""
     if not findings:
         yield reader.says('no problems found')
     for number, finding in enumerate(findings, 1):
@@ -168,7 +170,7 @@ def diagnosis(findings: Sequence[Finding], reader: Reader) -> Iterator[str]:
 
 
 def diagnosis_data(findings: Sequence[Finding], reader: Reader) -> dict[str, Any]:
-    """Return the same as plain data, with the facts."""
+    """Return the diagnosis as plain data, with its facts."""
     return {'format': FORMAT, 'findings': [_data(finding, reader) for finding in findings]}
 
 
@@ -184,10 +186,10 @@ DRAWN = ('node', 'topic', 'frame')
 
 
 class Mark(NamedTuple):
-    """A sentence about something in the live view.
+    """A sentence that the live view shows at a node, topic or frame.
 
-    :ivar time_s: from when on it is true, in seconds since the start.
-    :ivar subject: 'node', 'topic' or 'frame', and its full name; ('', '') for the run as a whole.
+    :ivar time_s: the time from which it is true, in seconds since the start.
+    :ivar subject: 'node', 'topic' or 'frame', with its full name; ('', '') for the run as a whole.
     :ivar rule: the name of the rule.
     """
 
@@ -198,13 +200,15 @@ class Mark(NamedTuple):
 
 
 def marks(recording: Recording) -> list[Mark]:
-    """Return a mark for each finding, the worst first; files are named without their folders, for pages are kept and given on."""
+    """Return a mark for each finding, the worst first. The marks contain file names without folders, because pages are stored and
+    shared.
+    """
     nodes = {node.process: node.name for node in reversed(recording.nodes)}
     return [_mark(finding, nodes) for finding in recording.advice]
 
 
 def _mark(finding: Finding, nodes: dict[str, str]) -> Mark:
-    """Return a finding about a program becomes a mark at its first node."""
+    """Return the mark of a finding. A finding about a program becomes a mark at the program's first node."""
     subject = (finding.kind, finding.name)
     if finding.kind not in DRAWN:
         node = nodes.get(finding.process or finding.name)

@@ -1,4 +1,4 @@
-"""The one form of a rule: what it looks at (a Failure among others), what it found, and where rules are.
+"""Rules, the findings that they report, and how rules are loaded.
 
 Each file of a folder beside this one has rules for one kind of thing; they are loaded when they are asked. A finding is plain
 data; `rendering.py` turns it into sentences. A failure may come out of a file, so nothing of it is ever executed.
@@ -18,14 +18,15 @@ from edulaunch.runtime.plugins import modules_with_rules
 class Finding(NamedTuple):
     """One mistake at one place.
 
-    :ivar kind: what it is about: 'node', 'topic', 'service', 'frame', 'process', 'parameter', 'file', 'package', 'turtle'.
-    :ivar name: the name of that: '/listener', '/turtle1/cmd_vel', 'carrot1', 'listener-2'.
+    :ivar kind: the kind of thing that has the mistake: 'node', 'topic', 'service', 'frame', 'process', 'parameter', 'file',
+        'package', 'turtle'.
+    :ivar name: the name of that thing: '/listener', '/turtle1/cmd_vel', 'carrot1', 'listener-2'.
     :ivar facts: what the sentences of the rule need beside `kind` and `name`: strings, numbers or lists of strings, or None
         if unknown.
-    :ivar file: the student's file, where one is to be looked at, and its line.
-    :ivar time_s: simulated seconds since the start, when it happened at a time.
-    :ivar rule: which rule found it: 'tf.unknown-frame'. Set by the judge.
-    :ivar process: launch name of the program whose error it explains. Set by the judge.
+    :ivar file: the student's file with the mistake, if there is one, and the line.
+    :ivar time_s: the time of the mistake in simulated seconds since the start, if it has one.
+    :ivar rule: the rule that found it, such as 'tf.unknown-frame'. The judge sets it.
+    :ivar process: the launch name of the program whose error it explains. The judge sets it.
     """
 
     kind: str
@@ -41,7 +42,7 @@ class Finding(NamedTuple):
 def found(
     kind: str, name: str, *, file: str | None = None, line: int | None = None, time_s: float | None = None, **facts: Any
 ) -> Finding:
-    """Return a finding of the rule that yields it; see :class:`Finding`."""
+    """Return a finding of the rule that calls this function; see :class:`Finding`."""
     return Finding(kind, name, facts, file, line, time_s)
 
 
@@ -60,7 +61,7 @@ EditForm = tuple[str, str, str]
 
 
 class Rule(NamedTuple):
-    """A function that finds a mistake, and its sentences: what is wrong, why that matters, what to do."""
+    """A function that finds a mistake, and its sentences: the mistake, the reason, and what to do."""
 
     name: str
     look: Callable[[Any], Iterable[Finding]]
@@ -75,7 +76,7 @@ class Rule(NamedTuple):
 
     @property
     def group(self) -> str:
-        """The part of ROS 2 that it is about."""
+        """The part of ROS 2 to which the rule belongs."""
         return self.name.partition('.')[0]
 
 
@@ -91,11 +92,11 @@ def rule(
     hides: tuple[str, ...] = (),
     edits: tuple[tuple[str, str] | EditForm, ...] = (),
 ) -> Callable[[Callable[[Any], Iterable[Finding]]], Rule]:
-    """Make a rule of a pure function that yields findings of what it is given. Which kind of thing that is, its folder says.
+    """Make a rule from a pure function that yields findings. The folder of the file decides what the function receives.
 
     :param name: 'group.what-is-wrong'; the group is one of :data:`GROUPS`.
-    :param lesson: the page of the course that explains it: '09_broadcaster_and_listener'.
-    :param hides: rules whose findings are consequences of this one, and are left out beside it.
+    :param lesson: the lesson that explains it: '09_broadcaster_and_listener'.
+    :param hides: rules whose findings are consequences of this one, and are left out if it has a finding.
     :param edits: the edits that are certain to be the cure, each as (old, new) or (old, new, place), with the facts in braces.
         The first one counts whose facts are all known. An `old` that occurs more than once in the line gives no edit.
     """
@@ -115,10 +116,10 @@ def _several(sentence: Sentence) -> tuple[str, ...]:
 class Failure(NamedTuple):
     """An exception that ended a program, a launch or a command.
 
-    :ivar type: name of its class.
-    :ivar message: its text from ROS 2 or Python.
+    :ivar type: the name of its class.
+    :ivar message: its message from ROS 2 or Python.
     :ivar facts: facts that the message lacks, such as known names and the nearest one.
-    :ivar process: launch name of the program that it ended.
+    :ivar process: the launch name of the program that it ended.
     """
 
     type: str
@@ -145,7 +146,7 @@ _loaded: dict[str, Rule] = {}
 
 @cache
 def rules_over(kind: str) -> tuple[Rule, ...]:
-    """Return the rules that look at one kind of thing, in the order of their files; those of plug-ins are the last."""
+    """Return the rules that look at one kind of thing, in the order of their files, and the rules of plug-ins last."""
     folder = os.path.join(os.path.dirname(__file__), kind)
     modules = sorted(name.removesuffix('.py') for name in os.listdir(folder) if name.endswith('.py') and name[0] != '_')
     loaded = [import_module(f'edulaunch.advice.{kind}.{name}') for name in modules]
@@ -157,11 +158,11 @@ def rules_over(kind: str) -> tuple[Rule, ...]:
 
 @cache
 def all_rules() -> dict[str, Rule]:
-    """Return every rule by its name, in the order of the alphabet."""
+    """Return every rule by its name, in alphabetical order."""
     rules = {rule.name: rule for kind in KINDS for rule in rules_over(kind)}
     return dict(sorted(rules.items()))
 
 
 def rule_named(name: str) -> Rule:
-    """Return the rule of that name; only as many files are loaded as it takes to find it. Raise KeyError if it does not exist."""
+    """Return the rule with that name. Only the files up to that rule are loaded. Raise KeyError if it does not exist."""
     return _loaded[name] if name in _loaded else all_rules()[name]

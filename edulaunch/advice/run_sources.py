@@ -1,4 +1,4 @@
-"""The student's own Python files behind a run: its launch files and its programs. They are parsed, never executed."""
+"""The student's own Python files of a run: its launch files and its programs. They are parsed, never executed."""
 
 from __future__ import annotations
 
@@ -19,20 +19,20 @@ LONGEST = 400_000
 
 
 def launch_scripts(recording: Recording) -> list[Script]:
-    """Return the launch files of a run that are Python, the first one first."""
+    """Return the Python launch files of a run, the first one first."""
     launch = recording.launch
     files = [launch.file, *launch.includes, *(process.file or '' for process in recording.processes)]
     return list(_scripts(files))
 
 
 def program_scripts(recording: Recording) -> list[Script]:
-    """Return the programs of a run, and the modules that made their publishers, subscriptions, services and clients."""
+    """Return the programs of a run, and the modules that created their publishers, subscriptions, services and clients."""
     words = [word for process in recording.own_processes for word in process.argv[:2]]
     return list(_scripts([*words, *(file for file, _ in recording.lines.values())]))
 
 
 def script_of(file: str | None) -> ast.Module | None:
-    """Return the syntax tree of one file; None when it is not a student's Python file that can be read."""
+    """Return the syntax tree of one file; None if it is not a readable Python file of a student."""
     return next((tree for _, tree in _scripts([file or ''])), None)
 
 
@@ -52,7 +52,7 @@ def _scripts(files: list[str]) -> Iterator[Script]:
 
 @lru_cache(maxsize=256)
 def _parsed(file: str, changed_ns: int, size: int) -> ast.Module | None:
-    """Return the tree of a file as it was at a time."""
+    """Return the syntax tree of a file as it was at a given modification time."""
     from edulaunch.ros.sources.source_package import parsed
 
     return parsed(file) if os.path.isfile(file) and size <= LONGEST else None
@@ -76,7 +76,7 @@ def joined_strings(file: str) -> Iterator[tuple[str, str, int]]:
 
 
 def name_of_call(node: ast.AST) -> str:
-    """Return the last name of the called function, such as 'Node' of `launch_ros.actions.Node(...)`, or '' for another node."""
+    """Return the last name of the called function, such as 'Node' for `launch_ros.actions.Node(...)`, or '' for other syntax."""
     if not isinstance(node, ast.Call):
         return ''
     function = node.func
@@ -84,5 +84,5 @@ def name_of_call(node: ast.AST) -> str:
 
 
 def keyword_of(call: ast.Call, name: str) -> ast.expr | None:
-    """Return the value of a keyword argument."""
+    """Return the value of a keyword argument of a call."""
     return next((keyword.value for keyword in call.keywords if keyword.arg == name), None)

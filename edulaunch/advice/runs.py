@@ -1,4 +1,4 @@
-"""What several rules ask of a run: where a program was started, whose it is, and what was broadcast of each tf frame."""
+"""Queries on a run that several rules need: where a program was started, who wrote it, and which transforms it broadcast."""
 
 from __future__ import annotations
 
@@ -25,34 +25,34 @@ ROS_OWN = ('/parameter_events', '/rosout', '/clock', '/tf', '/tf_static')
 
 @lru_cache(maxsize=1)
 def places(recording: Recording) -> dict[str, Place]:
-    """Launch file and line that started each program, by its launch name."""
+    """Return the launch file and line that started each program, by its launch name."""
     return {process.name: process.origin or NOWHERE for process in recording.processes}
 
 
 @lru_cache(maxsize=1)
 def programs(recording: Recording) -> dict[str, str]:
-    """Launch name of the program of each node."""
+    """Return the launch name of the program of each node."""
     return {node.name: node.process for node in recording.nodes}
 
 
 def node_of(recording: Recording, process: str | None) -> str:
-    """Return the name of a program's first node; of a program without one its launch name."""
+    """Return the name of a program's first node, or its launch name if it has no node."""
     return next((node.name for node in recording.nodes if node.process == process), process or '')
 
 
 def speaker(recording: Recording, node: str) -> str:
-    """Return what people call a node: of one that a `ros2` command makes, its program."""
+    """Return the name of a node for people. For a node of a `ros2` command, it is the command."""
     return programs(recording).get(node, node) if node.startswith('/_ros2cli') else node
 
 
 def node_place(recording: Recording, node: str) -> Place:
-    """Return where the program of a node was started."""
+    """Return the place at which the program of a node was started."""
     return places(recording).get(programs(recording).get(node, ''), NOWHERE)
 
 
 @lru_cache(maxsize=1)
 def _end_places(recording: Recording) -> dict[tuple[str, str, str], Place]:
-    """Return where each end was made first, by kind, name and node."""
+    """Return the place at which each endpoint was first created, by kind, name and node."""
     nodes = {row[4]: row[0] for row in recording.rows('nodes')}
     return {
         (kind, name, nodes.get(node, '')): recording.lines[index]
@@ -62,12 +62,12 @@ def _end_places(recording: Recording) -> dict[tuple[str, str, str], Place]:
 
 
 def end_place(recording: Recording, kind: str, name: str, node: str) -> Place:
-    """Return the student's line that made a publisher, subscription, service or client; else where its program was started."""
+    """Return the student's line that created an endpoint, or the place at which its program was started."""
     return _end_places(recording).get((kind, name, node)) or node_place(recording, node)
 
 
 def broadcast_place(recording: Recording, node: str, topic: str) -> Place:
-    """Return the student's line that sends transforms; where a file has several, the one that made the broadcaster."""
+    """Return the student's line that sends transforms. If a file has several, return the one that created the broadcaster."""
     file, line = end_place(recording, 'publisher', topic, node)
     calls = () if file is None else _calls_of('sendTransform', file)
     return (file, calls[0]) if len(calls) == 1 else (file, line)
@@ -91,14 +91,16 @@ def _calls_of(method: str, file: str) -> tuple[int, ...]:
 
 
 def fact_place(recording: Recording, fact: Fact) -> Place:
-    """Return the student's line that a fact names, else where its program was started."""
+    """Return the student's line that a fact names, or the place at which its program was started."""
     if 'file' in fact.data:
         return fact.data['file'], fact.data['line']
     return places(recording).get(fact.process or '', NOWHERE)
 
 
 def asking_place(recording: Recording, node: str, name: str) -> Place:
-    """Return where a node asks a service or action that is not there, or waits for it; else where its program was started."""
+    """Return the line where a node calls a missing service or action, or waits for it. Without such a line, return the place at
+    which its program was started.
+    """
     for fact in recording.facts:
         if fact.kind in ('request lost', 'server awaited') and (fact.data['node'], fact.data['name']) == (node, name):
             return fact_place(recording, fact)
@@ -125,7 +127,7 @@ def own_nodes(recording: Recording) -> set[str]:
 
 @lru_cache(maxsize=1)
 def ends_by_name(recording: Recording) -> dict[tuple[str, str], list[EndRecord]]:
-    """Publishers, subscriptions, services and clients, by kind and absolute name, in order of their making."""
+    """Return publishers, subscriptions, services and clients by kind and absolute name, in the order of their creation."""
     found: dict[tuple[str, str], list[EndRecord]] = {}
     for end in recording.ends:
         found.setdefault((end.kind, end.name), []).append(end)
@@ -133,13 +135,13 @@ def ends_by_name(recording: Recording) -> dict[tuple[str, str], list[EndRecord]]
 
 
 def names_of(recording: Recording, kind: str) -> list[str]:
-    """Absolute names of all ends of a kind, without the ends that ROS 2 itself creates for a node."""
+    """Return the absolute names of all endpoints of a kind, without the endpoints that ROS 2 creates for every node."""
     nodes = tuple(f'{node.name}/' for node in recording.nodes)
     return [name for end_kind, name in ends_by_name(recording) if end_kind == kind and not is_ros_own(name, nodes)]
 
 
 def is_ros_own(name: str, nodes: tuple[str, ...] = ()) -> bool:
-    """Return whether a topic or service belongs to ROS 2's own machinery."""
+    """Return whether a topic or service belongs to ROS 2 itself."""
     return name in ROS_OWN or '/_' in name or (name.startswith(nodes) and name.rpartition('/')[2] in PARAMETER_SERVICES)
 
 
@@ -150,11 +152,11 @@ CLOCK_NS = 3_000_000_000
 
 
 class Broadcasts:
-    """All that one node broadcast of one frame in one parent.
+    """All transforms that one node broadcast for one frame in one parent.
 
-    :ivar poses: of static ones the different values, in order.
-    :ivar odd: what was wrong with some of the transforms: 'zero', 'nan', 'unstamped', 'clock' -> (time in s, number of it).
-    :ivar lag_s: how old the first transform was when it was broadcast; a negative age is in the future.
+    :ivar poses: the different values of static transforms, in order.
+    :ivar odd: the kinds of invalid transforms: 'zero', 'nan', 'unstamped', 'clock' -> (first time in s, how many).
+    :ivar lag_s: the age in s of the first transform when it was broadcast; a negative age is in the future.
     """
 
     def __init__(self, node: str, parent: str, child: str, is_static: bool, time_ns: int) -> None:
@@ -167,7 +169,7 @@ class Broadcasts:
 
     @property
     def first_s(self) -> float:
-        """When the first was broadcast."""
+        """The time of the first transform, in s."""
         return self.first_ns / 1e9
 
     def _note(self, what: str) -> None:
@@ -175,7 +177,7 @@ class Broadcasts:
         self.odd[what] = (time_s, count + 1)
 
     def look(self, start_ns: int, sec: int, nanosec: int, pose: tuple[float, ...]) -> None:
-        """Count one transform, and see what is odd about it."""
+        """Count one transform, and check it for mistakes."""
         x, y, z, qx, qy, qz, qw = pose
         square = qx * qx + qy * qy + qz * qz + qw * qw
         check = square + x + y + z
@@ -197,7 +199,7 @@ class Broadcasts:
 
 @lru_cache(maxsize=1)
 def broadcasts(recording: Recording) -> list[Broadcasts]:
-    """In order of the first of each; static ones before the others."""
+    """Return all broadcasts in the order of their first transforms, static ones before the others."""
     found: dict[Any, Broadcasts] = {}
     for topic, is_static in (('/tf_static', True), ('/tf', False)):
         for time_ns, node, wire in recording.published(topic, TF_TYPE):
@@ -214,7 +216,7 @@ def broadcasts(recording: Recording) -> list[Broadcasts]:
 
 @lru_cache(maxsize=1)
 def by_child(recording: Recording) -> dict[str, list[Broadcasts]]:
-    """By frame; names without a leading slash, as tf2 keeps them."""
+    """Return the broadcasts by frame. Frame names have no leading slash, as in tf2."""
     found: dict[str, list[Broadcasts]] = {}
     for one in broadcasts(recording):
         found.setdefault(one.child.removeprefix('/'), []).append(one)
@@ -223,12 +225,12 @@ def by_child(recording: Recording) -> dict[str, list[Broadcasts]]:
 
 @lru_cache(maxsize=1)
 def frame_names(recording: Recording) -> list[str]:
-    """Return all frames that were ever broadcast, parents too."""
+    """Return all frames that were ever broadcast, including parents."""
     return list(dict.fromkeys(name.removeprefix('/') for one in broadcasts(recording) for name in (one.parent, one.child)))
 
 
 def root_of(recording: Recording, frame: str) -> str:
-    """Return the frame at the top of the tree in which a frame is."""
+    """Return the root of the tree that contains a frame."""
     links = by_child(recording)
     seen = [frame]
     while frame in links and (frame := links[frame][0].parent.removeprefix('/')) not in seen:

@@ -1,4 +1,4 @@
-"""A workspace and a package of it with what is around it: what rules over workspaces and sources look at."""
+"""The workspace and the source package that rules over workspaces and sources look at."""
 
 from __future__ import annotations
 
@@ -18,22 +18,22 @@ class Source(NamedTuple):
 
     @property
     def is_readable(self) -> bool:
-        """Whether its build file can be read: else nothing is certain of what would be installed."""
+        """Whether its build file can be read. If not, the installed files are not known."""
         return self.package.contents.broken is None
 
     @property
     def is_certain(self) -> bool:
-        """Whether all that a build of it installs is known."""
+        """Whether all files that its build installs are known."""
         return self.is_readable and not self.package.contents.unread
 
     @property
     def is_of_ros_1(self) -> bool:
-        """Whether it is a package of ROS 1, which no ROS 2 workspace builds."""
+        """Whether it is a ROS 1 package, which no ROS 2 workspace builds."""
         return any(warning.about == 'ROS 1' for warning in self.package.contents.warnings)
 
     @property
     def installed(self) -> dict[str, str]:
-        """Real path of each file that is installed as it is, and where to below the prefix."""
+        """The real path of each file that is installed unchanged, and its place below the prefix."""
         return {os.path.realpath(path): name for name, path in self.package.contents.files.items()}
 
 
@@ -46,7 +46,7 @@ class Workspace(NamedTuple):
 
     @property
     def sources(self) -> list[Source]:
-        """Its packages, each with what is around it."""
+        """Its packages as `Source` objects."""
         return [Source(package, self.around) for package in self.packages]
 
 

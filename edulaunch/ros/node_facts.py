@@ -23,7 +23,7 @@ _chosen: CoreOf = _in_our_rclpy
 
 
 def choose(core_of_node: CoreOf) -> None:
-    """Make :func:`core_of` call this function from now on, in the whole interpreter."""
+    """Replace the function behind :func:`core_of` in the whole interpreter."""
     global _chosen
     _chosen = core_of_node
 

@@ -1,4 +1,4 @@
-"""Names that a module of ROS 2 has only because it imports them, and that programs import from there all the same.
+"""Names that a module of ROS 2 contains only because it imports them, and that programs still import from there.
 
 Editors insert `from rclpy.node import Publisher` automatically, and it works with ROS 2. Here a module imports what it needs,
 late. `passed_on.txt` lists the other names of the module in ROS 2, which are loaded on request.
@@ -30,7 +30,7 @@ def passed_on(module: str) -> Callable[[str], Any]:
 
 
 def homes_of(module: str) -> dict[str, tuple[str, str]]:
-    """For each name that a module passes on: the module where it is at home, and its name there ('' for the module itself)."""
+    """Return the module and the original name of each name that a module passes on ('' for the module itself)."""
     return _tables()[module]
 
 

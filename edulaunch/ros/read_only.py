@@ -1,4 +1,4 @@
-"""Properties that only show what their object keeps for itself."""
+"""Read-only properties that return a private attribute."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ T = TypeVar('T')
 
 
 class ReadOnly(Generic[T]):
-    """A property `name` that gives the private attribute `__name` of its class; setting it is an AttributeError, as upstream.
+    """A property `name` that returns the private attribute `__name` of its class. As upstream, setting it raises AttributeError.
 
     :param doc: what it is.
     :param path: what it gives instead, behind `self.`.

@@ -10,7 +10,7 @@ from rclpy.node import Node
 
 
 def spin(make_node: Callable[[], Node], args: list[str] | None = None) -> None:
-    """Make a node and spin it until Ctrl-C or shutdown, which both end the program well."""
+    """Create a node and spin it until Ctrl-C or shutdown, after which the program ends without an error."""
     run(lambda: rclpy.spin(make_node()), args)
 
 

@@ -1,4 +1,4 @@
-"""The counterpart of sourcing ROS 2's setup files: putting the underlay, and workspaces over it, on the path."""
+"""Put the underlay, and workspaces over it, on the path, as ROS 2's setup files do."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _INDEXES: list[Index] = []
 
 
 def source(workspaces: Sequence[str | os.PathLike[str]] = ()) -> None:
-    """Make `launch`, `rclpy`, `tf2_ros`, `geometry_msgs` and the other ROS packages importable. Repeating it changes nothing.
+    """Make `launch`, `rclpy`, `tf2_ros`, `geometry_msgs` and the other ROS packages importable. A second call has no effect.
 
     :param workspaces: folders with packages, built by colcon or not. Afterwards, their modules, interfaces and programs are
         available, as after `source install/setup.bash`. A workspace with changed files is sourced again.

@@ -1,1 +1,1 @@
-"""Rules over errors that ended a program, a launch or a command (`Failure`)."""
+"""Rules that explain the error which ended a program, a launch or a command (`Failure`)."""

@@ -43,7 +43,7 @@ OLD_KEYWORDS = {
     edits=(('{keyword}=', '{near}='),),
 )
 def keyword(failure: Failure) -> Iterator[Finding]:
-    """Report an argument that the constructor does not know."""
+    """Report an unknown argument of a constructor."""
     match = re.match(r"(\w+)\.__init__\(\) got an unexpected keyword argument '(\w+)'", failure.message)
     cls = class_named(match[1]) if match is not None else None
     known = failure.facts.get('keywords') or (keywords_of(cls) if cls is not None else [])
@@ -63,7 +63,7 @@ def keyword(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def positional(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `LogInfo('hello')`, `LaunchDescription(node, node)`."""
+    """Report positional arguments that a constructor does not accept, as in `LogInfo('hello')`."""
     match = re.match(r'(\w+)\.__init__\(\) takes .*positional arguments? but \d+ .*were given', failure.message)
     cls = class_named(match[1]) if match is not None and failure.process is None else None
     if match is None or cls is None:
@@ -83,7 +83,7 @@ def positional(failure: Failure) -> Iterator[Finding]:
     edits=(('function={function}()', 'function={function}'),),
 )
 def function_called(failure: Failure) -> Iterator[Finding]:
-    """`OpaqueFunction(function=setup())`."""
+    """Report a function that is called where launch expects the function itself: `OpaqueFunction(function=setup())`."""
     tree = script_of(failure.file) if failure.process is None and 'missing 1 required positional' in failure.message else None
     for node in [] if tree is None else ast.walk(tree):
         value = node.value if isinstance(node, ast.keyword) and node.arg == 'function' else None
@@ -101,7 +101,7 @@ def function_called(failure: Failure) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def component_is_node(failure: Failure) -> Iterator[Finding]:
-    """By the text of the file that failed."""
+    """Report a Node where a container expects a ComposableNode. The rule reads the file that failed."""
     is_call = failure.process is None and re.match("'NoneType' object is not callable|'Node' object has no", failure.message)
     tree = script_of(failure.file) if is_call else None
     for node in [] if tree is None else ast.walk(tree):
@@ -121,7 +121,7 @@ def component_is_node(failure: Failure) -> Iterator[Finding]:
     edits=(('{near}=', '{needed}='),),
 )
 def missing_keyword(failure: Failure) -> Iterator[Finding]:
-    """Report a missing argument. The action passes a misspelt one on, so only its absence is visible."""
+    """Report a missing argument. Actions pass unknown arguments on, so a misspelt one shows only as a missing one."""
     match = re.match(r"(\w+)\.__init__\(\) missing \d+ required (?:keyword-only|positional) arguments?: '(\w+)'", failure.message)
     cls = class_named(match[1]) if match is not None else None
     if match is not None and cls is not None and failure.process is None:
@@ -151,7 +151,9 @@ def missing_keyword(failure: Failure) -> Iterator[Finding]:
     edits=(('{set_of}', '{as_dict}'), ('{keyword}={value}', "{keyword}='{as_text}'")),
 )
 def not_a_text(failure: Failure) -> Iterator[Finding]:
-    """A number, a boolean or a path; in parameters= often an item of a set, `{'speed', 2.0}`."""
+    """Report a number, a boolean or a path where launch expects a string. In parameters= it is often an item of a set, as in
+    `{'speed', 2.0}`.
+    """
     if failure.facts.get('about') != 'launch.not-a-text':
         return
     for node in ast.walk(script_of(failure.file) or ast.Module([], [])):
@@ -179,7 +181,7 @@ def not_a_text(failure: Failure) -> Iterator[Finding]:
     edits=(('{argument}={value}', '{argument}={as_float}'),),
 )
 def wrong_type(failure: Failure) -> Iterator[Finding]:
-    """launch's own check of types."""
+    """Report an argument that the type check of launch refuses."""
     match = re.search(
         r"xpected '(\w+)' to be one of \[(.*)\], but got '(.*)' of type '<class '(.*)'>'", failure.message, re.DOTALL
     )
@@ -200,7 +202,7 @@ def wrong_type(failure: Failure) -> Iterator[Finding]:
 
 
 def _one_pair(failure: Failure) -> str | None:
-    """Return the only pair of `remappings=('from', 'to')`, as it is written."""
+    """Return the only pair of `remappings=('from', 'to')` as it is written in the file."""
     for node in ast.walk(script_of(failure.file) or ast.Module([], [])):
         if isinstance(node, ast.keyword) and node.arg == 'remappings' and isinstance(node.value, ast.Tuple):
             is_pair = [type(word) for word in node.value.elts[:1]] == [ast.Constant]
@@ -237,7 +239,7 @@ def not_a_list(failure: Failure) -> Iterator[Finding]:
     confidence='asked',
 )
 def missing_comma(failure: Failure) -> Iterator[Finding]:
-    """Report two items of a list, one after the other."""
+    """Report two items of a list without a comma between them."""
     match = re.match(r"'(\w+)' object is not (callable|subscriptable)", failure.message)
     if match is None or failure.process is not None:
         return

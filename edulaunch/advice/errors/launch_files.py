@@ -1,4 +1,4 @@
-"""Launch files that are not there, or do not give what a launch file gives; names and modules in those of Python."""
+"""Rules about missing launch files, launch files that return no launch description, and unknown names in Python launch files."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def test_description(failure: Failure) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def other_source(failure: Failure) -> Iterator[Finding]:
-    """Report a file that is included as Python."""
+    """Report a file in another format that is included as a Python launch file."""
     name, ending = os.path.basename(failure.file or ''), os.path.splitext(failure.file or '')[1]
     if failure.type == 'SyntaxError' and failure.process is None and ending in ('.xml', '.yaml', '.yml'):
         yield report(failure, name=name, language='XML' if ending == '.xml' else 'YAML')
@@ -72,7 +72,7 @@ def other_source(failure: Failure) -> Iterator[Finding]:
     lesson='01_first_launch',
 )
 def no_return(failure: Failure) -> Iterator[Finding]:
-    """Report a forgotten `return`, or a list that was returned."""
+    """Report a generate_launch_description() that returns nothing, or a list."""
     match = re.match(r"'(\w+)' object has no attribute 'get_launch_arguments", failure.message)
     if match is not None:
         yield report(failure, returned='nothing' if match[1] == 'NoneType' else f'a {match[1]}')
@@ -90,7 +90,7 @@ def no_return(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def no_file(failure: Failure) -> Iterator[Finding]:
-    """Report a file that a launch file opens or includes."""
+    """Report a missing file that a launch file opens or includes."""
     if failure.type == 'FileNotFoundError' and failure.process is None and failure.facts.get('wanted'):
         built = re.search(r'/(?:install|share)/([\w-]+)/', failure.facts['wanted'] + '/')
         package = built[1] if built and failure.facts.get('no_folder') else None
@@ -237,7 +237,7 @@ def relative_import(failure: Failure) -> Iterator[Finding]:
     edits=(('{wanted_module}', '{near}'),),
 )
 def no_module(failure: Failure) -> Iterator[Finding]:
-    """Report a module that the launch file imports."""
+    """Report a missing module that the launch file imports."""
     match = re.match(r"No module named '([\w.]+)'", failure.message)
     if match is None or failure.process is not None:
         return
@@ -260,7 +260,9 @@ EXTRAS = {'xacro': 'urdf', 'urdf_parser_py': 'urdf', 'rosbags': 'bags'}
 
 
 def misspelt(module: str) -> str | None:
-    """Return the module of launch or ament_index_python that was meant; `launch_utils` is another package's."""
+    """Return the module of launch or ament_index_python whose name is nearly this one. The package `launch_utils` is not a
+    misspelling.
+    """
     near = nearest_spelling(module, MODULES)
     top = module.partition('.')[0]
     tops = {one.partition('.')[0] for one in MODULES}
@@ -284,7 +286,7 @@ def misspelt(module: str) -> str | None:
     edits=(('{missing}', '{python}'), ('{missing}', '{near_bound}'), ('', '{line}', 'import')),
 )
 def unknown_name(failure: Failure) -> Iterator[Finding]:
-    """Report a name without an import, misspelt, or from another language."""
+    """Report an undefined name that has no import, is misspelt, or belongs to another language, such as `true`."""
     match = re.match(r"name '(\w+)' is not defined", failure.message)
     if match is None or failure.process is not None:
         return
@@ -306,6 +308,6 @@ def unknown_name(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def expression(failure: Failure) -> Iterator[Finding]:
-    """Report a PythonExpression whose joined parts are not valid Python."""
+    """Report a PythonExpression that is not valid Python after its parts are joined."""
     if failure.facts.get('expression') and failure.type in ('SyntaxError', 'TypeError'):
         yield report(failure)

@@ -1,4 +1,4 @@
-"""Launch files in XML and YAML."""
+"""Rules about errors in XML and YAML launch files."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def _instead(failure: Failure, name: str) -> str | None:
     level='error',
 )
 def unknown_element(failure: Failure) -> Iterator[Finding]:
-    """Report an element that no action has, or not here."""
+    """Report an element that is unknown, or not allowed at this place."""
     if failure.facts.get('about') != 'launch.unknown-element':
         return
     name, shown = str(failure.facts.get('element')), str(failure.facts.get('shown'))
@@ -144,7 +144,7 @@ def unknown_attribute(failure: Failure) -> Iterator[Finding]:
     edits=(('{near}', '{needed}'),),
 )
 def missing_attribute(failure: Failure) -> Iterator[Finding]:
-    """What an element cannot do without."""
+    """Report an element without a required attribute."""
     if failure.facts.get('about') == 'launch.missing-attribute':
         needed, given = str(failure.facts.get('needed')), list(failure.facts.get('given_names') or ())
         near = next((one for one in given if _instead(failure, one) == needed), None) or nearest(needed, given)
@@ -188,7 +188,7 @@ def call(failure: Failure) -> Iterator[Finding]:
     edits=(('{given})', '{package})/{rest}'),),
 )
 def path_as_package(failure: Failure) -> Iterator[Finding]:
-    """`$(find-pkg-share robo/config/robo.yaml)`."""
+    """Report a path in place of a package name, as in `$(find-pkg-share robo/config/robo.yaml)`."""
     match = re.fullmatch(r"'([\w-]+)/(.+)' is not a valid package name", failure.message)
     if match is not None and failure.process is None and (failure.file or '').endswith(('.xml', '.yaml', '.yml', '.launch')):
         yield report(failure, call='find-pkg-share', given=f'{match[1]}/{match[2]}', package=match[1], rest=match[2])

@@ -1,4 +1,4 @@
-"""Rules about values that are known only when a launch file runs, and about parameters, their files and the command line."""
+"""Rules about values that launch computes during a run, parameters and their files, and the command line."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from edulaunch.engine.nearest import nearest, nearest_spelling
     hides=('programs.died',),
 )
 def command_failed(failure: Failure) -> Iterator[Finding]:
-    """Report this for the substitution Command. `said` is the first line of its standard error."""
+    """Report a command of the substitution Command that failed. `said` is the first line of its standard error."""
     said = re.match(r'executed command failed. Command: (.*)(?:\nCaptured stderr output: ((?s:.*)))?', failure.message)
     if said is not None:
         words = [os.path.realpath(word) if os.path.exists(word) else word for word in said[1].split()]
@@ -50,7 +50,7 @@ def command_failed(failure: Failure) -> Iterator[Finding]:
     edits=(('{configuration}', '{near}', 'near'),),
 )
 def no_configuration(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `LaunchConfiguration('x')`, or $(var x), of a name that no action declares."""
+    """Report the use of a launch configuration that nothing declares or sets."""
     if failure.facts.get('about') == 'launch.no-configuration':
         is_markup = (failure.file or '').endswith(('.xml', '.launch'))
         yield report(failure, xml=failure.facts['configuration'] if is_markup else None)
@@ -79,7 +79,7 @@ def no_argument(failure: Failure) -> Iterator[Finding]:
     edits=(('{variable}', '{near}', 'near'),),
 )
 def no_variable(failure: Failure) -> Iterator[Finding]:
-    """Report an environment variable without a default."""
+    """Report the use of an environment variable that is not set and has no default."""
     match = re.search(r"environment variable '(.*)' does not exist", failure.message)
     if match is not None:
         yield report(failure, variable=match[1])
@@ -97,7 +97,7 @@ def no_variable(failure: Failure) -> Iterator[Finding]:
     lesson='01_first_launch',
 )
 def condition_value(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `IfCondition('maybe')`."""
+    """Report a condition whose value is not a boolean, as in `IfCondition('maybe')`."""
     if failure.message.startswith('invalid condition expression'):
         code = None
         for node in ast.walk(script_of(failure.file) or ast.Module([], [])):
@@ -151,7 +151,7 @@ def executed_twice(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def too_deep(failure: Failure) -> Iterator[Finding]:
-    """Endless recursion in a launch file."""
+    """Report endless recursion in a launch file."""
     if failure.process is None and failure.message.startswith('maximum recursion depth'):
         yield report(failure)
 
@@ -226,7 +226,7 @@ def parameter_type(failure: Failure) -> Iterator[Finding]:
 
 
 def _meant(text: str, wanted: str) -> str | None:
-    """Return the value of the type that is wanted which differs little from a string: `2,5`, `Ture`, `0.5 1.5`."""
+    """Return the value of the wanted type that a string such as `2,5`, `Ture` or `0.5 1.5` probably means."""
     number, words = r'-?\d+(?:\.\d+)?', text.replace(',', ' ').split()
     if wanted == 'DOUBLE' and re.fullmatch(r'-?\d+,\d+', text):
         return text.replace(',', '.')
@@ -248,7 +248,7 @@ def _meant(text: str, wanted: str) -> str | None:
     edits=(('{parameter}', '{near}', 'near'),),
 )
 def parameter_undeclared(failure: Failure) -> Iterator[Finding]:
-    """By get_parameter, set_parameters and the like."""
+    """Report an undeclared parameter that a node gets or sets."""
     facts = failure.facts
     if facts.get('about') == 'programs.parameter-undeclared':
         yield report(failure, near=nearest(str(facts.get('parameter')), map(str, facts.get('declared') or ())))

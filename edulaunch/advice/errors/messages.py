@@ -1,4 +1,6 @@
-"""Classes and fields of messages, services and actions; names and values in the programs of nodes that Python itself refuses."""
+"""Rules about wrong classes, fields and values of messages, services and actions, and about unknown names in the programs of
+nodes.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +26,7 @@ from edulaunch.engine.nearest import nearest_spelling
     edits=(('.{field}', '.{near}', 'near'),),
 )
 def field(failure: Failure) -> Iterator[Finding]:
-    """A field that the message does not have; in do_transform_point() the caller passed a part of what it needs."""
+    """Report a field that a message does not have. In do_transform_point(), the caller passed only a part of the message."""
     if failure.facts.get('about') == 'messages.field':
         called = re.search(r'\b(do_transform_\w+)\(', linecache.getline(failure.file or '', failure.line or 0))
         yield report(failure, transform=called[1] if called else None)
@@ -93,7 +95,7 @@ _SAID = re.compile(r"Expected <class '(?P<module>[\w.]+)\.(?P<wanted>\w+)'>, got
     level='error',
 )
 def published_no_message(failure: Failure) -> Iterator[Finding]:
-    """rclpy's own TypeError names both classes."""
+    """Report an object of another class in publish(). The TypeError of rclpy names both classes."""
     match = _SAID.search(failure.message) if failure.type == 'TypeError' else None
     if match is not None:
         yield found(
@@ -129,7 +131,7 @@ _HOME_OF = {name: home for home, names in HOMES.items() for name in names.split(
     edits=(('', '{line}', 'import'), ('{missing}', '{near_bound}')),
 )
 def unknown_name(failure: Failure) -> Iterator[Finding]:
-    """Report a name without an import, or misspelt, in a program of a node."""
+    """Report an undefined name in a node's program that is misspelt or has no import."""
     match = re.match(r"name '(\w+)' is not defined", failure.message)
     if match is not None and failure.process is not None and failure.type == 'NameError':
         home = 'rclpy' if match[1] == 'rclpy' else _HOME_OF.get(match[1])
@@ -149,7 +151,7 @@ def unknown_name(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def no_number(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `Duration(0.5)`, `now - 0.5`, `get_clock().now - Duration(...)`."""
+    """Report arithmetic with a number where rclpy expects a Duration or Time, as in `now - 0.5`."""
     made = re.match(r'(Duration|Time)\.__init__\(\) takes 1 positional argument', failure.message)
     match = re.match(
         r"(?:unsupported operand type\(s\) for \S+:|'[<>]=?' not supported between instances of) '(\w+)' and '(\w+)'",
@@ -174,6 +176,6 @@ def no_number(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def no_period(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `create_timer(self.on_timer)`, or `create_timer(1.0)`."""
+    """Report a timer without a period or without a callback."""
     if failure.process is not None and re.match(r'Node\.create_timer\(\) missing 1 required positional', failure.message):
         yield report(failure)

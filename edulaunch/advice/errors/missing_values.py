@@ -1,4 +1,6 @@
-"""Values that are not there when a line asks for them: environment variables, answers, arguments, and conversions of messages."""
+"""Rules about values that do not exist yet when a line uses them: environment variables, replies, launch arguments and
+conversions.
+"""
 
 from __future__ import annotations
 
@@ -33,7 +35,7 @@ def _line(failure: Failure) -> str:
     hides=('launch.fails',),
 )
 def no_variable(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `os.environ['NAME']` in a launch file or a program."""
+    """Report a missing environment variable that a launch file or a program reads, as in `os.environ['NAME']`."""
     match = re.fullmatch(r"'(\w+)'", failure.message)
     if failure.type == 'KeyError' and match is not None and 'environ' in _line(failure):
         yield report(failure, variable=match[1], example=MODELS.get(match[1]), quoted=repr(match[1]))
@@ -51,7 +53,9 @@ def no_variable(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def result_too_early(failure: Failure) -> Iterator[Finding]:
-    """Report an attribute of None on a line with `.result()`, or of a variable that got its value from it on the lines above."""
+    """Report the use of a future's result before it exists. None has the attribute on a line with `.result()`, or in a variable
+    that was assigned from such a line.
+    """
     if failure.type != 'AttributeError' or not failure.message.startswith("'NoneType' object has no attribute"):
         return
     above = [
@@ -93,7 +97,7 @@ def path_too_early(failure: Failure) -> Iterator[Finding]:
     hides=('launch.condition-value',),
 )
 def condition_word(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `IfCondition('gui')`, in the file that failed."""
+    """Report a condition that is a plain word, as in `IfCondition('gui')`. The rule reads the file that failed."""
     match = re.match(r"invalid condition expression.* but got '(\w+)'", failure.message)
     lines = _lines(failure.file) if match is not None and failure.file else []
     if match is not None and any(re.search(rf"""DeclareLaunchArgument\(.*['"]{match[1]}['"]""", line) for line in lines):
@@ -114,7 +118,7 @@ def condition_word(failure: Failure) -> Iterator[Finding]:
     hides=('launch.no-configuration',),
 )
 def declared_after_use(failure: Failure) -> Iterator[Finding]:
-    """Report a declaration of the same file in a later line, or in an action that comes later in the list."""
+    """Report an argument that the same file declares only after its first use."""
     match = re.fullmatch(r"launch configuration '(.*)' does not exist", failure.message)
     tree = script_of(failure.file) if match is not None else None
     if match is None or tree is None:
@@ -128,7 +132,7 @@ def declared_after_use(failure: Failure) -> Iterator[Finding]:
 
 
 def _comes_later(tree: ast.Module, declared: int, used: int) -> bool:
-    """Return whether an action of a line comes after another one: in the file, or in a list of variables that hold them."""
+    """Return whether one action comes after another, in the file or in a list of variables that contain actions."""
     lines = {
         node.targets[0].id: node.value.lineno
         for node in ast.walk(tree)
@@ -151,7 +155,7 @@ def _comes_later(tree: ast.Module, declared: int, used: int) -> bool:
     hides=('launch.no-configuration', 'launch.declared-after-use'),
 )
 def set_in_group(failure: Failure) -> Iterator[Finding]:
-    """Report a SetLaunchConfiguration or DeclareLaunchArgument of that name in a GroupAction of the same file."""
+    """Report a launch configuration that exists only inside a GroupAction of the same file."""
     match = re.fullmatch(r"launch configuration '(.*)' does not exist", failure.message)
     tree = script_of(failure.file) if match is not None else None
     if match is None or tree is None:
@@ -177,14 +181,16 @@ SETTING = ('SetLaunchConfiguration', 'DeclareLaunchArgument')
     hides=('launch.positional', 'launch.call'),
 )
 def class_for_action(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `on_exit=Shutdown`, in the file that failed or in one that the launch began with."""
+    """Report a class in place of an action, as in `on_exit=Shutdown`. The rule reads the file that failed and the first launch
+    file.
+    """
     match = re.match(r'(\w+)\.__init__\(\) takes 1 positional argument but 3 were given', failure.message)
     if match is not None:
         yield report(failure, given=match[1], keyword='on_exit' if match[1] == 'Shutdown' else 'on_start')
 
 
 def _lines(file: str) -> list[str]:
-    """Return the lines of a launch file that is not too long."""
+    """Return the lines of a launch file; [] for a very long file."""
     lines = linecache.getlines(file) if file.endswith('.py') else []
     return lines if sum(map(len, lines)) < LONGEST else []
 
@@ -201,7 +207,7 @@ CONVERTERS = {'geometry_msgs': 'tf2_geometry_msgs', 'sensor_msgs': 'tf2_sensor_m
     level='error',
 )
 def no_converter(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `buffer.transform(pose, 'map')` without the import."""
+    """Report `buffer.transform(pose, 'map')` without the import that registers the conversion."""
     match = re.match(r"Type <class '(\w+)\.msg\.\w+\.(\w+)'> is not loaded or supported", failure.message)
     if match is not None and match[1] in CONVERTERS:
         yield report(failure, package=match[1], kind_of=match[2], converter=CONVERTERS[match[1]])

@@ -1,4 +1,6 @@
-"""Modules that are not here, or not as they were imported, and what needs a real machine: other processes, windows, sockets."""
+"""Rules about modules that are missing or were imported wrongly, and about features that need a real computer: processes,
+windows, sockets.
+"""
 
 from __future__ import annotations
 
@@ -40,7 +42,7 @@ NEWER = {'turtlesim_msgs': 'turtlesim'}
     edits=(('{newer}', '{home}', 'near'), ('{module}', '{near}', 'near')),
 )
 def unknown_package(failure: Failure) -> Iterator[Finding]:
-    """`from turtlesim_msgs.msg import Pose`."""
+    """Report an import from a package of messages that does not exist, such as `turtlesim_msgs`."""
     if failure.facts.get('about') == 'messages.unknown-package':
         module = str(failure.facts.get('module'))
         yield report(failure, newer=module if module in NEWER else None, home=NEWER.get(module))

@@ -1,4 +1,4 @@
-"""Calls of a node's methods with the wrong thing, or the right things in the wrong order: types, topics, periods, requests."""
+"""Rules about wrong arguments of a node's methods: types, topics, periods and requests."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ LESSON = '14_services'
 
 
 def calls_on_line(failure: Failure) -> list[ast.Call]:
-    """Return the calls of the student's line, the outer ones first."""
+    """Return the calls on the student's line, outermost first."""
     tree = script_of(failure.file)
     nodes = [] if tree is None else [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
     return [call for call in nodes if call.lineno <= (failure.line or 0) <= (call.end_lineno or 0)]
@@ -31,7 +31,7 @@ def calls_on_line(failure: Failure) -> list[ast.Call]:
     level='error',
 )
 def type_as_text(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `create_subscription('Pose', ...)`, or the topic in the first place."""
+    """Report a message type that is given as a string, or swapped with the topic, as in `create_subscription('Pose', ...)`."""
     if not failure.message.startswith("type object 'str' has no attribute '_TYPE_SUPPORT'"):
         return
     for call in calls_on_line(failure):
@@ -51,7 +51,7 @@ def type_as_text(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def timer_order(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `create_timer(self.tick, 1.0)`."""
+    """Report swapped arguments of create_timer, as in `create_timer(self.tick, 1.0)`."""
     if not re.match(r"float\(\) argument must be a string or a real number, not '(method|function)'", failure.message):
         return
     for call in calls_on_line(failure):
@@ -68,7 +68,7 @@ def timer_order(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def service_class(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `client.call_async(Spawn())`."""
+    """Report a service class in place of a request object, as in `client.call_async(Spawn())`."""
     if failure.message == 'Service classes can not be instantiated':
         made = [call.func for call in calls_on_line(failure) if isinstance(call.func, ast.Name)]
         yield report(failure, service=next((one.id for one in made if one.id[:1].isupper()), 'the service class'))
@@ -83,7 +83,7 @@ def service_class(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def parameter_object(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `self.get_parameter('speed') * 2`."""
+    """Report arithmetic with a Parameter object instead of its value, as in `self.get_parameter('speed') * 2`."""
     if failure.type == 'TypeError' and re.search(r"'Parameter'( and '|$)|and 'Parameter'|not 'Parameter'", failure.message):
         yield report(failure)
 
@@ -96,7 +96,7 @@ def parameter_object(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def local_not_attribute(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `pub = self.create_publisher(...)` in the constructor, and `self.pub` in a callback."""
+    """Report a callback that reads `self.pub` although the constructor stored the object in the local variable `pub`."""
     match = re.fullmatch(r"'(\w+)' object has no attribute '(\w+)'", failure.message)
     tree = script_of(failure.file) if match is not None else None
     if match is None or tree is None:

@@ -1,4 +1,4 @@
-"""`rclpy.init()`, `spin` and `shutdown`: too early, too late, twice, or with the wrong argument."""
+"""Rules about `rclpy.init()`, `spin` and `shutdown` that are called too early, too late, twice, or with a wrong argument."""
 
 from __future__ import annotations
 
@@ -166,7 +166,7 @@ TIMEOUT_NO_DURATION = about(
     level='error',
 )
 def forgotten_self(failure: Failure) -> Iterator[Finding]:
-    """Report a method of a class without any argument. Python before 3.10 does not name the class."""
+    """Report a method that is defined without `self`. Python before 3.10 does not name the class in its message."""
     match = re.match(r'\w+\.(\w+)\(\) takes 0 positional arguments but \d+ (was|were) given', failure.message)
     if match is not None and failure.type == 'TypeError':
         yield report(failure, method=match[1])
@@ -180,7 +180,9 @@ def forgotten_self(failure: Failure) -> Iterator[Finding]:
     confidence='asked',
 )
 def called_too_early(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `create_subscription(String, 'chatter', self.heard(), 10)`: a method of the student's own."""
+    """Report a callback that is called while it should be passed, as in `create_subscription(String, 'chatter', self.heard(),
+    10)`.
+    """
     match = re.match(r"\w+\.(\w+)\(\) missing 1 required positional argument: '(\w+)'", failure.message)
     tree = script_of(failure.file) if match is not None and failure.process is not None else None
     own = [node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)] if tree is not None else []
@@ -195,7 +197,7 @@ def called_too_early(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def no_depth(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `create_subscription(String, 'chatter', self.heard)`."""
+    """Report a publisher or subscription without a queue depth, as in `create_subscription(String, 'chatter', self.heard)`."""
     match = re.match(r"Node\.(\w+)\(\) missing 1 required positional argument: 'qos_profile'", failure.message)
     if match is not None and failure.process is not None:
         yield report(failure, method=match[1])
@@ -208,7 +210,7 @@ def no_depth(failure: Failure) -> Iterator[Finding]:
     level='info',
 )
 def rule_failed(failure: Failure) -> Iterator[Finding]:
-    """Nothing that a student writes looks like this."""
+    """Report that a rule of advice failed. A mistake of a student never causes this finding."""
     yield from ()
 
 
@@ -220,7 +222,7 @@ def rule_failed(failure: Failure) -> Iterator[Finding]:
     lesson='02_names',
 )
 def sign_in_name(failure: Failure) -> Iterator[Finding]:
-    """Report a blank, a minus or a letter with an accent in the name of a node, namespace or topic."""
+    """Report a space, a minus sign or an accented letter in the name of a node, namespace or topic."""
     match = re.search(r"must not contain characters other than alphanumerics.*:\n  '(.*)'\n( *)\^", failure.message)
     if match is not None:
         name, at = match[1], len(match[2]) - len("  '")

@@ -1,4 +1,4 @@
-"""Python cannot read the file: by what it says of it, which is short, and of the line."""
+"""Rules about files that Python cannot parse. They read Python's message and the line that it names."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def _in_line(failure: Failure, **facts: Any) -> Finding:
     level='error',
 )
 def typographic_quotes(failure: Failure) -> Iterator[Finding]:
-    """Quotes and dashes that look almost the same."""
+    """Report typographic quotes and dashes, which look almost like the plain ones."""
     match = _matched(failure, _CHARACTER.pattern)
     if match is not None:
         character = chr(int(match[1], 16))
@@ -58,7 +58,7 @@ def typographic_quotes(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def bracket_open(failure: Failure) -> Iterator[Finding]:
-    """Python names the line in which it was opened."""
+    """Report a bracket that is never closed. Python names the line in which it was opened."""
     match = _matched(failure, r"'([(\[{])' was never closed")
     if match is not None:
         yield _in_line(failure, opening=match[1], closing=CLOSING[match[1]])
@@ -102,7 +102,9 @@ def bracket_too_many(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def not_utf_8(failure: Failure) -> Iterator[Finding]:
-    """UTF-16 is full of null bytes. Not every Python names the file: of a program, its name must do."""
+    """Report a file in another encoding than UTF-8. UTF-16 contains many null bytes. Some versions of Python do not name the
+    file; then the rule uses the program's name.
+    """
     types = (*SYNTAX, 'ValueError', 'UnicodeDecodeError')
     if _matched(failure, r"null bytes|can't decode byte|Non-UTF-8 code|invalid or missing encoding", types):
         file = None if failure.process else failure.file
@@ -120,7 +122,7 @@ def not_utf_8(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def indentation(failure: Failure) -> Iterator[Finding]:
-    """Too little, too much, or tabs among spaces."""
+    """Report missing or unexpected indentation, and tabs among spaces."""
     if failure.type in ('IndentationError', 'TabError'):
         match = re.search(
             r"expected an indented block after (?:'(\w+)' statement|(\w+) definition) on line (\d+)", failure.message

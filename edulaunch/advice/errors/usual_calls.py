@@ -1,4 +1,4 @@
-"""Usual slips in programs that Python reports in words of its own: brackets, argument lists, futures, constructors."""
+"""Rules about common mistakes in calls that Python reports in general words: brackets, argument lists, futures, constructors."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ LAUNCH_FORMS = (
     level='error',
 )
 def wrong_call(failure: Failure) -> Iterator[Finding]:
-    """Report a call of a function of ROS 2 with too few arguments, too many, or in the wrong order."""
+    """Report a call of a ROS 2 function with too few arguments, too many arguments, or arguments in the wrong order."""
     for pattern, form in LAUNCH_FORMS if failure.process is None else FORMS:
         match = re.match(pattern, failure.message)
         if match is not None:
@@ -59,7 +59,7 @@ def wrong_call(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def brackets_missing(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `self.get_logger.info(...)`, `Twist.linear.x = 0.2`, `lookup_transform('a', 'b', Time)`."""
+    """Report a missing call, such as `self.get_logger.info(...)` or `Twist.linear.x = 0.2`."""
     match = re.match(r"'(function|method|property)' object has no attribute '(\w+)'", failure.message)
     compared = re.match(r"'[<>]=?' not supported between instances of ('property'|.* and 'property')", failure.message)
     tree = script_of(failure.file) if failure.process is not None and (match or compared) else None
@@ -83,7 +83,9 @@ def brackets_missing(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def not_callable(failure: Failure) -> Iterator[Finding]:
-    """Report `message.x()` and `qos_profile_sensor_data()`: the only call of the line without arguments."""
+    """Report brackets after something that is not a function, as in `message.x()`. It must be the only call without arguments on
+    its line.
+    """
     match = re.fullmatch(r"'(float|int|bool|str|list|QoSProfile)' object is not callable", failure.message)
     tree = script_of(failure.file) if failure.process is not None and match is not None else None
     calls = (
@@ -103,7 +105,7 @@ def not_callable(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def no_local_value(failure: Failure) -> Iterator[Finding]:
-    """Report `count += 1` in a method, with `count = 0` at the top of the file."""
+    """Report a method that changes a global variable without `global`, as in `count += 1`."""
     match = re.match(r"(?:cannot access local variable|local variable) '(\w+)'", failure.message)
     if failure.type != 'UnboundLocalError' or match is None:
         return
@@ -120,7 +122,7 @@ def no_local_value(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def future_no_answer(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `future.sum`."""
+    """Report a field of the reply that is read from the future, as in `future.sum`."""
     match = re.match(r"'Future' object has no attribute '(\w+)'", failure.message)
     tree = script_of(failure.file) if failure.process is not None and match is not None else None
     if match is None or tree is None:
@@ -138,7 +140,7 @@ def future_no_answer(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def init_misspelt(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `def _init_(self):`, so that the node's own constructor is called without a name."""
+    """Report a misspelt constructor such as `def _init_(self):`. Python then calls the constructor of Node without a name."""
     tree = script_of(failure.file) if failure.message.startswith('Node.__init__() missing 1 required') else None
     for klass in [] if tree is None else ast.walk(tree):
         names = [node.name for node in klass.body if isinstance(node, ast.FunctionDef)] if isinstance(klass, ast.ClassDef) else []
@@ -155,7 +157,7 @@ def init_misspelt(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def fields_by_name(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `String('hello')`, of a class that the file imports from a package of messages."""
+    """Report positional arguments of a message class, as in `String('hello')`."""
     match = re.match(r'(\w+)\.__init__\(\) takes 1 positional argument but \d+ were given', failure.message)
     tree = script_of(failure.file) if failure.process is not None and match is not None else None
     if match is None or tree is None:
@@ -176,7 +178,7 @@ def fields_by_name(failure: Failure) -> Iterator[Finding]:
     hides=('messages.field-value',),
 )
 def parameter_no_value(failure: Failure) -> Iterator[Finding]:
-    """Report a parameter without a value whose None is assigned to a field of a message."""
+    """Report a parameter without a value that a program assigns to a field of a message."""
     is_none = failure.facts.get('about') == 'messages.field-value' and failure.facts.get('given') == 'None'
     tree = script_of(failure.file) if is_none and any(map(_reads_parameter, calls_on_line(failure))) else None
     for call in [] if tree is None else ast.walk(tree):

@@ -1,4 +1,4 @@
-"""`explain`: a launch file shown as a tree, in a terminal and in a notebook, with the origin of every value."""
+"""`explain` shows a launch file as a tree with the origin of every value, in a terminal or in a notebook."""
 
 from __future__ import annotations
 

@@ -40,7 +40,7 @@ def declared_parameters(package: str, executable: str, workspaces: Sequence[str]
 
 
 class Tree:
-    """A tree of entries that a notebook shows so that it can be opened, and anything else as lines."""
+    """A tree of entries. A notebook shows it so that each entry can be opened; elsewhere it is shown as lines."""
 
     title: str
     entries: Any
@@ -56,12 +56,12 @@ class Tree:
 
     @property
     def alt(self) -> str:
-        """Return the tree in words, for users who cannot see it."""
+        """Return the tree as text, for users who cannot see it."""
         return str(self)
 
 
 class Explanation(Tree):
-    """What a launch file does: includes, arguments, conditions, nodes, and the origin of every value."""
+    """What a launch file does: its includes, arguments, conditions and nodes, and the origin of every value."""
 
     def __init__(self, rehearsal: Rehearsal, workspaces: Sequence[str]) -> None:
         self._rehearsal = rehearsal
@@ -70,12 +70,12 @@ class Explanation(Tree):
 
     @cached_property
     def data(self) -> Entry:
-        """The same as plain data; see :mod:`edulaunch.advice.plan.explanation`."""
+        """The explanation as plain data; see :mod:`edulaunch.advice.plan.explanation`."""
         return explanation_of(self._rehearsal)
 
     @cached_property
     def entries(self) -> list[Entry]:
-        """The tree."""
+        """The entries of the tree."""
         tree: list[Entry] = self.data['tree']
         return tree
 
@@ -96,7 +96,7 @@ class Explanation(Tree):
 
     @property
     def missing(self) -> tuple[list[str], list[str]]:
-        """What was assumed to be there: names of packages, and other things in words."""
+        """The names of packages and descriptions of other things that are missing and were assumed to exist."""
         return self._rehearsal.missing
 
     def system(self, earlier: Recording | None = None) -> System:
@@ -124,7 +124,7 @@ class Explanation(Tree):
         return Reason(reasons(self._rehearsal.outline, name, parameter, self._declared))
 
     def compare(self, other: Explanation) -> Comparison:
-        """Return what is different in another launch file, or with other arguments."""
+        """Return the differences to another launch file, or to the same file with other arguments."""
         return Comparison(self, other)
 
     def _declared(self, package: str, executable: str) -> dict[str, Any]:
@@ -132,7 +132,7 @@ class Explanation(Tree):
 
 
 class Comparison(Tree):
-    """What differs between two explanations; `data` is a list of entries with a `sign`."""
+    """The differences between two explanations. `data` is a list of entries that each have a `sign`."""
 
     def __init__(self, before: Explanation, after: Explanation) -> None:
         self._both = before, after
@@ -153,7 +153,7 @@ def _subject(explanation: Explanation) -> str:
 
 
 class Reason(Tree):
-    """The chain of values behind one; `data` has `name`, `value` and `steps`, see :mod:`edulaunch.advice.plan.why`."""
+    """The chain of values that led to a value. `data` has `name`, `value` and `steps`; see :mod:`edulaunch.advice.plan.why`."""
 
     def __init__(self, data: list[dict[str, Any]]) -> None:
         from edulaunch.advice.explaining.reasons import rendered_reasons
@@ -163,7 +163,7 @@ class Reason(Tree):
 
 
 def _name_sources(plan: dict[str, Any], source_path: Callable[[str], str]) -> None:
-    """Name the student's own files in a plan, not the links of a generated prefix."""
+    """Name the student's own files in a plan instead of the links of a generated prefix."""
     plan['file'] = source_path(plan['file'])
     file, colon, line = ((plan['error'] or {}).get('origin') or '').rpartition(':')
     if colon:

@@ -1,4 +1,4 @@
-"""Why something has its value: the chains of a node or argument, and their output."""
+"""The chains of values that led to the value of a parameter or argument, and their output."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ Declared = Callable[[str, str], Mapping[str, Any]]
 
 
 def reasons(outline: Branch, name: str, parameter: str | None, declared: Declared) -> list[dict[str, Any]]:
-    """Return one dict for each value asked for: `name`, `value`, `steps`.
+    """Return one dict for each requested value, with `name`, `value` and `steps`.
 
-    :param declared: called with package and executable: what that program declares by itself.
+    :param declared: a function of package and executable that returns the parameters that the program declares.
     :raises UnusableInput: when there is no such node, parameter or argument.
     """
     if parameter is None and not name.startswith('/'):
@@ -59,7 +59,7 @@ def _default(item: dict[str, Any], name: str, defaults: Mapping[str, Any]) -> St
 
 
 def rendered_reasons(data: list[dict[str, Any]]) -> tuple[str, list[Entry]]:
-    """Return a title and the chains as entries, the strongest last; a single one needs no title of its own."""
+    """Return a title, and the chains as entries with the strongest last. A single chain has no title of its own."""
     found = []
     for reason in data:
         one = entry('why', f'{reason["name"]} = {shown_value(reason["value"])}')

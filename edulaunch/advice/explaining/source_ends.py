@@ -45,8 +45,10 @@ End = tuple[str, str, str]
 
 
 class SourceEnds(NamedTuple):
-    """What a program has. `name`: of its node, None where the reader does not know it. `frames`: (parent, child, is static).
-    `unknown`: the expressions that decide an endpoint or a frame, and that the reader cannot evaluate."""
+    """The endpoints and frames of a program. `name` is the name of its node, or None if the reader does not know it. `frames`
+    contains (parent, child, is static). `unknown` contains the expressions that decide an endpoint or a frame and that the
+    reader cannot evaluate.
+    """
 
     name: str | None
     ends: list[End]
@@ -91,7 +93,7 @@ def read_defaults(paths: Sequence[str]) -> dict[str, Any]:
 
 
 def files_of(path: str) -> list[str]:
-    """Return a program's file, and the files beside it that it imports, directly or not."""
+    """Return a program's file and the files beside it that it imports directly or indirectly."""
     found: list[str] = []
     waiting = [path]
     while waiting:
@@ -146,14 +148,16 @@ class _Reader:
         return {name: value for name, value in values.items() if value is not UNKNOWN}
 
     def _note(self, target: ast.expr, value: ast.expr | None) -> None:
-        """Note what sets a variable; a second statement, or one that is not plain, makes it unknown."""
+        """Store the expression that sets a variable. A second assignment, or one that is not plain, makes the
+        variable unknown.
+        """
         parts = target.elts if isinstance(target, (ast.Tuple, ast.List)) else [target]
         for part in parts:
             if isinstance(part, (ast.Name, ast.Attribute)):
                 self._set.setdefault(ast.unparse(part), []).append(value if part is target else None)
 
     def node_names(self) -> Iterator[str]:
-        """Yield the names of the nodes that the file makes."""
+        """Yield the names of the nodes that the file creates."""
         for call in self._calls:
             name = name_of_call(call)
             is_super = name == '__init__' and isinstance(call.func, ast.Attribute) and name_of_call(call.func.value) == 'super'
@@ -163,7 +167,7 @@ class _Reader:
                     yield value
 
     def ends(self) -> Iterator[End | str]:
-        """Yield each endpoint, or the expression of its name where that is unknown."""
+        """Yield each endpoint, or the expression of its name if the name is unknown."""
         for call in self._calls:
             name = name_of_call(call)
             yield from OF_TF.get(name, ())
@@ -186,7 +190,7 @@ class _Reader:
         return '/'.join(parts) if len(parts) == 3 and parts[1] in ('msg', 'srv', 'action') else full
 
     def frames(self) -> Iterator[tuple[str, str, bool] | str]:
-        """Yield each transform that the file fills in, or the expression of a frame that is unknown."""
+        """Yield each transform that the file fills in, or the expression of a frame whose name is unknown."""
         makers = {name_of_call(call) for call in self._calls}
         if not makers & {'TransformBroadcaster', 'StaticTransformBroadcaster'}:
             return
@@ -203,7 +207,7 @@ class _Reader:
                         yield 'frame ' + ' in '.join('?' if one is None else ast.unparse(one) for one in pair)
 
     def value(self, node: ast.expr | None, steps: int = 0) -> Any:
-        """Return the value of an expression; `UNKNOWN` where it is not certain."""
+        """Return the value of an expression, or `UNKNOWN` if it is not certain."""
         if node is None or steps > MOST_STEPS:
             return UNKNOWN
         if isinstance(node, ast.Constant):

@@ -1,4 +1,5 @@
-"""A system of nodes, topics, services and frames, as a launch file plans it or as a run had it; and what differs between two.
+"""The nodes, topics, services and frames that a launch file plans or that a run had, and the differences between two such
+systems.
 
 A plan starts no process. The endpoints of a program come from an earlier run or from its Python source. A program of edulaunch
 itself runs for a moment in a simulation of its own. Everything else is reported as unknown.
@@ -36,11 +37,11 @@ End = tuple[str, str, str]
 
 
 class SystemNode(NamedTuple):
-    """A node.
+    """A node of a system.
 
     :ivar program: its package and executable.
-    :ivar source: where its endpoints are known from: 'run', 'source', 'built-in', or '' when they are not known.
-    :ivar unknown: what is not known of them, in words.
+    :ivar source: the origin of its endpoints: 'run', 'source', 'built-in', or '' if they are not known.
+    :ivar unknown: a description of the endpoints that are not known.
     """
 
     name: str
@@ -61,14 +62,14 @@ class SystemFrame(NamedTuple):
 
 
 class System(NamedTuple):
-    """Nodes and frames."""
+    """The nodes and frames of a launch file or of a run."""
 
     title: str
     nodes: list[SystemNode]
     frames: list[SystemFrame]
 
     def lines(self) -> Iterator[str]:
-        """Yield the system in words."""
+        """Yield a description of the system, line by line."""
         for node in self.nodes:
             yield f'node {node.name}' + (f' ({node.program})' if node.program else '')
             yield from (f'  {words}' for words in _end_words(node))
@@ -163,7 +164,7 @@ Found = tuple[SystemNode, list[SystemFrame]]
 
 
 def _moment(items: list[dict[str, Any]]) -> dict[int, Found]:
-    """Run the programs of edulaunch itself, with what the plan gives them, in a simulation of their own."""
+    """Run edulaunch's own programs for a moment in a separate simulation, with the arguments of the plan."""
     if not items:
         return {}
     with Session(env={}) as session:
@@ -209,7 +210,7 @@ def _read(item: Mapping[str, Any], index: Index) -> Found:
 
 
 def source_files(index: Index, package: str, executable: str) -> list[str]:
-    """Return the Python files of a student's program; none for another program."""
+    """Return the Python files of a student's program; [] for another program."""
     path = _file_of(index, package, executable)
     return files_of(path) if path is not None and path.endswith('.py') else []
 
@@ -239,7 +240,7 @@ def _resolved(name: str, kind: str, rules: Sequence[RemapRule], node: str) -> st
 
 
 class Difference(NamedTuple):
-    """Something that two systems do not share.
+    """Something in which two systems differ.
 
     :ivar sign: '-' if only the first has it, '+' if only the second has it, '~' if they differ in it.
     :ivar node: the name of the node that has it, '' for a frame.
@@ -279,7 +280,7 @@ def _of_node(before: SystemNode, after: SystemNode) -> Iterator[Difference]:
 
 
 def changed_parameters(found: list[Difference]) -> dict[str, list[str]]:
-    """For each node that both systems have and that differs, the names of the parameters that do."""
+    """Return the names of the changed parameters of each node that both systems have."""
     changed: dict[str, list[str]] = {}
     for one in found:
         if one.sign == '~':
@@ -288,7 +289,7 @@ def changed_parameters(found: list[Difference]) -> dict[str, list[str]]:
 
 
 def run_differences(before: Recording, after: Recording) -> list[str]:
-    """Return what else two runs do not share, a line each: arguments, exit codes, messages of each topic, and advice."""
+    """Return the other differences of two runs, one line each: arguments, exit codes, messages of each topic, and advice."""
     found: list[str] = []
     tables: list[tuple[str, list[dict[str, str]]]] = [
         ('argument', [dict(run.launch.arguments) for run in (before, after)]),

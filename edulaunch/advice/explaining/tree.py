@@ -1,4 +1,4 @@
-"""Entries as a tree: lines of text, colours in a terminal, or HTML that opens and closes."""
+"""Write entries as a tree: as lines of text, with colours in a terminal, or as HTML that opens and closes."""
 
 from __future__ import annotations
 
@@ -44,14 +44,14 @@ LARGE = 60
 
 
 def place_of(entry: Entry) -> str:
-    """Return 'file:line' unless the text has it already, or ''."""
+    """Return 'file:line', or '' if the text contains it already."""
     if entry['file'] is None or (entry['kind'] == 'parameter' and 'origin' in entry):
         return ''
     return f'{os.path.basename(entry["file"])}:{entry["line"]}'
 
 
 def text_of(entry: Entry) -> str:
-    """Return the line of an entry, with the sign of a difference before it, and what it was before the change."""
+    """Return the line of an entry, with the sign of a difference before it and the old text after it."""
     sign, text = entry.get('sign', '').strip(), entry['text']
     if sign == '~':
         text += f'  was {_other_words(entry["before"], text)}'
@@ -59,7 +59,7 @@ def text_of(entry: Entry) -> str:
 
 
 def _other_words(before: str, after: str) -> str:
-    """`before` without the words that both begin with."""
+    """Return `before` without the words with which both lines begin."""
     old, new = before.split(' '), after.split(' ')
     same = next((number for number, words in enumerate(zip(old, new, strict=False)) if words[0] != words[1]), len(new))
     rest = ' '.join(old[same:])
@@ -82,9 +82,9 @@ def drawn(
     indent: str = '',
     shown: Callable[[Entry, str, str], Iterator[str]] = _plain,
 ) -> Iterator[str]:
-    """Yield the tree with its branches drawn.
+    """Yield the lines of the tree with its branches.
 
-    :param shown: returns the line of an entry, its branch, and the start of its further lines.
+    :param shown: a function that returns the line of an entry from its branch and the start of its further lines.
     """
     through, last, beside, nothing = twigs
     for number, entry in enumerate(entries, 1):
@@ -114,7 +114,7 @@ def print_in_colour(title: str, entries: Sequence[Entry], twigs: Sequence[str] =
 
 
 def html_tree(title: str, entries: Sequence[Entry]) -> str:
-    """Return the tree as HTML; every line is escaped, for names come from a launch file."""
+    """Return the tree as HTML. Every line is escaped, because its names come from a launch file."""
     opens = _count(entries) <= LARGE
     inside = ''.join(_html(entry, opens) for entry in entries)
     label = escape(f'explanation of {title}', quote=True)

@@ -1,4 +1,4 @@
-"""What a dry run pretends when packages are missing, and what was missing."""
+"""Answers for missing packages in a dry run, and a list of what was missing."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Assumptions:
-    """Answers for things of packages that are not there. Everything asked for is noted.
+    """Answers for parts of packages that do not exist. Every request is noted.
 
     :param placeholders: the prefix that contains the placeholder packages.
     :ivar packages: names of missing packages, in the order in which launch asked for them.
@@ -29,16 +29,16 @@ class Assumptions:
 
     @property
     def share(self) -> str:
-        """Return the folder with the share folders of the placeholders, with a separator at its end."""
+        """Return the folder that contains the share folders of the placeholders, with a separator at its end."""
         return os.path.join(self._placeholders, 'share', '')
 
     def package(self, name: str) -> None:
-        """A package was asked for that is not there."""
+        """Note that a missing package was requested."""
         if name not in self.packages:
             self.packages.append(name)
 
     def program(self, name: str) -> str:
-        """Return the path of a program that is not on the PATH: its name."""
+        """Return the name of a program that is not on the PATH, in place of its path."""
         self._programs.add(name)
         self._note(f'program {name}')
         return name
@@ -55,14 +55,16 @@ class Assumptions:
         return ''
 
     def lacks_file(self, path: str) -> bool:
-        """Return whether a file belongs to a placeholder package, and so cannot be there."""
+        """Return whether a file belongs to a placeholder package, and therefore cannot exist."""
         missing = self._is_missing(path)
         if missing:
             self._note(f'file {self.shown(path)}')
         return missing
 
     def shown(self, path: str) -> str:
-        """A path inside a placeholder package as 'package/rest', a program of edulaunch by its name, another path as it is."""
+        """Return a path inside a placeholder package as 'package/rest', a program of edulaunch by its name, and another path
+        unchanged.
+        """
         if os.path.dirname(path) == os.path.join(underlay_prefix(), 'bin'):
             return os.path.basename(path)
         if not path.startswith(self._placeholders):
@@ -79,7 +81,7 @@ class Assumptions:
 
 
 def include_if_there(assumptions: Assumptions, action: Any, context: LaunchContext) -> Any:
-    """Execute an IncludeLaunchDescription; of a file in a placeholder package only the arguments are set.
+    """Execute an IncludeLaunchDescription. For a file of a placeholder package, only set the arguments.
 
     :raises Exception: whatever loading another file raises.
     """

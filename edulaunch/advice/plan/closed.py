@@ -1,4 +1,4 @@
-"""The computer as a launch file sees it in a dry run: what the file would change is not changed, and is noted.
+"""The computer as a launch file sees it in a dry run. Changes that the launch file would make are noted, but not made.
 
 A Python launch file is a program, and a dry run executes it. Programs that it starts itself seem to end at once (`rehearsal.py`).
 Files that it writes are kept apart: it can read them again, and no other program sees them. Other changes seem to succeed.
@@ -63,9 +63,9 @@ _hearing = False
 
 
 class Closed:
-    """What the programs of one dry run would have changed.
+    """The changes that the programs of one dry run would have made.
 
-    :ivar notes: what was not done, in order and once each: 'run the command touch x', 'write /tmp/x'.
+    :ivar notes: the changes that were not made, in order and once each: 'run the command touch x', 'write /tmp/x'.
     """
 
     def __init__(self) -> None:
@@ -76,12 +76,12 @@ class Closed:
         self._room = ''
 
     def note(self, text: str) -> None:
-        """Something was not done."""
+        """Note a change that was not made."""
         if text not in self.notes:
             self.notes.append(text)
 
     def enter(self, process: Process) -> None:
-        """Give a program the functions that change nothing."""
+        """Replace functions of a program by functions that change nothing."""
         global _hearing
         if not _hearing:
             _hearing = True
@@ -117,7 +117,7 @@ class Closed:
         return open_apart
 
     def _copy(self, path: str, mode: str) -> str:
-        """Return the file that is written in place of the one at `path`."""
+        """Return the file that the program writes in place of the one at `path`."""
         folder = os.path.dirname(path)
         if not (os.path.isdir(folder) or folder in self._folders):
             raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), path)
@@ -152,14 +152,14 @@ class Closed:
         return seem
 
     def _may_change(self, path: str) -> bool:
-        """Return whether it is a device, or a temporary file that the program made itself."""
+        """Return whether a path is a device, or a temporary file that the program created itself."""
         own = (*self._temporary, *([self._room] if self._room else ()))
         return path in REPEATS or any(path == place or path.startswith(place + os.sep) for place in own)
 
     def hear(self, event: str, arguments: tuple[Any, ...]) -> None:
-        """The student's program is about to do something through a library.
+        """Check an action that the student's program is about to do through a library.
 
-        :raises PermissionError: when that changes something.
+        :raises PermissionError: if the action changes something.
         """
         what = arguments[1 if event in NETWORK or event == 'ctypes.dlsym' else 0] if arguments else ''
         is_path = event not in STARTS and event != 'ctypes.dlsym' and isinstance(what, (str, bytes, os.PathLike))
@@ -177,14 +177,14 @@ class Closed:
             raise with_facts(PermissionError(errno.EPERM, 'not done in a dry run', path), 'launch.not-in-dry-run', undone=text)
 
     def close(self) -> None:
-        """Remove what was kept apart, and the temporary files of the programs."""
+        """Remove the separate copies and the temporary files of the programs."""
         for path in filter(None, (self._room, *self._temporary)):
             with suppress(OSError):
                 os.remove(path) if os.path.isfile(path) else shutil.rmtree(path)
 
 
 def _finds_temporary_folder() -> bool:
-    """Return whether `tempfile` tries out where it may write, once in a process; it removes what it wrote."""
+    """Return whether `tempfile` is testing where it may write. It does this once in a process, and removes its file."""
     frame: FrameType | None = sys._getframe(2)
     while frame is not None and frame.f_code.co_name != '_get_default_tempdir':
         frame = frame.f_back if not is_own(frame.f_code.co_filename) else None
@@ -198,7 +198,7 @@ def _second_path(event: str, arguments: tuple[Any, ...]) -> list[str]:
 
 
 def _address(what: Any) -> str:
-    """An address of a socket as people write it; anything else as text."""
+    """Return an address of a socket as people write it, and anything else as a string."""
     is_pair = isinstance(what, tuple) and len(what) >= 2
     return f'{what[0]}:{what[1]}' if is_pair else os.fsdecode(what) if isinstance(what, bytes) else str(what)
 
@@ -230,7 +230,7 @@ def _writes(arguments: tuple[Any, ...]) -> bool:
 
 
 def _is_students() -> bool:
-    """Return whether the student's code leads here, by itself or through libraries."""
+    """Return whether the student's code made this call, directly or through libraries."""
     frame: FrameType | None = sys._getframe(2)
     while frame is not None:
         file = frame.f_code.co_filename

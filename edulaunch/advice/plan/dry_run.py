@@ -1,4 +1,4 @@
-"""Making a plan."""
+"""Make the plan of a launch file."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from edulaunch.errors import UnusableInput
 
 
 class AssumingIndex(Index):
-    """Another index, with an empty placeholder for each package that it lacks, and every executable.
+    """An index that adds an empty placeholder for each missing package, and accepts every executable.
 
     Placeholders are in a temporary folder that is deleted with this object.
 
     :param real: the index that is asked first.
-    :ivar assumptions: what was missing.
+    :ivar assumptions: what the index had to assume.
     """
 
     def __init__(self, real: Index) -> None:
@@ -31,11 +31,11 @@ class AssumingIndex(Index):
         self.assumptions = Assumptions(self._image.path)
 
     def search_paths(self) -> list[str]:
-        """Return the real ones, and the placeholders' last."""
+        """Return the real search paths, and the placeholders' path last."""
         return [*super().search_paths(), self._image.path]
 
     def prefix(self, package: str) -> str:
-        """Return the package's prefix, or that of the placeholders."""
+        """Return the prefix of the package, or the prefix of the placeholders."""
         found = super().prefix(package)
         if found is not None:
             return found
@@ -44,7 +44,7 @@ class AssumingIndex(Index):
         return self._image.path
 
     def find_executable(self, package: str, executable: str) -> str:
-        """Return where the executable would be; nothing is looked up."""
+        """Return the path that the executable would have. It need not exist."""
         return os.path.join(self.prefix(package), 'lib', package, executable)
 
 
@@ -73,12 +73,12 @@ def make_plan(
 
 
 class Rehearsal(NamedTuple):
-    """A dry run.
+    """The result of a dry run.
 
     :ivar plan: in the plan format 1.
-    :ivar outline: the same and what is left out, as a tree for people.
-    :ivar missing: what was assumed: names of packages, and other things in words.
-    :ivar placeholders: the share folder of the packages that were assumed; None when none may be.
+    :ivar outline: the plan and the actions that were not executed, as a tree for people.
+    :ivar missing: names of the packages that were assumed to exist, and descriptions of other things.
+    :ivar placeholders: the share folder of the assumed packages; None if the dry run assumes none.
     :ivar read: names of the launch configurations that substitutions asked for, in order.
     """
 
@@ -98,9 +98,9 @@ def rehearse(
     assume_packages: bool = False,
     command_set: CommandSet | None = None,
 ) -> Rehearsal:
-    """Do the same as :func:`make_plan`, with more to show.
+    """Make a plan like :func:`make_plan`, and return it with more details.
 
-    :raises UnusableInput: for an argument that is no 'name:=value'.
+    :raises UnusableInput: for an argument that is not of the form 'name:=value'.
     """
     given = _given(arguments)
     assuming = AssumingIndex(index) if assume_packages else None

@@ -1,4 +1,4 @@
-"""A plan explained: a tree of entries, plain data, with the place of each and the origin of every value.
+"""Explain a plan as a tree of entries. Each entry is plain data with its place and the origin of every value.
 
 An entry is a dict: `kind`, `text`, `file` and `line` (None when no launch file wrote it), `is_taken`, `children`, and
 
@@ -48,7 +48,7 @@ def explanation_of(rehearsal: Rehearsal) -> Entry:
 
 
 def _without(folder: str, entries: list[Entry]) -> list[Entry]:
-    """Return the same without a folder that is there only to stand for missing packages."""
+    """Return the path without the folder that represents missing packages."""
     return [
         {**entry, 'text': entry['text'].replace(folder, ''), 'children': _without(folder, entry['children'])} for entry in entries
     ]
@@ -60,13 +60,13 @@ def _below(branch: Branch) -> list[Entry]:
 
 
 def _is_given_argument(branch: Branch, declared: set[str]) -> bool:
-    """Return whether an include sets an argument here whose own entry will show the value."""
+    """Return whether an include sets an argument here, and the argument's own entry will show the value."""
     item = branch.item
     return item is not None and item['kind'] == 'set_configuration' and branch.origin is None and item['name'] in declared
 
 
 def _entries(branch: Branch) -> Iterator[Entry]:
-    """Yield the entry of a branch; what only holds others, and says nothing itself, gives way to them."""
+    """Yield the entry of a branch. A branch that only contains others is replaced by their entries."""
     below = _below(branch)
     kind, text = kind_and_text(branch)
     if kind == 'event' and not _is_from_a_file(branch):
@@ -94,12 +94,12 @@ def entry(kind: str, text: str, file: str | None = None, line: int | None = None
 
 
 def _is_from_a_file(branch: Branch) -> bool:
-    """Return whether anything below was written in a launch file."""
+    """Return whether a launch file contains any entry of this subtree."""
     return any(child.origin is not None or _is_from_a_file(child) for child in branch.children)
 
 
 def kind_and_text(branch: Branch) -> tuple[str, str]:
-    """Return what a branch is, and its title."""
+    """Return the kind and the title of a branch."""
     if isinstance(branch.action, str):
         return 'event', branch.action
     if branch.item is not None:
@@ -141,7 +141,7 @@ def _add_argument(found: Entry, branch: Branch) -> None:
 
 
 def is_declaration(branch: Branch) -> bool:
-    """Return whether it declares a launch argument."""
+    """Return whether a branch declares a launch argument."""
     return branch.item is not None and branch.item['kind'] == 'argument'
 
 
@@ -154,7 +154,7 @@ def default_text(declaration: Any) -> str | None:
 
 
 def origin_of_setter(setter: Branch) -> tuple[str, Origin | None]:
-    """Return who has set a launch configuration, in words, and where."""
+    """Return a description of what set a launch configuration, and the place."""
     before = setter.setters.get(setter.item['name']) if is_declaration(setter) and setter.item is not None else None
     if before is not None:
         return origin_of_setter(before)
@@ -166,7 +166,7 @@ def origin_of_setter(setter: Branch) -> tuple[str, Origin | None]:
 
 
 def parameters_of(branch: Branch) -> list[Entry]:
-    """Return the parameters of a node, each with what it overrode."""
+    """Return the parameters of a node, each with the values that it overrode."""
     item = branch.item
     assert item is not None
     if 'parameter_error' in item:
@@ -218,7 +218,7 @@ def _differing(before: list[Entry], after: list[Entry]) -> list[Entry]:
 
 
 def _identity(entry: Entry) -> tuple[Any, ...]:
-    """Return what makes two entries the same thing, perhaps with another value."""
+    """Return the key under which two entries are the same thing, perhaps with different values."""
     kind = entry['kind']
     if kind in ('argument', 'parameter', 'set_configuration', 'set_parameter'):
         return kind, entry['text'].partition(' = ')[0]

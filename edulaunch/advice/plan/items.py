@@ -22,9 +22,9 @@ SILENT = frozenset(
 
 
 def item_of(action: Any, context: LaunchContext, environ: Mapping[str, str], index: int) -> Item | None:
-    """Return the item of an action that was just executed, without its phase, or None for a group.
+    """Return the item of an action that was just executed, without its phase; None for a group.
 
-    :param environ: what launch saw at its start.
+    :param environ: the environment variables of launch at its start.
     :param index: how many processes came before.
     """
     for cls in type(action).__mro__:

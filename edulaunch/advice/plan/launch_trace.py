@@ -1,4 +1,4 @@
-"""What a launch does while it runs, for the live view, for replays and for `edulaunch launch --step`.
+"""Record what a launch does while it runs, for the live view, for replays and for `edulaunch launch --step`.
 
 A trace is an observer of one launch service. It keeps a step for each action and each event. A step has the launch
 configurations and the environment of its moment. :meth:`LaunchTrace.as_data` returns them as plain data.
@@ -96,7 +96,7 @@ class LaunchTrace(Watch):
         return step
 
     def _begin(self, step: Step, context: LaunchContext) -> None:
-        """Note when the visit of a step begins, and what has changed since the step before it."""
+        """Store when the visit of a step begins, and what has changed since the previous step."""
         self._order += 1
         step.order, step.at_ns, step.state = self._order, self._now(), 'visiting'
         configurations = {name: _kept(value) for name, value in context.launch_configurations.items()}
@@ -151,7 +151,7 @@ class LaunchTrace(Watch):
             return {'kind': 'action', 'name': type(action).__name__}
 
     def _process_item(self, action: Any, context: LaunchContext) -> dict[str, Any]:
-        """Return the item of a process. Making it takes longer than starting the process, so it is made at the first use."""
+        """Return the item of a process. It takes longer to make than the process takes to start, so it is made on first use."""
         item = self._item(action, context) or {'kind': 'action', 'name': type(action).__name__}
         if item['kind'] == 'node':
             add_names_and_parameters(item, self._process.host.parameter_entries)
@@ -162,7 +162,7 @@ class LaunchTrace(Watch):
             self._expect(entities)
 
     def _expect(self, entities: Iterable[Any]) -> None:
-        """Make the steps of actions that launch is going to visit."""
+        """Create the steps of actions that launch is going to visit."""
         parent = self.branch_now
         if not isinstance(parent, Step):
             return
@@ -219,7 +219,7 @@ class LaunchTrace(Watch):
         return self._event
 
     def _reaction(self, handler: Any, event: Any, parent: Branch) -> Branch:
-        """Return the step of the handler itself: the step of the event says which handlers fired."""
+        """Return the step of the handler. The step of the event lists the handlers that were called."""
         return parent
 
     def registered(self, handler: Any) -> None:
@@ -333,19 +333,19 @@ def _says_nothing(entity: Any) -> bool:
 
 
 def _is_from_a_file(handler: Any, step: Step) -> bool:
-    """Return whether a launch file wrote the handler; launch itself registers others for each process and timer."""
+    """Return whether a launch file created the handler. Launch itself registers others for each process and timer."""
     if hasattr(step.action, 'event_handler'):
         return step.action.event_handler is handler and step.origin is not None
     return type(handler).__name__ == 'OnActionEventBase'  # the handler for a process's on_exit=
 
 
 def _kept(value: Any) -> Any:
-    """Return the value of a launch configuration as it is now: `SetRemap` and `SetParameter` append to a list."""
+    """Return a copy of the value of a launch configuration, because `SetRemap` and `SetParameter` append to a list."""
     return tuple(value) if isinstance(value, list) else value
 
 
 def _differences(before: Mapping[str, Any], after: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what has another value now; None for what is gone."""
+    """Return the entries with a new value, and None for each entry that was removed."""
     changed = {name: value for name, value in after.items() if name not in before or before[name] != value}
     return changed | {name: None for name in before if name not in after}
 

@@ -1,4 +1,4 @@
-"""One dry run, from the launch file to the plan."""
+"""Run one dry run, from the launch file to the plan."""
 
 from __future__ import annotations
 
@@ -41,9 +41,9 @@ _OF_LAUNCH = frozenset(('timer', 'emit_event'))
 
 
 class Planner:
-    """A launch service in a simulation of its own, in which nothing is started.
+    """A launch service in a separate simulation that starts no processes.
 
-    :ivar assumptions: what may be taken to be there; None when nothing may.
+    :ivar assumptions: the answers for missing packages; None if the dry run makes no assumptions.
     :ivar read: names of the launch configurations that substitutions asked for.
     """
 
@@ -77,7 +77,7 @@ class Planner:
 
     @property
     def outline(self) -> Branch:
-        """What was visited."""
+        """The branches that launch visited."""
         return Branch('') if self._watch is None else self._watch.outline
 
     def plan(self) -> Plan:
@@ -140,7 +140,7 @@ class Planner:
             self._host.end_all()
 
     def _run(self, process: Process) -> int:
-        """Return the body of the process in which launch runs; what breaks here is our own mistake."""
+        """Return the body of the process in which launch runs. An exception here is a bug of edulaunch."""
         try:
             process.state['launch.on_error'] = self._failed
             process.state['launch.assumptions'] = self.assumptions
@@ -233,7 +233,7 @@ class Planner:
 
 
 def _declared_arguments(source: Any) -> list[Plan]:
-    """Return the arguments that the launch file declares; the source keeps what it has loaded for the visit."""
+    """Return the arguments that the launch file declares. The source caches the loaded file for the visit."""
     from launch.launch_context import LaunchContext
 
     try:
@@ -253,7 +253,7 @@ def _declared_arguments(source: Any) -> list[Plan]:
 
 
 def _plain(value: Any) -> Any:
-    """Return the value as JSON can hold it, keys sorted."""
+    """Return the value in a form that JSON can represent, with sorted keys."""
     kind = type(value)
     if kind in _SCALARS:
         return value

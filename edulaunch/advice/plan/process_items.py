@@ -1,4 +1,4 @@
-"""Items of processes and nodes: everything that is decided before they start."""
+"""Make the items of processes and nodes, with everything that is known before they start."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ UNNAMED = 'unnamed'
 
 
 def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str], index: int) -> Item:
-    """Return the item of an ExecuteLocal action that was just executed. A node's has more in it; :func:`add_names_and_parameters`
-    is still to come.
+    """Return the item of an ExecuteLocal action that was just executed. For a node, :func:`add_names_and_parameters` completes
+    it.
 
-    :param environ: what launch saw at its start.
+    :param environ: the environment variables of launch at its start.
     :param index: how many processes came before.
     """
     details = action.process_description
@@ -51,7 +51,9 @@ def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str]
 
 
 def _changes(base: Mapping[str, str], env: Mapping[str, str]) -> dict[str, str | None]:
-    """Return the variables that differ between the process and launch at its start. A removed variable has the value `None`."""
+    """Return the environment variables that differ between the process and launch at its start. A removed variable has the value
+    `None`.
+    """
     if env == base:
         return {}
     changed: dict[str, str | None] = {name: value for name, value in sorted(env.items()) if base.get(name) != value}
@@ -59,9 +61,9 @@ def _changes(base: Mapping[str, str], env: Mapping[str, str]) -> dict[str, str |
 
 
 def _node_part(action: Any, words: list[str], own: int) -> Item:
-    """Return what only a node has.
+    """Return the part of an item that only nodes have.
 
-    :param own: how many of the words of the command line are the node's own; a prefix comes before them.
+    :param own: the number of words at the end of the command line that are the node's own; a prefix comes before them.
     """
     prefix, command = words[:-own], words[-own:]
     program = action.process_spec_details()
@@ -97,7 +99,7 @@ def _split(words: list[str]) -> tuple[list[str], list[str]]:
 
 
 def add_parameter_sources(item: Item, host: RehearsalHost) -> None:
-    """Add each parameter file of a node's command line with its content to the node's item."""
+    """Add each parameter file of the node's command line, with its content, to the node's item."""
     command = item['cmd'][len(item['prefix']) :]
     item['parameter_sources'] = [
         {'file': path, 'content': host.parameter_content(path)}
@@ -107,8 +109,8 @@ def add_parameter_sources(item: Item, host: RehearsalHost) -> None:
 
 
 def add_names_and_parameters(item: Item, entries_of: Callable[[str], Sequence[Entry]]) -> None:
-    """Add to a node's item what its command line says by the rules of rcl: name and namespace (None for the program's own),
-    and parameters.
+    """Add name, namespace and parameters to a node's item, as rcl reads them from its command line. The item has None for a name
+    and namespace that the program chooses.
 
     :param entries_of: what the parameter file at a path says; see `Host.parameter_entries`.
     """

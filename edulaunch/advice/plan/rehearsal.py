@@ -1,4 +1,4 @@
-"""A host that starts nothing. It records each process to start, and ends it when launch stops it.
+"""A host that starts no process. It records each process that launch would start, and ends it when launch stops it.
 
 What a launch file would change by itself (`subprocess`, `os.system`, `open(..., 'w')`, `os.remove`) is not done: see `closed.py`.
 """
@@ -35,7 +35,7 @@ LOOKING_UP = ('pkg', 'interface')
 
 
 class ImaginaryProcess:
-    """A process that does nothing but be there; a signal ends it.
+    """A process that does nothing and ends on a signal.
 
     :param on_exit: called with the return code.
     :ivar came_back: whether it is a process that has ended once already, and was started again.
@@ -50,11 +50,11 @@ class ImaginaryProcess:
         self._on_exit = on_exit
 
     def send_signal(self, signum: int) -> None:
-        """End like a program without a handler. The second end of a process has no effect."""
+        """End as a program without a signal handler does. A second signal has no effect."""
         self.end(0 if self.came_back else -int(signum))
 
     def end(self, code: int) -> None:
-        """End with a return code, once."""
+        """End with a return code. Only the first call has an effect."""
         if self.returncode is None:
             self.returncode = code
             if self._on_exit is not None:
@@ -64,7 +64,7 @@ class ImaginaryProcess:
 class RehearsalHost(Host):
     """Runs the launch process itself; every other process is imaginary.
 
-    :ivar closed: what was not done, because a dry run changes nothing.
+    :ivar closed: the changes that a dry run does not make.
     """
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
@@ -80,7 +80,7 @@ class RehearsalHost(Host):
         self._contents: dict[str, Any] = {}
 
     def start_launched(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Any:
-        """Record the process, which exists at once until launch stops it."""
+        """Record the process. It exists until launch stops it."""
         process = self._imagine(spec, on_exit)
         process.came_back = spec.name in self._ended_names
         if process.came_back:
@@ -89,16 +89,16 @@ class RehearsalHost(Host):
         return process
 
     def adopt(self, process: Process) -> Process:
-        """Take charge of a program that runs in the dry run, and keep it from changing anything."""
+        """Take over a program that runs in the dry run, and prevent it from making changes."""
         self.closed.enter(process)
         return super().adopt(process)
 
     def knows(self, spec: ProcessSpec) -> bool:
-        """Return True, so that no command of this computer is run."""
+        """Return True, so that no command of this computer runs."""
         return True
 
     def start_command(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Any:
-        """Run the command, if the simulation knows it as a program or tool: what is launched depends on what it prints.
+        """Run the command if the simulation has it as a program or tool, because the launch may depend on its output.
 
         `cat` and `echo` only read. Any other command seems to print nothing.
 
@@ -126,7 +126,9 @@ class RehearsalHost(Host):
     def start(
         self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
     ) -> Any:
-        """For the code of a launch file: `ros2 pkg` and the like run, anything else seems to end at once, without output."""
+        """Start a command for the code of a launch file. `ros2 pkg` and similar commands run; any other command ends at once
+        without output.
+        """
         tool = os.path.basename(spec.argv[0])
         if tool == 'ros2' and tool in self.command_set.tools and spec.argv[1:2] and spec.argv[1] in LOOKING_UP:
             return super().start(spec, on_output, on_exit, index=index)
@@ -141,13 +143,15 @@ class RehearsalHost(Host):
         return process
 
     def parameter_entries(self, path: str) -> Sequence[Entry]:
-        """As any host; nothing changes during a dry run, so each file is read once."""
+        """Return the entries of a parameter file as any host does. Files do not change during a dry run, so each is read once."""
         if path not in self._entries:
             self._entries[path] = super().parameter_entries(path)
         return self._entries[path]
 
     def parameter_content(self, path: str) -> Any:
-        """Return what YAML reads in a parameter file; None when it cannot be read, or is too much with its aliases replaced."""
+        """Return the content of a parameter file as YAML reads it; None if it cannot be read, or is too large with its aliases
+        expanded.
+        """
         if path not in self._contents:
             generated: Any = self.generated_files.get(path)
             self._contents[path] = _content_of_file(path) if generated is None else generated.content
@@ -180,7 +184,7 @@ class RehearsalHost(Host):
 
 
 def _printed(spec: ProcessSpec) -> tuple[int, str | None, str]:
-    """Exit code, output and complaint of `cat` and `echo`; any other command has None as its output."""
+    """Return exit code, output and error output of `cat` and `echo`. Any other command has the output None."""
     name, *words = spec.argv
     if os.path.basename(name) == 'echo' and words[:1] != ['-e']:
         is_bare = words[:1] == ['-n']
@@ -209,7 +213,7 @@ def _content_of_file(path: str) -> Any:
 
 
 class Notes(Tracer):
-    """Keeps what launch logs from WARNING on, and what launch files print."""
+    """Stores the log messages of launch from WARNING up, and the output of launch files."""
 
     def __init__(self) -> None:
         self.logs: list[list[str]] = []
@@ -223,7 +227,7 @@ class Notes(Tracer):
             self.logs.append([logging.getLevelName(level), logger, message])
 
     def output(self, process: Any, stream: str, text: str) -> None:
-        """Keep what was printed."""
+        """Store output of a launch file."""
         if stream == 'stdout':
             self.stdout += text
 
@@ -232,7 +236,7 @@ FIRST_STATE = 'unconfigured'
 
 
 class ImaginedLifecycles:
-    """The states that the LifecycleNodes of one plan would be in."""
+    """The states that the lifecycle nodes of one plan would have."""
 
     def __init__(self) -> None:
         self._states: dict[Any, str] = {}
@@ -241,7 +245,7 @@ class ImaginedLifecycles:
         """Make a transition and report both its steps to launch, as the node's topic `transition_event` does.
 
         :param node: the LifecycleNode action.
-        :returns: False when the transition does not begin in the node's state.
+        :returns: False if the node's current state does not have this transition.
         """
         from rclpy.lifecycle.state_machine import OUTCOMES, TransitionCallbackReturn, transition_from
 
@@ -275,7 +279,7 @@ STEPS_BETWEEN_COLLECTIONS = 20_000
 
 
 def run_to_rest(sim: Simulation) -> str | None:
-    """Run until there is nothing left to do. Return an error message if that does not happen, or None."""
+    """Run until nothing is left to do. Return an error message if that does not happen, and otherwise None."""
     instants, now = 0, sim.now_ns
     for step in range(MOST_STEPS):
         if step % STEPS_BETWEEN_COLLECTIONS == STEPS_BETWEEN_COLLECTIONS - 1:
@@ -290,12 +294,12 @@ def run_to_rest(sim: Simulation) -> str | None:
 
 
 def still_busy(sim: Simulation) -> str:
-    """Return what to say then."""
+    """Return the error message for a launch that does not come to rest."""
     return f'the launch file goes on without end: after {sim.elapsed_s:g} simulated seconds it still does something'
 
 
 def runaway_error(error: RunawayProgram) -> dict[str, str | None]:
-    """Return the error of a plan whose launch file was stopped in a loop, with the line at which it was."""
+    """Return the error of a plan whose launch file was stopped in a loop, with the line of the loop."""
     from traceback import walk_tb
 
     places = [f'{frame.f_code.co_filename}:{line}' for frame, line in walk_tb(error.__traceback__)]

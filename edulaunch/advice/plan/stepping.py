@@ -1,4 +1,4 @@
-"""Where a launch that is stepped through stops."""
+"""Decide where a launch stops when a user steps through it."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Stepper:
         self._place: tuple[str, int] | None = None
 
     def go(self, way: str, place: tuple[str, int] | None = None) -> None:
-        """Continue until the stop that `way` names. For 'line', `place` is the file (a name or a path) and the line."""
+        """Continue until the stop that `way` names. For 'line', `place` contains the file (a name or a path) and the line."""
         self.way, self._place = way, place
         self._depth = self.at.depth if way == NEXT and self.at is not None else None
 

@@ -27,22 +27,23 @@ LONGEST_VALUE = 2000
 
 
 class Step(Branch):
-    """An action that launch knows of, or an event, with what is known of it at run time.
+    """An action or event of a launch, with what is known of it at run time.
 
-    :ivar number, parent, depth: its place in the trace, that of the step around it (-1: none), and how many are around it.
+    :ivar number, parent, depth: its index in the trace, the index of the enclosing step (-1: none), and the number of enclosing
+        steps.
     :ivar state: 'waiting', 'visiting', 'taken', 'left out' or 'failed'.
-    :ivar order: its place in the order of all visits and events of the launch, from 1.
+    :ivar order: its position in the order of all visits and events of the launch, from 1.
     :ivar at_ns: when its visit began; None while it waits.
     :ivar changes: launch configurations and environment variables that have changed since the step before in this order.
-    :ivar values: the launch configurations, of an action that was left out.
-    :ivar runs: of a process: [pid, start, end, exit code] of each run.
+    :ivar values: the launch configurations at an action that was left out.
+    :ivar runs: [pid, start, end, exit code] of each run of its process.
     :ivar fired_ns: when a handler handled an event, or a timer ran out.
-    :ivar fired: of an event: the numbers of the handlers that handled it.
+    :ivar fired: the numbers of the handlers that handled the event.
     :ivar handlers: the event handlers that it registered and that a launch file wrote.
     :ivar due_ns: when a timer runs out.
-    :ivar about: the process or timer of an event.
+    :ivar about: the process or timer to which an event belongs.
     :ivar make_item: makes the item when it is first asked for.
-    :ivar waiting: by identity of an action: the step of an action below this one that was not visited yet.
+    :ivar waiting: the steps of nested actions that were not visited yet, by identity of the action.
     """
 
     number = parent = -1
@@ -79,12 +80,12 @@ class Step(Branch):
 
     @property
     def process_name(self) -> str:
-        """The unique name of the process that it starts; empty for other actions."""
+        """The unique name of the process that the action starts; empty for other actions."""
         return name_of_process(self.action)
 
     @property
     def is_event(self) -> bool:
-        """Whether it is an event, and no action."""
+        """Whether it is an event rather than an action."""
         return not isinstance(self.action, Action)
 
     @property
@@ -94,7 +95,7 @@ class Step(Branch):
 
 
 def name_of_process(action: Any) -> str:
-    """Return the unique name of the process that an action starts; empty before that, and for other actions."""
+    """Return the unique name of the process that an action starts; empty before the start and for other actions."""
     return (isinstance(action, ExecuteLocal) and action.process_description.final_name) or ''
 
 
@@ -159,7 +160,7 @@ def _action_row(step: Step) -> Row:
 
 
 def _chains(step: Step, shown: Row) -> Iterator[Row]:
-    """Yield the arguments and parameters, each with the chain of where its value comes from."""
+    """Yield the arguments and parameters, each with the chain of values that led to it."""
     if is_declaration(step):
         yield {
             'kind': 'argument',
@@ -174,7 +175,7 @@ def _chains(step: Step, shown: Row) -> Iterator[Row]:
 
 
 def _reasons(step: Step) -> Iterator[Row]:
-    """Yield why an action was left out: the launch configurations that its condition reads."""
+    """Yield the launch configurations in a condition that left an action out."""
     if step.state != 'left out':
         return
     for name in dict.fromkeys(configurations_in(step.action.condition)):
@@ -188,7 +189,7 @@ def _steps(chain: list[Row]) -> list[Row]:
 
 
 def configurations_in(value: Any, depth: int = 0) -> Iterator[str]:
-    """The names of the launch configurations that a condition or a substitution reads, as far as they are written as text."""
+    """Return the launch configurations that a condition or substitution reads, if their names are literal."""
     if isinstance(value, LaunchConfiguration):
         yield ''.join(getattr(part, 'text', '') for part in value.variable_name)
     elif isinstance(value, (list, tuple)):
@@ -239,7 +240,7 @@ def waits_for(handler: Any) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """Return a value as plain data. Long strings are cut."""
+    """Return a value as plain data. Long strings are shortened."""
     if value is None or isinstance(value, (bool, int)):
         return value
     if isinstance(value, float):

@@ -12,14 +12,14 @@ Item = dict[str, Any]
 
 
 class Branch:
-    """One action that launch came to, or an event, with everything that it leads to.
+    """An action or event of a launch, with everything that it leads to.
 
-    :param action: the action; for an event what happens, in words.
-    :ivar item: of the plan; None for an action that only holds others, or was not executed.
-    :ivar condition: in words, or None.
+    :param action: the action; for an event, a description.
+    :ivar item: its item of the plan; None for an action that only contains others, or was not executed.
+    :ivar condition: a description of the condition, or None.
     :ivar is_taken: whether the action was executed.
-    :ivar origin: where a launch file made the action.
-    :ivar parent_origin: the same of the branch that this one hangs on.
+    :ivar origin: the place in a launch file that created the action.
+    :ivar parent_origin: the place of the parent branch.
     :ivar setters: launch configuration -> the branch that has set or declared it last, before this action.
     """
 
@@ -38,20 +38,20 @@ class Branch:
 
     @property
     def given_parameters(self) -> list[Any]:
-        """Return `launch_ros.actions.Node.given_parameters()` of a node. It takes a while, so the result is kept."""
+        """Return `launch_ros.actions.Node.given_parameters()` of a node. The call is slow, so its result is cached."""
         if self._given is None:
             self._given = self.action.given_parameters()
         return self._given
 
     def add(self, branch: Branch) -> Branch:
-        """Put a branch at the end."""
+        """Append a branch."""
         self.children.append(branch)
         branch.parent_origin = self.origin
         return branch
 
 
 class Setters:
-    """The branch that has set each launch configuration, as scopes open and close.
+    """The branch that set each launch configuration, while scopes open and close.
 
     For a declared one, it is the declaration, whose :attr:`Branch.setters` has the earlier branch.
     """
@@ -62,11 +62,11 @@ class Setters:
 
     @property
     def now(self) -> Mapping[str, Branch]:
-        """By launch configuration: the branch that has set or declared it last."""
+        """For each launch configuration, the branch that last set or declared it."""
         return self._now
 
     def executed(self, branch: Branch) -> None:
-        """Take note of an action that was just executed."""
+        """Record an action that was just executed."""
         branch.setters = now = self._now
         kind = type(branch.action).__name__
         item = branch.item
@@ -87,7 +87,7 @@ Detail = tuple[str, str]
 
 
 def action_words(action: Any) -> tuple[str, str]:
-    """Return the kind and title of an action that was not executed, or only holds others."""
+    """Return the kind and title of an action that was not executed, or only contains others."""
     name = type(action).__name__
     if name in ('GroupAction', 'OpaqueFunction'):
         return name, 'group' if name == 'GroupAction' else 'function'
@@ -95,7 +95,7 @@ def action_words(action: Any) -> tuple[str, str]:
 
 
 def _subject(action: Any) -> str:
-    """Return what an action that was not executed is about, as far as it is known."""
+    """Return the subject of an action that was not executed, as far as it is known."""
     for attribute in ('node_executable', 'cmd', 'launch_description_source', 'name', 'msg'):
         value = getattr(action, attribute, None)
         if value is not None:
@@ -143,7 +143,7 @@ def title_of(item: Item) -> str:
 
 
 def _unnamed(namespace: str | None) -> str:
-    """Return a node that the launch file gives no name, but perhaps a namespace."""
+    """Return the title of a node that has no name in the launch file, but perhaps a namespace."""
     own = "(the program's own name)"
     return own if namespace in (None, '', '/') else f'{namespace}/{own}'
 
@@ -177,7 +177,7 @@ def _node_details(item: Item, branch: Branch) -> Iterator[Detail]:
 
 
 def shown_value(value: Any) -> str:
-    """Return the value on one line; of a long text (a robot description) only the beginning."""
+    """Return the value on one line. A long string, such as a robot description, is shortened."""
     text = repr(value)
     return text if len(text) <= 100 else f'{text[:80]}...  [{len(text)} characters]'
 

@@ -1,4 +1,4 @@
-"""An observer of a launch service: it makes the outline of what launch visits, with the phase of each action.
+"""An observer that builds the outline of what a launch service visits, with the phase of each action.
 
 The dry run uses it as it is; the trace of a launch that really runs (`launch_trace.py`) adds to it.
 """
@@ -34,15 +34,15 @@ _NO_BRANCH = ('IncludeLaunchDescription', 'TimerEvent')
 
 
 class Watch:
-    """Keeps what launch visits as a tree of branches.
+    """Stores what launch visits as a tree of branches.
 
-    :param executed: called as executed(branch, context) after each action was executed.
-    :param instead: by name of an action's class: what is done instead of executing such an action.
-    :param came_back: numbers of processes that were started again; what follows their start and end is planned already.
-    :ivar phase: of what is visited now.
-    :ivar outline: everything so far.
-    :ivar branch: of the action that was entered last.
-    :ivar timers: the branch of each timer that was set: launch has one handler for them all.
+    :param executed: a function that is called as executed(branch, context) after each action.
+    :param instead: functions that are called instead of executing an action, by the name of its class.
+    :param came_back: numbers of processes that were started again; the actions after their start and end are planned already.
+    :ivar phase: the phase of the action that is visited now.
+    :ivar outline: the root of all branches so far.
+    :ivar branch: the branch of the action that was entered last.
+    :ivar timers: the branch of each timer; launch has one handler for all timers.
     :ivar reactions: how often handlers gave actions; beyond the most that may be they stay silent, so that the launch ends.
     """
 
@@ -122,7 +122,7 @@ class Watch:
         self._open.append(parent)
 
     def _reaction(self, handler: Any, event: Event, parent: Branch) -> Branch:
-        """Return the branch of what a handler does now."""
+        """Return the branch of the handler that runs now."""
         text = _EVENTS.get(type(event).__name__, f'on {event.name}').format(name=getattr(event, 'process_name', ''))
         branch = parent.add(Branch(text))
         branch.is_taken = True
@@ -139,7 +139,7 @@ class Watch:
 
 
 def written_origin(action: Any) -> Origin | None:
-    """Return where a launch file makes the action; None when launch itself makes it."""
+    """Return the place at which a launch file creates the action; None if launch itself creates it."""
     if action.is_made_by_launch:
         return None
     origin: Origin | None = action.origin

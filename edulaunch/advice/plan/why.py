@@ -1,4 +1,4 @@
-"""Why something has its value: the chain from the first value to the one that counts.
+"""Explain a value: the chain from the first value to the one that has an effect.
 
 A step is a dict with `value`, `origin` (in words), `file` and `line` (or None), and `counts` (for the last step).
 `argument` has the steps of the launch argument that decides the value.
@@ -30,7 +30,7 @@ def branches(outline: Branch) -> Iterator[Branch]:
 
 
 def nodes_named(outline: Branch, name: str) -> list[Branch]:
-    """Return the nodes of that name; a node without a name in the launch file is found by its executable.
+    """Return the nodes with that name. A node without a name in the launch file is found by its executable.
 
     :raises UnusableInput: if no node has that name.
     """
@@ -45,7 +45,7 @@ def nodes_named(outline: Branch, name: str) -> list[Branch]:
 
 
 def name_of(branch: Branch) -> str:
-    """Return the full name of a node, with its executable where the launch file gives no name."""
+    """Return the full name of a node, with its executable if the launch file gives no name."""
     item = branch.item
     assert item is not None
     return item['runtime_name'] or f'{(item["namespace"] or "").rstrip("/")}/{item["executable"]}'
@@ -54,8 +54,8 @@ def name_of(branch: Branch) -> str:
 def parameter_chain(node: Branch, parameter: str, default: Step | None = None) -> list[Step]:
     """Return the steps of one parameter of a node.
 
-    :param default: what the node itself declares, where that is known.
-    :returns: no step if no value is set.
+    :param default: the default that the node itself declares, if it is known.
+    :returns: the steps; [] if no value is set.
     """
     steps = [] if default is None else [default]
     for one in node.given_parameters:
@@ -68,9 +68,9 @@ def parameter_chain(node: Branch, parameter: str, default: Step | None = None) -
 
 
 def argument_chain(outline: Branch, name: str) -> list[Step]:
-    """Return the steps of a launch argument, as the launch file that declares it first sees it.
+    """Return the steps of a launch argument, as seen by the launch file that declares it first.
 
-    :raises UnusableInput: when none declares it.
+    :raises UnusableInput: if no launch file declares it.
     """
     declared = [branch for branch in branches(outline) if is_declaration(branch)]
     names = [branch.item['name'] for branch in declared if branch.item is not None]
@@ -99,7 +99,7 @@ def _steps_of_argument(setters: Mapping[str, Branch], origin: str) -> list[Step]
 
 
 def declared_steps(declaration: Branch) -> list[Step]:
-    """Return the default of an argument, and what was set instead of it."""
+    """Return the default of an argument, and the values that replaced it."""
     item, action = declaration.item, declaration.action
     assert item is not None
     setter = declaration.setters.get(item['name'])

@@ -1,4 +1,4 @@
-"""Actions that do nothing, launch arguments that decide nothing, and command lines that name no program."""
+"""Rules about actions without effect, unused launch arguments, and command lines without a program."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ IDLE = frozenset(
     lesson='01_first_launch',
 )
 def remapping_to_itself(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a remapping of a name to itself if both names are literal. Names from arguments may be equal by chance."""
+    """Report a remapping of a name to itself, if both names are literal. Names from arguments may be equal by chance."""
     from launch.utilities.texts import plain_text
 
     for branch, item in nodes(rehearsal):
@@ -45,7 +45,7 @@ def remapping_to_itself(rehearsal: Rehearsal) -> Iterator[Finding]:
     lesson='01_first_launch',
 )
 def starts_nothing(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Not where a condition has left something out, or something is done besides."""
+    """Report a launch file that starts nothing. Do not report it if a condition left an action out, or if another action ran."""
     plan = rehearsal.plan
     kinds = {item['kind'] for item in plan['items']}
     is_left_out = any(not branch.is_taken for branch in branches(rehearsal))
@@ -110,7 +110,9 @@ _COMPARED = re.compile(
     lesson=LESSON,
 )
 def condition_never(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Of an argument with choices, compared by EqualsSubstitution, a Python expression or LaunchConfigurationEquals."""
+    """Report a condition that no choice of an argument can meet. The condition is EqualsSubstitution, a Python expression or
+    LaunchConfigurationEquals.
+    """
     from edulaunch.engine.nearest import nearest
 
     choices = {one['name']: one['choices'] for one in rehearsal.plan['arguments'] if one['choices']}
@@ -136,7 +138,7 @@ FIRST_LAUNCH = '01_first_launch'
     level='error',
 )
 def command_in_one_word(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report this for an ExecuteProcess without a shell whose first word has spaces in it."""
+    """Report an ExecuteProcess without a shell whose first word contains spaces."""
     for branch, item in _commands(rehearsal):
         first = item['cmd'][0]
         if len(first.split()) > 1 and not os.path.exists(first):
@@ -153,7 +155,7 @@ def command_in_one_word(rehearsal: Rehearsal) -> Iterator[Finding]:
     level='error',
 )
 def command_of_letters(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report this for an ExecuteProcess."""
+    """Report an ExecuteProcess whose command is a string, which Python reads as a list of letters."""
     for branch, item in _commands(rehearsal):
         if len(item['cmd']) > 2 and all(len(word) == 1 for word in item['cmd']):
             text = ''.join(item['cmd'])
@@ -175,7 +177,7 @@ def _commands(rehearsal: Rehearsal) -> Iterator[tuple[Branch, dict[str, Any]]]:
     level='error',
 )
 def no_package(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report an executable that a package of edulaunch has, and the PATH has not."""
+    """Report an executable that is not on the PATH, but that a package of edulaunch has."""
     from shutil import which
 
     for branch, item in nodes(rehearsal):

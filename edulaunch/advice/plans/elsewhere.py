@@ -1,4 +1,4 @@
-"""Launch files with which nothing is wrong: they need an argument, or a package or module that is not here, and launch tests."""
+"""Rules about correct launch files that cannot run here: they need an argument, a package, a module, or a launch test."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ _ABOUT = (
     hides=('launch.fails', 'launch.unknown-element'),
 )
 def needs_elsewhere(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report this for a package or module whose name is not nearly that of one that is here."""
+    """Report a package or module that does not exist here, unless its name is nearly that of an existing one."""
     error = rehearsal.plan['error']
     facts: dict[str, Any] = (error or {}).get('facts') or {}
     brought = None if error is None else _ELEMENTS.get(_first(_ELEMENT, error['text']) or '')
@@ -86,7 +86,7 @@ def needs_elsewhere(rehearsal: Rehearsal) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def needs_argument(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report this for an argument of the file itself, when none was given that could mean it."""
+    """Report a required argument of the file itself, if no given argument may be a misspelling of it."""
     error = rehearsal.plan['error']
     needed = None if error is None or rehearsal.plan['given'] else _first(_ARGUMENT, error['text'])
     if needed is not None and any(one['name'] == needed for one in rehearsal.plan['arguments']):
@@ -102,7 +102,7 @@ def needs_argument(rehearsal: Rehearsal) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def needs_keyboard(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report this for input()."""
+    """Report a launch file that calls input()."""
     error = rehearsal.plan['error']
     if error is not None and 'EOF when reading a line' in error['text']:
         yield found('file', rehearsal.plan['file'], **_place(error))
@@ -120,7 +120,7 @@ def needs_keyboard(rehearsal: Rehearsal) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def needs_variable(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report this for EnvironmentVariable without a default, and for os.environ['NAME']."""
+    """Report a required environment variable: EnvironmentVariable without a default, or os.environ['NAME']."""
     error = rehearsal.plan['error']
     if error is None or (error.get('facts') or {}).get('near'):
         return
@@ -141,7 +141,7 @@ def needs_variable(rehearsal: Rehearsal) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def is_test(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """By the error of launch."""
+    """Report a launch test that was run as a launch file. The error of launch shows it."""
     error = rehearsal.plan['error']
     legacy = None if error is None else _first(_LEGACY, error['text'])
     if error is not None and (legacy or (error.get('facts') or {}).get('about') == 'launch.test-description'):
@@ -171,7 +171,7 @@ def _first(pattern: re.Pattern[str], text: str) -> str | None:
 
 
 def _is_of_others(module: str) -> bool:
-    """Return whether a module is neither one of launch, nor nearly one."""
+    """Return whether a module does not belong to launch, and is not a misspelling of one that does."""
     return misspelt(module) is None
 
 

@@ -1,4 +1,4 @@
-"""Parameter files that give a node nothing, and paths that hold only in one folder, or on one machine."""
+"""Rules about parameter files without effect, and about paths that exist only in one folder or on one computer."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ LESSON = '03_parameters'
     hides=('programs.key-for-no-node',),
 )
 def key_for_no_node(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report this for a node whose name the launch file says, and a file of which no key means it."""
+    """Report a parameter file without a key for the node, if the launch file names the node."""
     from edulaunch.engine.graph.parameters import pattern_matches
     from edulaunch.engine.graph.ros_arguments import entries_of_file
 
@@ -62,7 +62,7 @@ def key_for_no_node(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _in_sources(path: str) -> str:
-    """Return the place of a share file in the sources of its package, if its package.xml is a link to them."""
+    """Return the place of a share file in the sources of its package, if the package.xml in the prefix is a link to them."""
     head, _, tail = path.rpartition(f'{os.sep}share{os.sep}')
     package, _, name = tail.partition(os.sep)
     manifest = os.path.realpath(os.path.join(head, 'share', package, 'package.xml'))
@@ -70,7 +70,7 @@ def _in_sources(path: str) -> str:
 
 
 def is_container(executable: str) -> bool:
-    """Return whether a program is a component container: it hands its parameter files on to the nodes that it loads."""
+    """Return whether a program is a component container, which passes its parameter files to the nodes that it loads."""
     return executable.startswith('component_container')
 
 
@@ -87,7 +87,9 @@ def is_container(executable: str) -> bool:
     level='error',
 )
 def parameter_file_missing(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Skip files of a missing package or that the launch file writes, and relative paths, which have another rule."""
+    """Report a missing parameter file. Skip files of missing packages, files that the launch file writes, and relative paths,
+    which have their own rule.
+    """
     written = rehearsal.plan.get('not_done', ())
     for branch, item in nodes(rehearsal):
         for path in branch.action.missing_parameter_files():
@@ -123,7 +125,7 @@ def parameter_order(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _given_behind(item: dict[str, Any], file: str, parameter: str) -> Any:
-    """Return the value that a dict sets after a parameter file, or None."""
+    """Return the value that a dict after a parameter file sets, or None."""
     sources = item['parameter_sources']
     first = next((number for number, source in enumerate(sources) if source['file'] == file), len(sources))
     for source in sources[first + 1 :]:
@@ -148,7 +150,7 @@ DO = (
     lesson=LESSON,
 )
 def relative_path(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report this for an included launch file and for a parameter file."""
+    """Report a relative path of an included launch file or a parameter file."""
     for branch in branches(rehearsal):
         if branch.item is not None and branch.item['kind'] == 'include' and branch.origin is not None:
             location = branch.action.launch_description_source.location
@@ -183,7 +185,7 @@ _HOME = re.compile(r"""['"](/(?:home|Users)/[\w.-]+/[^'"\n]*)['"]""")
     confidence='asked',
 )
 def path_of_one_machine(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a path below a home folder that is written out."""
+    """Report a literal path in a home folder."""
     from edulaunch.engine.underlay_place import is_students
     from edulaunch.ros.sources.source_package import read_text
 
@@ -195,10 +197,9 @@ def path_of_one_machine(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _in_package(file: str, path: str) -> dict[str, Any]:
-    """Return the package of a path such as `src/PACKAGE/config/a.yaml`, and where its build puts the file, as arguments.
-
-    If the package is not in the workspace of the launch file, the build is expected to keep the folders. If the build leaves
-    the file out, `unbuilt` names it.
+    """Return the package of a path such as `src/PACKAGE/config/a.yaml`, and the arguments of the place where a build installs the
+    file. If the package is not in the workspace of the launch file, assume that the build keeps the folders. If the build does
+    not install the file, `unbuilt` names it.
     """
     from edulaunch.engine.packages import Index
     from edulaunch.engine.packages.discovery import find_workspaces, install_folders

@@ -1,4 +1,4 @@
-"""Rules about strings that do not arrive as intended, and launch files that fail in the dry run."""
+"""Rules about strings that do not arrive as intended, and about launch files that fail in the dry run."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _DOLLAR = re.compile(r'\$\((?:var|arg|env|find-pkg-share|dirname|eval)\b[^)]*\)?
     level='error',
 )
 def substitution_as_text(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """By what Python shows of an object."""
+    """Report a string that contains the `repr` of a substitution."""
     for branch in branches(rehearsal):
         match = next(filter(None, map(_OBJECT.search, _texts(branch.item))), None)
         if match is not None and branch.origin is not None:
@@ -45,7 +45,7 @@ def substitution_as_text(rehearsal: Rehearsal) -> Iterator[Finding]:
     level='error',
 )
 def dollar_in_python(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """In what a Python launch file gives a node or a program; parameter files may have it."""
+    """Report `$(...)` that a Python launch file passes to a node or a program. Parameter files may contain it."""
     for branch in branches(rehearsal):
         if branch.origin is None or not branch.origin.file.endswith('.py'):
             continue
@@ -83,7 +83,7 @@ def _texts(value: Any) -> Iterator[str]:
     level='error',
 )
 def words_in_one(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report an option together with its value, or several numbers."""
+    """Report one string that contains an option and its value, or several numbers."""
     for branch, item in nodes(rehearsal):
         for word in item['arguments']:
             parts = word.split()
@@ -124,6 +124,6 @@ def fails(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _telling_line(text: str) -> str:
-    """ROS 2 puts what went wrong under a heading."""
+    """Return the line of an error that names the cause, which ROS 2 puts below a heading."""
     lines = [line.strip(' -') for line in text.splitlines() if line.strip()]
     return next((line for line in lines if not line.endswith(':')), text)

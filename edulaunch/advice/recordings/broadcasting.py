@@ -1,4 +1,4 @@
-"""Transforms as they were broadcast: whose child, by whom, when, with which numbers."""
+"""Rules about broadcast transforms: their frames, broadcasters, times and numbers."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def _odd(recording: Recording, what: str) -> Iterator[Finding]:
     hides=('tf.separate-trees',),
 )
 def two_parents(recording: Recording) -> Iterator[Finding]:
-    """Broadcast with both within the run; the links of several nodes count together."""
+    """Report a frame that was broadcast with two parents in one run. The transforms of several nodes count together."""
     for links in by_child(recording).values():
         parents = list(dict.fromkeys(link.parent.removeprefix('/') for link in links))
         if len(parents) > 1:
@@ -53,7 +53,9 @@ def two_parents(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def two_broadcasters(recording: Recording) -> Iterator[Finding]:
-    """In the same parent, at the same time, from nodes of two names. Of two static ones the first was still there."""
+    """Report a frame that nodes with two names broadcast in the same parent at the same time. If both are static, the first one
+    must still exist.
+    """
     ended = {node.name: node.ended_s for node in recording.nodes}
     for links in by_child(recording).values():
         for one, other in zip(links, links[1:], strict=False):
@@ -73,7 +75,9 @@ def two_broadcasters(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def static_repeated(recording: Recording) -> Iterator[Finding]:
-    """By one program; two programs with different values are two broadcasters."""
+    """Report a static transform that one program sends again and again. Two programs with different values are two
+    broadcasters.
+    """
     for fact in recording.facts:
         if fact.kind == 'static transform repeated':
             file, line = fact_place(recording, fact)
@@ -106,7 +110,7 @@ def static_and_moving(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def slash_in_name(recording: Recording) -> Iterator[Finding]:
-    """In the name of the frame or of its parent."""
+    """Report a slash at the start of the name of a frame or of its parent."""
     return (_found(recording, one) for one in broadcasts(recording) if one.child.startswith('/') or one.parent.startswith('/'))
 
 
@@ -120,7 +124,7 @@ def slash_in_name(recording: Recording) -> Iterator[Finding]:
     hides=('tf.empty-buffer',),
 )
 def own_parent(recording: Recording) -> Iterator[Finding]:
-    """Parent and child have the same name."""
+    """Report a transform whose parent and child have the same name."""
     return (_found(recording, one) for one in broadcasts(recording) if one.child and one.child == one.parent)
 
 
@@ -134,7 +138,7 @@ def own_parent(recording: Recording) -> Iterator[Finding]:
     hides=('tf.empty-buffer',),
 )
 def nameless(recording: Recording) -> Iterator[Finding]:
-    """Report an empty parent or child."""
+    """Report a transform without the name of its parent or its child."""
     return (_found(recording, one) for one in broadcasts(recording) if not (one.child and one.parent))
 
 
@@ -164,7 +168,7 @@ def zero_rotation(recording: Recording) -> Iterator[Finding]:
     hides=('tf.empty-buffer',),
 )
 def not_a_number(recording: Recording) -> Iterator[Finding]:
-    """nan in the translation or rotation."""
+    """Report nan in a translation or rotation."""
     return _odd(recording, 'nan')
 
 
@@ -177,7 +181,7 @@ def not_a_number(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def unstamped(recording: Recording) -> Iterator[Finding]:
-    """Moving frames only: static ones need no stamp."""
+    """Report moving frames without a time stamp. Static frames need none."""
     return _odd(recording, 'unstamped')
 
 
@@ -191,7 +195,7 @@ def unstamped(recording: Recording) -> Iterator[Finding]:
     hides=('tf.lookup-past', 'tf.lookup-future'),
 )
 def other_clock(recording: Recording) -> Iterator[Finding]:
-    """Stamps far from the moment of broadcast, unless some node publishes a /clock of its own."""
+    """Report stamps that differ much from the time of the broadcast, unless a node publishes /clock."""
     return iter(()) if '/clock' in recording.topics else _odd(recording, 'clock')
 
 
@@ -205,7 +209,9 @@ def other_clock(recording: Recording) -> Iterator[Finding]:
     hides=('tf.empty-buffer',),
 )
 def listener_not_kept(recording: Recording) -> Iterator[Finding]:
-    """It was deleted while its node lived on; not at the end of the program."""
+    """Report a TransformListener that Python deleted while its node still existed. Ignore listeners deleted at the end of the
+    program.
+    """
     ends = {process.name: process.ended_s for process in recording.processes}
     for fact in recording.facts:
         end = ends.get(fact.process or '')

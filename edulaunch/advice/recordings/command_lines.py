@@ -1,4 +1,4 @@
-"""Words of command lines, and lines of programs, that Python and ROS 2 accept without a word and that do nothing."""
+"""Rules about command lines and lines of programs that Python and ROS 2 accept without a message, and that have no effect."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ ROS_FLAGS = ('-r', '--remap', '-p', '--param', '--params-file')
     hides=('programs.died',),
 )
 def arguments_of_letters(recording: Recording) -> Iterator[Finding]:
-    """Report this for a Node: `arguments='--x 1 --frame-id world'`."""
+    """Report a Node whose arguments are one string, as in `arguments='--x 1 --frame-id world'`."""
     for process in recording.processes:
         words = process.argv[1 : process.argv.index('--ros-args')] if '--ros-args' in process.argv else process.argv[1:]
         if process.package and len(words) >= FEWEST and all(len(word) == 1 for word in words):
@@ -50,7 +50,7 @@ def arguments_of_letters(recording: Recording) -> Iterator[Finding]:
     hides=('messages.nobody-listens', 'messages.nobody-publishes', 'messages.other-topic'),
 )
 def no_ros_args(recording: Recording) -> Iterator[Finding]:
-    """Report this for a program with a node."""
+    """Report ROS arguments without `--ros-args` on the command line of a node."""
     with_node = {node.process for node in recording.nodes}
     for process in recording.processes:
         words = process.argv[: process.argv.index('--ros-args')] if '--ros-args' in process.argv else process.argv
@@ -69,7 +69,7 @@ def no_ros_args(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def main_misspelt(recording: Recording) -> Iterator[Finding]:
-    """Report this for a file that a command runs: `if __name__ == 'main':`."""
+    """Report a script with a misspelt test, as in `if __name__ == 'main':`."""
     run = {os.path.basename(word) for process in recording.own_processes for word in process.argv[:2]}
     for file, tree in program_scripts(recording):
         tests = [node.test for node in tree.body if isinstance(node, ast.If) and os.path.basename(file) in run]

@@ -1,4 +1,4 @@
-"""Callbacks that wait for what only a later callback brings."""
+"""Rules about callbacks that wait for something that only a later callback can bring."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ WAITS = {'call': 'call()', 'look': 'while not future.done()', 'await': 'await'}
 
 
 def _of(recording: Recording, kind: str, *rest: str, but: frozenset[str] = frozenset()) -> Iterator[Finding]:
-    """Yield one finding for each fact of a kind; `rest` are the facts of its data that the sentences name.
+    """Yield one finding for each fact of a kind. `rest` are the other facts that the sentences name.
 
-    :param but: kinds of facts that explain one of this kind in the same program.
+    :param but: kinds of facts that already explain a fact of this kind in the same program.
     """
     explained = {fact.process for fact in recording.facts if fact.kind in but}
     for fact in recording.facts:
@@ -45,7 +45,9 @@ def _of(recording: Recording, kind: str, *rest: str, but: frozenset[str] = froze
     hides=('messages.reply-not-taken', 'messages.not-taken', 'time.slow-callback', 'turtlesim.slow-commands'),
 )
 def deadlock(recording: Recording) -> Iterator[Finding]:
-    """By call(), by a loop around future.done(), by spinning until a future is done, or by await in the same group."""
+    """Report a callback that waits for a reply which only the same executor or callback group could receive. It waits in call(),
+    in a loop around future.done(), by spinning, or with await.
+    """
     for finding in _of(recording, 'callback waits', 'waiting'):
         waiting = finding.facts['waiting']
         yield finding._replace(facts={**finding.facts, 'waiting': WAITS.get(waiting, f'{waiting}()')})
@@ -65,7 +67,7 @@ def deadlock(recording: Recording) -> Iterator[Finding]:
     hides=('time.sleep-in-callback', 'messages.not-taken', 'time.slow-callback'),
 )
 def goes_on(recording: Recording) -> Iterator[Finding]:
-    """At the end of the run a callback is not over, for half a second at least, and others of its node are due."""
+    """Report a callback that still runs at the end, after at least half a second, while other callbacks of its node are due."""
     for finding in _of(recording, 'callback goes on', 'timers', 'calls', but=EXPLAINED):
         calls = (finding.facts['calls'] or '').rpartition('.')[2] or None
         yield finding._replace(facts={**finding.facts, 'calls': calls})
@@ -86,7 +88,7 @@ EXPLAINED = frozenset(
     hides=('messages.not-taken', 'time.slow-callback'),
 )
 def spin_in_callback(recording: Recording) -> Iterator[Finding]:
-    """Inside the spin that called it."""
+    """Report a callback that spins the executor which called it."""
     yield from _of(recording, 'spin in callback', 'spins')
     yield from _of(recording, 'spin in callback in vain', 'spins')
 
@@ -188,7 +190,7 @@ def transition_failed(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def waits_for_input(recording: Recording) -> Iterator[Finding]:
-    """It read its keyboard without a time limit. A terminal window is another case, see below."""
+    """Report a program that reads its keyboard without a time limit. `terminal_window` reports programs in a terminal window."""
     windows = terminal_windows(recording)
     for fact in recording.facts:
         if fact.kind == 'waits for input' and fact.process is not None and fact.process not in windows:
@@ -205,7 +207,7 @@ def waits_for_input(recording: Recording) -> Iterator[Finding]:
     level='info',
 )
 def terminal_window(recording: Recording) -> Iterator[Finding]:
-    """Report code such as `gnome-terminal -- ros2 run turtlesim turtle_teleop_key`, once its program waits for a key."""
+    """Report a command such as `gnome-terminal -- ros2 run turtlesim turtle_teleop_key` whose program waits for a key."""
     windows = terminal_windows(recording)
     for fact in recording.facts:
         if fact.kind == 'waits for input' and fact.process in windows:

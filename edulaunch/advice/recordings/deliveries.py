@@ -1,4 +1,4 @@
-"""Messages and replies that came, and were not taken."""
+"""Rules about messages and replies that arrived, but that no callback processed."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ SECOND = 1.0
     hides=('messages.reply-not-taken', 'messages.not-taken', 'tf.empty-buffer', 'tf.unknown-frame'),
 )
 def never_spun(recording: Recording) -> Iterator[Finding]:
-    """Report a node with timers, subscriptions or services of its own that lived for a second and was in no executor."""
+    """Report a node that has timers, subscriptions or services, existed for a second, and was in no executor."""
     started = {node.name: node.started_s for node in recording.nodes}
     for fact in recording.facts:
         if fact.kind == 'node not spun' and fact.time_s - started.get(fact.data['node'], fact.time_s) >= SECOND:
@@ -46,7 +46,7 @@ BLOCKING = ('wait_for_service', 'wait_for_server', 'wait_for_message', 'input', 
 
 
 def _waits_for_somebody(recording: Recording, data: dict[str, object]) -> bool:
-    """Return whether it waits in `wait_for_service` or in `input()`. Then another finding names what is missing."""
+    """Return whether a program waits in `wait_for_service` or `input()`. Then another finding names the cause."""
     return str(data.get('calls', '')).partition('.')[2] in BLOCKING
 
 
@@ -62,7 +62,7 @@ def _waits_for_somebody(recording: Recording, data: dict[str, object]) -> bool:
     level='error',
 )
 def ended_at_once(recording: Recording) -> Iterator[Finding]:
-    """It left within a second, with exit code 0, and nothing ever called its timers or subscriptions."""
+    """Report a program that ended with exit code 0 within a second and whose node never spun."""
     processes = {process.name: process for process in recording.processes}
     started = {node.name: node.started_s for node in recording.nodes}
     for fact in recording.facts:
@@ -82,8 +82,8 @@ def ended_at_once(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def not_taken(recording: Recording) -> Iterator[Finding]:
-    """At the end of the run, or of the node: old messages, or a full queue of a student's node. Another rule reports a node
-    that never spins.
+    """Report old messages, or a full queue of a student's node, that no callback processed before the end of the run or node.
+    Another rule reports a node that never spins.
     """
     unspun = {fact.data['node'] for fact in recording.facts if fact.kind == 'node not spun'}
     for fact in recording.facts:
@@ -106,7 +106,7 @@ def not_taken(recording: Recording) -> Iterator[Finding]:
     hides=('programs.never-spun',),
 )
 def reply_not_taken(recording: Recording) -> Iterator[Finding]:
-    """At the end of the run, a second after it came at least."""
+    """Report a reply that the client has not processed at the end of the run, at least a second after its arrival."""
     for fact in recording.facts:
         if fact.kind == 'reply waits':
             node, service = fact.data['node'], fact.data['service']
@@ -168,7 +168,7 @@ GOAL = '/_action/send_goal'
     level='error',
 )
 def asked_too_early(recording: Recording) -> Iterator[Finding]:
-    """Report a request that found no server, of a service that came later."""
+    """Report a request to a service that was created only later."""
     offered: dict[str, float] = {}
     for end in recording.ends:
         if end.kind == 'service':
@@ -182,7 +182,7 @@ def asked_too_early(recording: Recording) -> Iterator[Finding]:
 
 
 def _alike(name: str, known: list[str]) -> str | None:
-    """Return the only known name that ends as this one does."""
+    """Return the only known name with the same ending."""
     same = [one for one in known if one.rpartition('/')[2] == name.rpartition('/')[2]]
     return same[0] if len(same) == 1 else None
 
@@ -194,6 +194,6 @@ def _actions(recording: Recording) -> list[str]:
 
 
 def _parameters(recording: Recording) -> set[tuple[str, str]]:
-    """Clients of parameter services of nodes that are there."""
+    """Yield the clients of parameter services whose nodes exist."""
     nodes = tuple(f'{name}/' for name in programs(recording))
     return {(end.node, end.name) for end in recording.ends if end.kind == 'client' and is_ros_own(end.name, nodes)}

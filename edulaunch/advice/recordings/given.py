@@ -1,4 +1,4 @@
-"""Values, arguments and descriptions that programs take without a word, and that mean something else to them."""
+"""Rules about values, arguments and descriptions that a program accepts, but understands differently."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ GETTERS = ('declare_parameter', 'get_parameter', 'get_parameter_or')
     level='error',
 )
 def text_for_bool(recording: Recording) -> Iterator[Finding]:
-    """Only where a program tests the value itself, as `if value:` or `if not value:`."""
+    """Report a string for a boolean parameter, if a program tests the value itself, as in `if value:`."""
     tested: set[str] | None = None
     for node in recording.nodes:
         if node.name not in own_nodes(recording):
@@ -44,7 +44,7 @@ def text_for_bool(recording: Recording) -> Iterator[Finding]:
 
 
 def _tested(recording: Recording) -> set[str]:
-    """Return the names of parameters whose values are tested by themselves in a program of the run."""
+    """Return the names of parameters whose values a program of the run tests directly."""
     found_names: set[str] = set()
     for _, tree in program_scripts(recording):
         holders = {
@@ -63,7 +63,7 @@ def _tested(recording: Recording) -> set[str]:
 
 
 def _parameter_read(node: ast.AST) -> str | None:
-    """Return the parameter whose value an expression is: `self.get_parameter('x').value` and the like."""
+    """Return the parameter that an expression reads, such as `self.get_parameter('x').value`."""
     if isinstance(node, ast.Attribute) and node.attr in ('value', 'string_value'):
         inner: ast.AST = node.value
         while isinstance(inner, (ast.Attribute, ast.Call)):
@@ -82,7 +82,9 @@ def _parameter_read(node: ast.AST) -> str | None:
     lesson='03_parameters',
 )
 def parameter_read_once(recording: Recording) -> Iterator[Finding]:
-    """Set by a service call that was granted; the program reads it in a constructor only, and has no callback for changes."""
+    """Report a parameter that was set successfully, but that the program reads only in a constructor, without a callback for
+    changes.
+    """
     if not any(row[2] == SET for row in recording.rows('calls')):
         return
     for call in recording.service_calls:
@@ -174,7 +176,7 @@ def unknown_option(recording: Recording) -> Iterator[Finding]:
     confidence='asked',
 )
 def static_degrees(recording: Recording) -> Iterator[Finding]:
-    """More than a full turn."""
+    """Report an angle of a static_transform_publisher above a full turn."""
     for process, words in _static_publishers(recording):
         old = list(zip(('yaw', 'pitch', 'roll'), words[3:6], strict=False)) if _is_old(words) else []
         for option, text in [*zip(words, words[1:], strict=False), *old]:
@@ -193,7 +195,7 @@ def static_degrees(recording: Recording) -> Iterator[Finding]:
     confidence='asked',
 )
 def old_order(recording: Recording) -> Iterator[Finding]:
-    """Eight words without options, of whose angles only the last one is not 0."""
+    """Report eight arguments without options in which only the last angle is not 0."""
     for process, words in _static_publishers(recording):
         if _is_old(words) and not _number(words[3]) and not _number(words[4]) and _number(words[5]):
             x, y, z, _, _, angle, parent, child = words

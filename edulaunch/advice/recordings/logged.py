@@ -32,7 +32,7 @@ _COMPONENTS = re.compile(r'Failed to find class.*\n  help: components of \S+: (.
     level='error',
 )
 def parameter_file_absent(recording: Recording) -> Iterator[Finding]:
-    """As launch_ros logs it; a relative path has a rule of its own."""
+    """Report a missing parameter file that launch_ros logs. Another rule reports relative paths."""
     logs = [message for _, process, _, _, message in recording.rows('logs') if message.startswith(_NO_FILE)]
     for path in dict.fromkeys(message.removeprefix(_NO_FILE) for message in logs):
         file, line, joined = _written(recording, path)
@@ -41,7 +41,9 @@ def parameter_file_absent(recording: Recording) -> Iterator[Finding]:
 
 
 def _written(recording: Recording, path: str) -> tuple[str | None, int | None, str | None]:
-    """Where a launch file has the name of the file, and the part of os.path.join() there that begins with a slash."""
+    """Return the place in a launch file that contains the name of the file, and the part of os.path.join() there that begins with
+    a slash.
+    """
     for file, _ in launch_scripts(recording):
         with open(file, encoding='utf-8') as text:
             for number, line in enumerate(text, 1):
@@ -60,7 +62,7 @@ def _written(recording: Recording, path: str) -> tuple[str | None, int | None, s
     hides=('messages.nobody-publishes', 'messages.nobody-listens'),
 )
 def component_not_loaded(recording: Recording) -> Iterator[Finding]:
-    """As launch_ros logs it, with the components that the container names."""
+    """Report a component that launch_ros could not load, with the components that the container names."""
     messages = [message for _, _, _, _, message in recording.rows('logs') if 'Failed to ' in message]
     lists = [match[1] for message in messages if (match := _COMPONENTS.match(message))]
     for message in messages:
@@ -81,7 +83,7 @@ def component_not_loaded(recording: Recording) -> Iterator[Finding]:
     level='info',
 )
 def native_component(recording: Recording) -> Iterator[Finding]:
-    """As the container says when it is asked to load one."""
+    """Report a C++ component that a container was asked to load."""
     for time_ns, _, _, _, message in recording.rows('logs'):
         match = re.search(r'\n  help: (\S+) of (\S+) is built from C\+\+', message)
         if match is not None:

@@ -1,4 +1,4 @@
-"""Lookups of tf that found nothing to the end."""
+"""Rules about tf lookups that failed until the end of the run."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def _found(recording: Recording, fact: Fact, frame: str, **facts: Any) -> Findin
     hides=('programs.died',),
 )
 def unknown_frame(recording: Recording) -> Iterator[Finding]:
-    """Report a frame that was asked for and never came, in the whole run. A frame that came late is not reported."""
+    """Report a requested frame that never existed in the whole run. A frame that appeared late is not reported."""
     known = frame_names(recording)
     for fact in _lookups(recording):
         for name in fact.data['unknown'] if known else fact.data['unknown'][-1:]:
@@ -58,7 +58,7 @@ def unknown_frame(recording: Recording) -> Iterator[Finding]:
 
 
 def _near(name: str, known: list[str]) -> str | None:
-    """Return the frame that was probably meant; another number behind the same name is another robot."""
+    """Return the frame that was probably meant. The same name with another number is another robot's frame."""
     near = nearest(name, known)
     return None if near is None or near.rstrip('0123456789') == name.rstrip('0123456789') else near
 
@@ -112,7 +112,7 @@ def empty_buffer(recording: Recording) -> Iterator[Finding]:
     hides=('programs.died',),
 )
 def lookup_early(recording: Recording) -> Iterator[Finding]:
-    """Report this for a frame that is broadcast, asked for only in the first 50 ms of the node."""
+    """Report a lookup of an existing frame that failed in the first 50 ms of the node and was not repeated."""
     known = frame_names(recording)
     for fact in _lookups(recording):
         name = next((name for name in reversed(fact.data['unknown']) if name in known), None)
@@ -138,7 +138,7 @@ MOMENT_S = 0.05
     hides=('programs.died',),
 )
 def separate_trees(recording: Recording) -> Iterator[Finding]:
-    """Both frames are there, and in the whole run nothing joins them."""
+    """Report two existing frames that no chain of transforms connects in the whole run."""
     known = frame_names(recording)
     for fact in _lookups(recording):
         target, source = fact.data['target'], fact.data['source']
@@ -162,7 +162,7 @@ def separate_trees(recording: Recording) -> Iterator[Finding]:
     hides=('programs.died', 'time.slow-callback'),
 )
 def lookup_future(recording: Recording) -> Iterator[Finding]:
-    """Each lookup was too early, up to the last one."""
+    """Report lookups that were all too early, including the last one."""
     for fact, gap_s in _extrapolations(recording, 'future'):
         yield _found(recording, fact, fact.data['source'], gap_s=gap_s, waited_s=fact.data['waited_s'] or None)
 
@@ -177,7 +177,7 @@ def lookup_future(recording: Recording) -> Iterator[Finding]:
     hides=('programs.died',),
 )
 def lookup_past(recording: Recording) -> Iterator[Finding]:
-    """Each lookup was for a time before all that the buffer holds, up to the last one."""
+    """Report lookups for times before everything in the buffer, including the last one."""
     for fact, gap_s in _extrapolations(recording, 'past'):
         yield _found(recording, fact, fact.data['source'], gap_s=gap_s)
 

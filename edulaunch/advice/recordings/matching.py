@@ -1,4 +1,4 @@
-"""Ends of one topic or service that cannot talk to each other, remappings that change nothing, and two nodes of one name."""
+"""Rules about endpoints of one topic or service that do not match, remappings without effect, and nodes with equal names."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ LESSON = '09_broadcaster_and_listener'
 
 
 def _unfit(recording: Recording, *policies: str) -> Iterator[Finding]:
-    """Pairs that one of the policies keeps apart."""
+    """Yield pairs of endpoints that a QoS policy separates."""
     for mismatch in recording.mismatches:
         if mismatch.why in policies:
             file, line = end_place(recording, 'subscription', mismatch.topic, mismatch.subscriber)
@@ -41,7 +41,7 @@ def _unfit(recording: Recording, *policies: str) -> Iterator[Finding]:
     level='error',
 )
 def best_effort(recording: Recording) -> Iterator[Finding]:
-    """Report it at the end, too, although it happened when both were created."""
+    """Report a best-effort publisher and a reliable subscription of one topic."""
     return _unfit(recording, 'RELIABILITY')
 
 
@@ -70,7 +70,7 @@ def not_kept(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def quality(recording: Recording) -> Iterator[Finding]:
-    """Deadlines and liveliness."""
+    """Report incompatible deadlines and liveliness."""
     return _unfit(recording, 'DEADLINE', 'LIVELINESS')
 
 
@@ -83,7 +83,7 @@ def quality(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def different_types(recording: Recording) -> Iterator[Finding]:
-    """Report two ends with different types, if neither of them has another partner on that topic."""
+    """Report two endpoints with different types, if neither has another partner on that topic."""
     ends = ends_by_name(recording)
     for mismatch in recording.mismatches:
         if mismatch.why != 'TYPE':
@@ -111,7 +111,7 @@ def different_types(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def service_type(recording: Recording) -> Iterator[Finding]:
-    """Report a client for whose type there is no server of that name, though there is one of another type."""
+    """Report a client whose service exists only with another type."""
     ends = ends_by_name(recording)
     for (kind, name), clients in ends.items():
         servers = ends.get(('service', name))
@@ -142,8 +142,8 @@ SOON_S = 0.5
     hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes'),
 )
 def unused(recording: Recording) -> Iterator[Finding]:
-    """Report a remapping whose new name no node of the program uses. Leave out programs that ended at once, and remappings of
-    a group of programs if one of them uses the name.
+    """Report a remapping that no node of the program uses. Leave out programs that ended at once, and a remapping for a group of
+    programs if one of them uses it.
     """
     used = _used(recording)
     for process in recording.processes:
@@ -159,7 +159,7 @@ def unused(recording: Recording) -> Iterator[Finding]:
 
 
 def _used(recording: Recording) -> set[str]:
-    """Return the first names of all remappings that some node of their program has used."""
+    """Return the original names of all remappings that a node of their program has used."""
     nodes: dict[str, list[NodeRecord]] = {}
     for node in recording.nodes:
         nodes.setdefault(node.process, []).append(node)
@@ -180,7 +180,7 @@ def _near(node: NodeRecord, rule: RemapRule, names: list[str]) -> str | None:
 
 
 def _rules(process: ProcessRecord) -> Iterator[RemapRule]:
-    """Yield those of its command line that are for topics and services."""
+    """Yield the remapping rules of a command line that apply to topics and services."""
     for flag, text in zip(process.argv, process.argv[1:], strict=False):
         if flag in ('-r', '--remap'):
             try:
@@ -192,7 +192,7 @@ def _rules(process: ProcessRecord) -> Iterator[RemapRule]:
 
 
 def _has(node: NodeRecord, rule: RemapRule) -> bool:
-    """Return whether the node has an end of the rule's new name, or the rule is for another node."""
+    """Return whether the node has an endpoint with the rule's new name, or the rule is for another node."""
     namespace, _, name = node.name.rpartition('/')
     if rule.node_name not in (None, name):
         return False
@@ -216,7 +216,7 @@ def _names(node: NodeRecord) -> list[str]:
     lesson='01_first_launch',
 )
 def same_name(recording: Recording) -> Iterator[Finding]:
-    """Compare nodes that exist at the same time.
+    """Report two nodes that have the same name at the same time.
 
     Ignore a node that was started again after its end, and the nodes of `ros2` commands.
     """

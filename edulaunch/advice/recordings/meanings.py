@@ -1,4 +1,4 @@
-"""Mistakes that work against what was meant, while every single message is in order: by the numbers, not by the symptoms."""
+"""Rules about valid messages that do not do what was intended. They compare numbers of the messages."""
 
 from __future__ import annotations
 
@@ -66,7 +66,9 @@ FAR = 0.98
     hides=('turtlesim.wall', 'turtlesim.slow-commands', 'messages.two-commanders'),
 )
 def lookup_swapped(recording: Recording) -> Iterator[Finding]:
-    """Its turning speed is a fixed multiple of the angle at which the leader sees it, not of that at which it sees the leader."""
+    """Report a follower whose turning speed depends on the angle at which the leader sees it. It should depend on the angle at
+    which it sees the leader.
+    """
     names, own = list(turtles(recording)), own_nodes(recording)
     turned = {finding.facts['turtle'] for finding in other_yaw.look(recording)} if len(names) > 1 else set()
     for turtle, rows in commands(recording).items() if len(names) > 1 else ():
@@ -121,7 +123,7 @@ def _bearing(seen_from: Any, of: Any) -> float:
 
 
 def _is_one_number(ratios: list[float]) -> bool:
-    """Return whether nine of ten values are close to their middle."""
+    """Return whether nine of ten values are close to their median."""
     ordered = sorted(ratios)
     middle = ordered[len(ordered) // 2]
     near = sum(abs(value - middle) <= CLOSE * abs(middle) for value in ratios)
@@ -129,7 +131,9 @@ def _is_one_number(ratios: list[float]) -> bool:
 
 
 def _turned(recording: Recording) -> Iterator[tuple[Broadcasts, str, list[tuple[float, float, Any]]]]:
-    """Yield each moving frame of a turtle, the turtle, and its transforms: sine and cosine of half the heading, the rotation."""
+    """Yield each moving frame of a turtle with the turtle and its transforms: sine and cosine of half the heading, and the
+    rotation.
+    """
     frames = {turtle[1:]: turtle for turtle in turtles(recording)}
     for one in broadcasts(recording):
         turtle = frames.get(one.child.removeprefix('/'))
@@ -159,7 +163,9 @@ def _turned(recording: Recording) -> Iterator[tuple[Broadcasts, str, list[tuple[
     hides=('turtlesim.wall', 'tf.lookup-swapped'),
 )
 def other_yaw(recording: Recording) -> Iterator[Finding]:
-    """Of a frame below world that stays where its turtle is: the rotation differs by 0.2 and more nine times out of ten."""
+    """Report a frame at its turtle's position whose rotation differs from the heading by 0.2 rad or more in nine of ten
+    transforms.
+    """
     for one, turtle, known in _turned(recording):
         upright = [(s, c, q) for s, c, q in known if abs(q[0]) < CLOSE and abs(q[1]) < CLOSE]
         if len(upright) < SAMPLES or len(upright) < len(known) or one.parent.removeprefix('/') != 'world':
@@ -182,7 +188,9 @@ def other_yaw(recording: Recording) -> Iterator[Finding]:
     hides=('turtlesim.wall',),
 )
 def quaternion_order(recording: Recording) -> Iterator[Finding]:
-    """Of a frame of a turtle that turns: x is the cosine of half its heading, w the sine, in all of the last transforms."""
+    """Report a turtle's frame with a wrong order of the quaternion: x is the cosine of half the heading, and w the sine. All of
+    the last transforms must have it.
+    """
     for one, _, known in _turned(recording):
         if known and all(
             abs(abs(q[0]) - abs(c)) < CLOSE and abs(abs(q[3]) - abs(s)) < CLOSE and abs(q[0]) > CLOSE for s, c, q in known
@@ -201,9 +209,8 @@ def quaternion_order(recording: Recording) -> Iterator[Finding]:
     hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes', 'launch.remapping-unused'),
 )
 def remapping_reversed(recording: Recording) -> Iterator[Finding]:
-    """The node has an end under the second name, where it is alone; the first name is one of another node, alone there, too.
-
-    If the code of the node has the first name, the order of the names is right, and the other node needs the same remapping.
+    """Report a remapping with swapped names. The node is alone under the second name, and another node is alone under the first
+    name. If the code of the node contains the first name, the order is right, and the other node needs the same remapping.
     """
     lone = {kind: {(end.name, end.type): end for end in lone_ends(recording, kind)} for kind in ('publisher', 'subscription')}
     for process in recording.processes:
@@ -232,7 +239,7 @@ def remapping_reversed(recording: Recording) -> Iterator[Finding]:
 
 
 def _has_first_name(recording: Recording, end: EndRecord, old: str) -> bool:
-    """Return whether the line of code that makes an end has the name that a remapping replaced."""
+    """Return whether the line that creates an endpoint contains the name that a remapping replaced."""
     file, line = end_place(recording, end.kind, end.name, end.node)
     code = linecache.getline(file or '', line or 0)
     first, second = (name.rpartition('/')[2] for name in (old, end.name))
@@ -257,7 +264,9 @@ def _has_first_name(recording: Recording, end: EndRecord, old: str) -> bool:
     edits=(("'{first}' '{second}'", "'{first}', '{second}'"), ('"{first}" "{second}"', '"{first}", "{second}"')),
 )
 def joined_strings_used(recording: Recording) -> Iterator[Finding]:
-    """On one line of a student's file, and a topic, service, node or frame of the run has the joined name in its own."""
+    """Report two strings on one line that Python joins, if a topic, service, node or frame of the run contains the
+    joined name.
+    """
     lone = [end.name for kind in ('publisher', 'subscription') for end in lone_ends(recording, kind)]
     unknown = [name for fact in recording.facts if fact.kind == 'lookup failed' for name in fact.data['unknown']]
     wanted = [fact.data['name'] for fact in recording.facts if fact.kind in ('server awaited', 'request lost')]
@@ -282,7 +291,7 @@ def joined_strings_used(recording: Recording) -> Iterator[Finding]:
     hides=('tf.two-parents', 'tf.separate-trees', 'tf.unknown-frame', 'tf.lookup-past', 'tf.lookup-future'),
 )
 def loop(recording: Recording) -> Iterator[Finding]:
-    """By the first link of each frame; each ring once."""
+    """Report a loop of frames once, at the first transform of each frame."""
     links = {child: found_links[0] for child, found_links in by_child(recording).items()}
     seen: set[str] = set()
     for start in links:

@@ -1,4 +1,4 @@
-"""Rules about silent problems between computers: no other computer, another clock, another definition of a type."""
+"""Rules about silent problems between computers: no other computer, another clock, or another definition of a type."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def _notes(recording: Recording, kind: str) -> Iterator[Note]:
     level='info',
 )
 def alone(recording: Recording) -> Iterator[Finding]:
-    """Report nothing if a node appeared later. The hidden node of the bridge does not count."""
+    """Report a network without other computers, unless a node appeared later. The hidden node of the bridge does not count."""
     if any(node.process == REMOTE and '/_' not in node.name for node in recording.nodes):
         return
     for note in list(_notes(recording, 'alone'))[-1:]:
@@ -47,7 +47,7 @@ def alone(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def other_clock(recording: Recording) -> Iterator[Finding]:
-    """Once for each node whose messages were stamped by another time."""
+    """Report each node whose stamps are from another clock, once."""
     for note in _notes(recording, 'clock'):
         yield found('node', note.text, time_s=note.time_s)
 
@@ -64,7 +64,7 @@ def other_clock(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def other_definition(recording: Recording) -> Iterator[Finding]:
-    """Once for each type."""
+    """Report each type with another definition on another computer, once."""
     for note in _notes(recording, 'hash'):
         package = note.text.partition('/')[0]
         yield found('package', package, time_s=note.time_s, type=note.text)

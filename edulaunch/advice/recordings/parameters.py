@@ -1,4 +1,4 @@
-"""Values that were given to nodes and never arrived, and launch arguments that no launch file declares."""
+"""Rules about parameter values that never reached their nodes, and launch arguments that no launch file declares."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ SET = 'rcl_interfaces/srv/SetParameters'
     level='error',
 )
 def not_declared(recording: Recording) -> Iterator[Finding]:
-    """Unless another node declares what comes from the same place: a file for several nodes names parameters of all. A program
-    that died had perhaps not come to declaring it.
+    """Report a parameter value for a node that does not declare it. Skip a value from a source that serves several nodes if
+    another node declares it, and a program that died early.
     """
     dead = {process.name for process in recording.processes if process.returncode not in ENDED_WELL}
     dead |= {fact.process for fact in recording.facts if fact.kind == 'server awaited' and fact.process}
@@ -94,7 +94,7 @@ def key_for_no_node(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def refused(recording: Recording) -> Iterator[Finding]:
-    """By the answer of its parameter service."""
+    """Report a value that the node's parameter service refused."""
     if not any(row[2] == SET for row in recording.rows('calls')):
         return
     for call in recording.service_calls:
@@ -120,7 +120,7 @@ def refused(recording: Recording) -> Iterator[Finding]:
     lesson='01_first_launch',
 )
 def unknown_argument(recording: Recording) -> Iterator[Finding]:
-    """Not when a file reads a configuration of that name without declaring it: then it has changed something."""
+    """Report a launch argument that no launch file declares. Skip it if a file reads a configuration of that name."""
     for argument, time_s in _unread(recording):
         if argument.included is None:
             near = nearest(argument.name, argument.declared)
@@ -139,7 +139,7 @@ def unknown_argument(recording: Recording) -> Iterator[Finding]:
     lesson='13_large_project',
 )
 def undeclared_in_include(recording: Recording) -> Iterator[Finding]:
-    """Report the same for `launch_arguments` of an IncludeLaunchDescription."""
+    """Report an undeclared argument in the `launch_arguments` of an IncludeLaunchDescription."""
     for argument, time_s in _unread(recording):
         if argument.included is not None:
             yield found(
@@ -155,7 +155,7 @@ def undeclared_in_include(recording: Recording) -> Iterator[Finding]:
 
 
 def _unread(recording: Recording) -> Iterator[tuple[UnreadArgument, float | None]]:
-    """Yield the arguments of the run's own launch, and of each `ros2 launch` that a user typed, with its end."""
+    """Yield the unused arguments of the run's own launch and of each `ros2 launch` that a user typed, with its end."""
     yield from ((argument, None) for argument in recording.launch.unread)
     for fact in recording.facts:
         if fact.kind == 'argument unread':

@@ -51,9 +51,7 @@ def private_name(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def died(recording: Recording) -> Iterator[Finding]:
-    """Skip a program that another program started and waits for. Skip a `ros2` command after
-    Ctrl-C, which returns 2 (of `ros2 run` 254). Report a program that was started repeatedly only once.
-    """
+    """Report a program that ended with an error."""
     for process in recording.processes:
         if process.returncode in ENDED_WELL or _is_child(recording, process) or _is_launch(recording, process):
             continue
@@ -78,7 +76,7 @@ def died(recording: Recording) -> Iterator[Finding]:
 
 
 def _outside(recording: Recording) -> Iterator[Finding]:
-    """Yield the programs that are not simulated, such as `python3 misspelt.py`: known by what launch says of their end."""
+    """Yield the programs that are not simulated, such as `python3 misspelt.py`. Launch logs their end."""
     ours = {process.name for process in recording.processes}
     launches = {'launch', *(process.name for process in recording.processes if process.argv[:2] == ['ros2', 'launch'])}
     lines = [line for row in recording.output if row.process in launches for line in row.text.splitlines()]
@@ -92,7 +90,7 @@ def _outside(recording: Recording) -> Iterator[Finding]:
 
 
 def _last_words(said: list[str]) -> dict[str, Any]:
-    """Return the help of a command of edulaunch as `help`, or else the last line with an error as `said`.
+    """Return the help of a command of edulaunch as `help`, or otherwise the last line that contains an error as `said`.
 
     The last line of a C++ program, `terminate called ...`, has less information than its log.
     """
@@ -105,13 +103,13 @@ def _last_words(said: list[str]) -> dict[str, Any]:
 
 
 def _short(text: str) -> str:
-    """Return its first line, and not too much of that."""
+    """Return the first line of a message, shortened."""
     line = text.partition('\n')[0]
     return line if len(line) <= LONGEST else f'{line[:LONGEST].rpartition(" ")[0] or line[:LONGEST]} ...'
 
 
 def _is_launch(recording: Recording, process: ProcessRecord) -> bool:
-    """Return whether this is the `ros2 launch` itself, whose end is reported elsewhere."""
+    """Return whether this program is `ros2 launch` itself, whose end is reported elsewhere."""
     return process.argv[:3] == ['ros2', 'launch', recording.launch.file]
 
 
@@ -120,7 +118,7 @@ def _is_command(process: ProcessRecord) -> bool:
 
 
 def _is_child(recording: Recording, process: ProcessRecord) -> bool:
-    """Return whether a program that ran before, and still ran, goes under the same name."""
+    """Return whether an earlier program with the same name is still running."""
     for other in recording.processes:
         if other is process:
             return False
@@ -143,7 +141,7 @@ def _said(recording: Recording, process: ProcessRecord) -> list[str]:
     level='info',
 )
 def interrupted(recording: Recording) -> Iterator[Finding]:
-    """Ctrl-C, or the interrupt button of a notebook."""
+    """Report a run that Ctrl-C or the interrupt button of a notebook ended."""
     for note in recording.notes:
         if note.kind == 'interrupted':
             yield found('run', recording.launch.file, time_s=note.time_s)
@@ -167,9 +165,7 @@ def terminal_windows(recording: Recording) -> dict[str, ProcessRecord]:
     confidence='asked',
 )
 def output_hidden(recording: Recording) -> Iterator[Finding]:
-    """Report nodes that launch has started, and that neither print nor log anything visible. A node with its own
-    window does not count.
-    """
+    """Report nodes of a launch that neither print nor log anything visible. A node with its own window does not count."""
     launched = {process.name: process for process in recording.processes if process.origin is not None and process.package}
     first: dict[str, str] = {}
     shown: list[str] = []

@@ -1,4 +1,4 @@
-"""Robots by their descriptions and joints, and bags of topics that are not there."""
+"""Rules about robot descriptions, joints, and bags of topics that do not exist."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def _place(process: ProcessRecord) -> dict[str, Any]:
     level='error',
 )
 def bag_of_nothing(recording: Recording) -> Iterator[Finding]:
-    """Topics that are named on the command line of `ros2 bag record`."""
+    """Report topics on the command line of `ros2 bag record` that do not exist."""
     ends = ends_by_name(recording)
     sent = [name for kind, name in ends if kind == 'publisher']
     for process in recording.processes:
@@ -57,7 +57,7 @@ def bag_of_nothing(recording: Recording) -> Iterator[Finding]:
     hides=('programs.died',),
 )
 def description_is_path(recording: Recording) -> Iterator[Finding]:
-    """Report a value that ends like the name of a URDF file."""
+    """Report a robot_description that ends like the name of a URDF file."""
     for process in recording.processes:
         if process.executable == 'robot_state_publisher':
             for text in _texts(recording, process):
@@ -66,7 +66,9 @@ def description_is_path(recording: Recording) -> Iterator[Finding]:
 
 
 def _texts(recording: Recording, process: ProcessRecord) -> Iterator[str]:
-    """What a program was given as robot_description: by its node, or, when it died before it had one, on its command line."""
+    """Yield the values of robot_description: from the node, or from the command line if the program died before it created its
+    node.
+    """
     for _, node, name, value, _ in recording.rows('parameters'):
         if (
             name == 'robot_description'
@@ -82,7 +84,7 @@ def _texts(recording: Recording, process: ProcessRecord) -> Iterator[str]:
 
 
 def _in_file(path: str) -> Iterator[str]:
-    """Yield the value in a parameter file of launch, which has gone with the run when it was a temporary one."""
+    """Yield the value in a parameter file of launch. A temporary file no longer exists after the run."""
     if os.path.isfile(path) and os.path.getsize(path) < 100_000:
         with open(path, encoding='utf-8', errors='replace') as file:
             yield from re.findall(r'robot_description: *[\'"]?([^\'"\n<]+)', file.read())
@@ -120,7 +122,9 @@ def _movable(recording: Recording) -> Iterator[tuple[str, list[str]]]:
     hides=('messages.nobody-publishes',),
 )
 def no_joint_states(recording: Recording) -> Iterator[Finding]:
-    """A robot_state_publisher that lived for a second, and that no launch file of ROS's own packages starts: they know why."""
+    """Report a robot_state_publisher that existed for a second while no node published joint states. Skip nodes that launch files
+    of ROS packages start.
+    """
     ours = tuple(os.path.join(path, '') for path, name in recording.rows('roots') if name == '@underlay')
     ends = ends_by_name(recording)
     lived = {node.name: node.started_s for node in recording.nodes}
@@ -155,7 +159,9 @@ JOINT_STATE = 'sensor_msgs/msg/JointState'
     level='error',
 )
 def other_joint(recording: Recording) -> Iterator[Finding]:
-    """By the last message of each node on joint_states."""
+    """Report the last message of each node on joint_states if it names unknown joints, or has fewer or more
+    positions than names.
+    """
     for state_publisher, joints in _movable(recording):
         for topic in dict.fromkeys(
             end.name for end in recording.ends if end.node == state_publisher and end.name.endswith('joint_states')

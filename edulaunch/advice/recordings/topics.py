@@ -1,4 +1,4 @@
-"""Topics whose ends do not find each other, and several nodes that steer one robot."""
+"""Rules about topics whose endpoints have different names, and about several nodes that drive one robot."""
 
 from __future__ import annotations
 
@@ -18,7 +18,9 @@ _PAIR = {'publisher': 'subscription', 'subscription': 'publisher'}
 
 
 def lone_ends(recording: Recording, kind: str) -> list[EndRecord]:
-    """Publishers or subscriptions on whose topic the other kind never was; the first of each node and topic."""
+    """Return the publishers or subscriptions whose topic never had the opposite kind, only the first one of each
+    node and topic.
+    """
     ends = ends_by_name(recording)
     first: dict[tuple[str, str], EndRecord] = {}
     for (end_kind, name), rows in ends.items():
@@ -29,7 +31,7 @@ def lone_ends(recording: Recording, kind: str) -> list[EndRecord]:
 
 
 def meant(end: EndRecord, others: list[EndRecord]) -> EndRecord | None:
-    """Return the lone end that another one was probably meant for.
+    """Return the endpoint without a partner that another one was probably meant for.
 
     It has the same type, and a name with nearly the same spelling or the same ending.
     """
@@ -55,7 +57,9 @@ def _sent(recording: Recording, end: EndRecord) -> bool:
     hides=('messages.nobody-listens', 'messages.nobody-publishes'),
 )
 def other_topic(recording: Recording) -> Iterator[Finding]:
-    """Two topics of one type, each with one end only, whose names are close or end alike; one of the two is a student's."""
+    """Report two topics of one type, each with one endpoint only, whose names are nearly equal or have the same ending. One of
+    the endpoints belongs to a student.
+    """
     subscriptions = lone_ends(recording, 'subscription')
     own = own_nodes(recording) | _commands(recording)
     for end in lone_ends(recording, 'publisher'):
@@ -76,7 +80,7 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
 
 
 def _commands(recording: Recording) -> set[str]:
-    """Return the nodes that the launch files gave remappings, and those of `ros2 topic pub`: their names were typed, too."""
+    """Return the nodes with remappings from launch files, and those of `ros2 topic pub`, because a student typed their names."""
     typed = {process.name for process in recording.processes if '-r' in process.argv or process.argv[1:2] == ['topic']}
     return {node.name for node in recording.nodes if node.process in typed}
 
@@ -94,7 +98,7 @@ def _commands(recording: Recording) -> set[str]:
     level='error',
 )
 def nobody_listens(recording: Recording) -> Iterator[Finding]:
-    """Report velocities only, because most other topics need no subscription."""
+    """Report velocities without a subscription. Most other topics need none."""
     heard = [name for kind, name in ends_by_name(recording) if kind == 'subscription']
     for end in lone_ends(recording, 'publisher'):
         if end.type in COMMANDS and _sent(recording, end):
@@ -106,7 +110,7 @@ def nobody_listens(recording: Recording) -> Iterator[Finding]:
 
 
 def _empty_part(name: str) -> str | None:
-    """Return 'None' for a name that a program made of a variable without a value."""
+    """Return 'None' if a program made the name from a variable without a value."""
     return 'None' if 'None' in name.split('/') else None
 
 
@@ -126,7 +130,7 @@ COMMANDS = ('geometry_msgs/msg/Twist', 'geometry_msgs/msg/TwistStamped')
     confidence='asked',
 )
 def nobody_publishes(recording: Recording) -> Iterator[Finding]:
-    """Subscriptions of students' nodes that were there for a second at least."""
+    """Report subscriptions of students' nodes that existed for a second without a publisher."""
     sent = [name for kind, name in ends_by_name(recording) if kind == 'publisher' and not is_ros_own(name)]
     own = own_nodes(recording)
     for end in lone_ends(recording, 'subscription'):
@@ -149,8 +153,8 @@ def nobody_publishes(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def too_early(recording: Recording) -> Iterator[Finding]:
-    """All messages of a topic came before its first subscription, and one of the two ends does not keep them. At the same moment
-    the program that was started first was first.
+    """Report a topic whose messages were all sent before its first subscription existed, unless publisher and subscription are
+    transient local. If both were created at the same time, the program that started first counts as earlier.
     """
     last: dict[str, float] = {}
     for row in recording.rows('topics'):
@@ -173,7 +177,7 @@ def too_early(recording: Recording) -> Iterator[Finding]:
 
 
 def _apart(recording: Recording, end: EndRecord, others: list[EndRecord]) -> bool:
-    """Return whether an end is of another program than all others."""
+    """Return whether an endpoint belongs to another program than all others."""
     return all(programs(recording).get(other.node) != programs(recording).get(end.node) for other in others)
 
 
@@ -189,7 +193,7 @@ CLOSE_NS = 1_000_000_000
     lesson='10_carrots',
 )
 def two_commanders(recording: Recording) -> Iterator[Finding]:
-    """Velocities of two nodes that differ and follow each other within a second, five times and more."""
+    """Report two nodes whose different velocities follow each other within a second, at least five times."""
     for (kind, topic), publishers in ends_by_name(recording).items():
         nodes = {end.node for end in publishers}
         if kind != 'publisher' or publishers[0].type not in COMMANDS or len(nodes) < 2:
@@ -201,7 +205,7 @@ def two_commanders(recording: Recording) -> Iterator[Finding]:
 
 
 def _quarrels(rows: list[tuple[int, str, object]]) -> tuple[int, float, tuple[str, str]]:
-    """Return how often another node says something else within a second, when first, and who."""
+    """Return how often another node sends another velocity within a second, the first time, and the node."""
     turns, first_s, pair = 0, 0.0, ('', '')
     for (before_ns, node, wire), (time_ns, other, new) in zip(rows, rows[1:], strict=False):
         if node != other and wire != new and time_ns - before_ns < CLOSE_NS:

@@ -1,4 +1,4 @@
-"""Turtles that do not do what was meant."""
+"""Rules about turtles that do not do what was intended."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ TWIST = 'geometry_msgs/msg/Twist'
 
 
 def _calls(recording: Recording, kind: str) -> Iterator[tuple[float, str, str, Any, Any]]:
-    """Requests of a service type of turtlesim: time in s, service, who asked, request, reply (both wires)."""
+    """Yield the requests of a service type of turtlesim: time in s, service, client, request, and reply (both as wire tuples)."""
     for time_ns, service, type_name, client, request, _, replied, response in recording.rows('calls'):
         if type_name == f'turtlesim/srv/{kind}':
             yield time_ns / 1e9, service, client, request, response if replied is not None else None
@@ -33,7 +33,7 @@ def _calls(recording: Recording, kind: str) -> Iterator[tuple[float, str, str, A
 
 @lru_cache(maxsize=1)
 def turtles(recording: Recording) -> dict[str, str]:
-    """Return the turtles that ever were, by absolute name, with their turtlesim."""
+    """Return all turtles that ever existed, by absolute name, with their turtlesim."""
     served = {name for kind, name in ends_by_name(recording) if kind == 'service' and name.endswith('/set_pen')}
     found: dict[str, str] = {}
     for (kind, name), ends in ends_by_name(recording).items():
@@ -45,7 +45,7 @@ def turtles(recording: Recording) -> dict[str, str]:
 
 @lru_cache(maxsize=1)
 def commands(recording: Recording) -> dict[str, list[tuple[int, str, Any]]]:
-    """Return the commands that were sent to each turtle that is there: (time in ns, node, wire)."""
+    """Return the commands for each existing turtle: (time in ns, node, wire tuple)."""
     topics = {turtle: f'{turtle}/cmd_vel' for turtle in turtles(recording)}
     return {turtle: recording.published(topic, TWIST) for turtle, topic in topics.items() if topic in recording.topics}
 
@@ -58,7 +58,7 @@ def commands(recording: Recording) -> dict[str, list[tuple[int, str, Any]]]:
     lesson=LESSON,
 )
 def wall(recording: Recording) -> Iterator[Finding]:
-    """Half a second at an edge, with a speed."""
+    """Report a turtle that pushed against an edge for half a second."""
     if not any('I hit the wall' in row[4] for row in recording.rows('logs')):
         return
     for turtle, node in turtles(recording).items():
@@ -89,7 +89,7 @@ def _driver(recording: Recording, turtle: str) -> str | None:
     level='error',
 )
 def spawn_taken(recording: Recording) -> Iterator[Finding]:
-    """By the empty name in the reply."""
+    """Report a spawn whose name was already taken. The name in the reply is empty."""
     for time_s, _, client, request, response in _calls(recording, 'Spawn'):
         if response is not None and not response[0]:
             file, line = node_place(recording, client)
@@ -106,7 +106,7 @@ def spawn_taken(recording: Recording) -> Iterator[Finding]:
     hides=('turtlesim.wall',),
 )
 def outside(recording: Recording) -> Iterator[Finding]:
-    """Report this for spawn and teleport_absolute."""
+    """Report a spawn or teleport_absolute outside the window."""
     for kind in ('Spawn', 'TeleportAbsolute'):
         for time_s, service, client, request, _ in _calls(recording, kind):
             if not (0 <= request[0] <= SIDE and 0 <= request[1] <= SIDE):
@@ -125,7 +125,7 @@ def outside(recording: Recording) -> Iterator[Finding]:
     confidence='asked',
 )
 def degrees(recording: Recording) -> Iterator[Finding]:
-    """Angles of more than a full turn, and more than three turns a second."""
+    """Report angles above a full turn, and speeds above three turns a second."""
     for kind, at in (('Spawn', 2), ('TeleportAbsolute', 2), ('TeleportRelative', 1)):
         for time_s, service, client, request, _ in _calls(recording, kind):
             if abs(request[at]) > FULL_TURN:
@@ -176,7 +176,7 @@ def pen_off(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def kill_unknown(recording: Recording) -> Iterator[Finding]:
-    """As turtlesim logs it."""
+    """Report a kill of an unknown turtle, which turtlesim logs."""
     names = [turtle.rpartition('/')[2] for turtle in turtles(recording)]
     for time_ns, process, _, _, message in recording.rows('logs'):
         match = _NO_TURTLE.match(message)
@@ -196,7 +196,7 @@ def kill_unknown(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def killed(recording: Recording) -> Iterator[Finding]:
-    """Commands that came after the kill, without a spawn of the same name in between."""
+    """Report commands after a kill, if no spawn with the same name came in between."""
     spawned = [(time_s, request[3]) for time_s, _, _, request, _ in _calls(recording, 'Spawn')]
     for time_s, service, _, request, _ in _calls(recording, 'Kill'):
         turtle = f'{service.rpartition("/")[0]}/{request[0]}'
@@ -219,7 +219,7 @@ _NO_TURTLE = re.compile(r'Tried to kill turtle \[(.*)\], which does not exist')
     level='error',
 )
 def ignored_axes(recording: Recording) -> Iterator[Finding]:
-    """Commands of one node in which some number is not 0, and never one that counts."""
+    """Report a node whose commands contain only numbers that turtlesim ignores."""
     for turtle, rows in commands(recording).items():
         holonomic = recording.parameters(turtles(recording)[turtle]).get('holonomic')
         counting = (0, 5, 1) if holonomic is not None and holonomic.value else (0, 5)

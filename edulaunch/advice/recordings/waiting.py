@@ -1,4 +1,4 @@
-"""Time that programs take from themselves; how programs and nodes come to life, and end."""
+"""Rules about slow callbacks and timers, and about the start and the end of programs and nodes."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def _of(recording: Recording, kind: str) -> list[Fact]:
 
 
 def _late(recording: Recording) -> list[Fact]:
-    """Timers of which calls were left out again and again, and topics that wait."""
+    """Yield timers whose calls were skipped repeatedly, and topics with waiting messages."""
     skipped = [fact for fact in _of(recording, 'timer skipped') if fact.times >= OFTEN]
     return [*skipped, *_of(recording, 'messages wait')]
 
@@ -39,7 +39,7 @@ def _late(recording: Recording) -> list[Fact]:
     hides=('time.slow-callback', 'messages.not-taken'),
 )
 def sleep_in_callback(recording: Recording) -> Iterator[Finding]:
-    """Only where something else of the same program came late by it; once of each callback."""
+    """Report each callback that sleeps, once, if something else in the program was late because of it."""
     reported: set[tuple[str | None, str | None]] = set()
     for fact in _of(recording, 'sleep in callback'):
         late = [one for one in _late(recording) if one.process == fact.process]
@@ -62,7 +62,7 @@ def sleep_in_callback(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def slow_callback(recording: Recording) -> Iterator[Finding]:
-    """Whole periods were missed, three times at least."""
+    """Report a callback that made a timer miss at least three whole periods."""
     for fact in _of(recording, 'timer skipped'):
         if fact.times >= OFTEN:
             file, line = node_place(recording, fact.data['node'] or '')
@@ -91,7 +91,7 @@ def slow_callback(recording: Recording) -> Iterator[Finding]:
     confidence='asked',
 )
 def timer_period(recording: Recording) -> Iterator[Finding]:
-    """No period at all, or one longer than 45 s."""
+    """Report a timer with a period of 0, or longer than 45 s."""
     for fact in _of(recording, 'timer period'):
         file, line = fact_place(recording, fact)
         period_s = fact.data['period_s']
@@ -109,7 +109,7 @@ def timer_period(recording: Recording) -> Iterator[Finding]:
     hides=('tf.unstamped',),
 )
 def no_clock(recording: Recording) -> Iterator[Finding]:
-    """Not a single message of /clock in the whole run."""
+    """Report a node with use_sim_time in a run without any message on /clock."""
     clock = recording.topics.get('/clock')
     if clock is not None and clock.count:
         return
@@ -137,7 +137,7 @@ CHANGE = 'lifecycle_msgs/srv/ChangeState'
     hides=('messages.nobody-publishes', 'messages.no-server'),
 )
 def not_configured(recording: Recording) -> Iterator[Finding]:
-    """Without a single transition in the whole run."""
+    """Report a lifecycle node without any transition in the whole run."""
     for node, states in _lifecycles(recording):
         if not states:
             file, line = node_place(recording, node)
@@ -153,7 +153,7 @@ def not_configured(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def not_activated(recording: Recording) -> Iterator[Finding]:
-    """It was configured once and never reached 'active', and no node is there that leads it through its states."""
+    """Report a lifecycle node that was configured once and never became active, if no node manages its states."""
     for node, states in _lifecycles(recording):
         if states and 'active' not in states and states[-1] == 'inactive' and not _is_led(recording, node):
             file, line = node_place(recording, node)
@@ -166,7 +166,7 @@ def _is_led(recording: Recording, node: str) -> bool:
 
 
 def _lifecycles(recording: Recording) -> Iterator[tuple[str, list[str]]]:
-    """Lifecycle nodes with the states that they reached, in order."""
+    """Return the lifecycle nodes with the states that they reached, in order."""
     for (kind, name), ends in ends_by_name(recording).items():
         if kind == 'service' and ends[0].type == CHANGE and name.endswith('/change_state'):
             node = name.removesuffix('/change_state')
@@ -187,7 +187,7 @@ def _lifecycles(recording: Recording) -> Iterator[tuple[str, list[str]]]:
     hides=('programs.died',),
 )
 def ended_by_force(recording: Recording) -> Iterator[Finding]:
-    """launch had to send SIGTERM or SIGKILL, as it says itself."""
+    """Report a program to which launch had to send SIGTERM or SIGKILL, as launch logs."""
     refused = {word for row in recording.rows('output') if 'failed to terminate' in row[3] for word in _named(row[3])}
     for fact in recording.facts:
         if fact.kind == 'ended by force' and fact.process in refused:

@@ -1,4 +1,4 @@
-"""Mistakes of programs and launch files that their text shows, once a run has shown what became of them."""
+"""Rules about mistakes in the text of programs and launch files whose effect a run has shown."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     level='error',
 )
 def goal_unfinished(recording: Recording) -> Iterator[Finding]:
-    """As rclpy logs it."""
+    """Report an execute callback that returned without setting the state of its goal, as rclpy logs."""
     reported: set[str] = set()
     for time_ns, process, _, _, message in recording.rows('logs'):
         if message.startswith('Goal state not set') and process not in reported:
@@ -50,7 +50,7 @@ def goal_unfinished(recording: Recording) -> Iterator[Finding]:
     hides=('messages.nobody-listens', 'messages.too-early'),
 )
 def spun_once(recording: Recording) -> Iterator[Finding]:
-    """A program with subscriptions or timers that ended by itself with exit code 0, and calls spin_once outside of any loop."""
+    """Report a program with subscriptions or timers that calls spin_once outside of any loop and ended with exit code 0."""
     ended = {
         process.name: process for process in recording.own_processes if process.returncode == 0 and process.ended_s is not None
     }
@@ -70,7 +70,7 @@ def spun_once(recording: Recording) -> Iterator[Finding]:
 
 
 def _goes_on(recording: Recording, node: NodeRecord, topic: str) -> bool:
-    """Return whether others published on a topic for a second and more after a node had left."""
+    """Return whether other nodes published on a topic for at least a second after a node had left."""
     others = [end for end in ends_by_name(recording).get(('publisher', topic), ()) if end.node != node.name]
     times = [row['times'][-1] / 1e9 for row in recording.rows('topics') if row['topic'] == topic and row['times']]
     return not is_ros_own(topic) and bool(others and times) and max(times) > (node.ended_s or node.started_s) + 1.0
@@ -107,7 +107,7 @@ def method_twice(recording: Recording) -> Iterator[Finding]:
     edits=(('=+', '+='),),
 )
 def equals_plus(recording: Recording) -> Iterator[Finding]:
-    """Report =+ with a blank after it. The sign of a number has no blank after it."""
+    """Report `=+` with a space after it. The sign of a number has no space after it."""
     for file, tree in program_scripts(recording):
         for node in ast.walk(tree):
             is_plus = isinstance(node, ast.Assign) and isinstance(node.value, ast.UnaryOp) and isinstance(node.value.op, ast.UAdd)
@@ -131,7 +131,7 @@ MANY_PUBLISHERS = 5
     hides=('messages.too-early',),
 )
 def publisher_each_time(recording: Recording) -> Iterator[Finding]:
-    """Report five of one node on one topic that each send a message in the moment in which they are made."""
+    """Report at least five publishers of one node on one topic that each send a message when they are created."""
     made: dict[tuple[str, str], set[float]] = {}
     own = own_nodes(recording)
     for (kind, topic), ends in ends_by_name(recording).items():
@@ -160,7 +160,9 @@ ENDING = ('Shutdown', 'EmitEvent', 'LogInfo')
     confidence='asked',
 )
 def waits_for_endless(recording: Recording) -> Iterator[Finding]:
-    """After five seconds at least; not where the end of a node only shuts the launch down, or is logged."""
+    """Report a handler that waits for the end of an endless program, after at least five seconds. Skip a handler that only shuts
+    the launch down or logs.
+    """
     for file, tree in launch_scripts(recording):
         made = {
             node.targets[0].id: node.value

@@ -1,1 +1,1 @@
-"""Rules over the launch files of a run or of a dry run, as syntax trees."""
+"""Rules over the syntax trees of the launch files of a run or of a dry run."""

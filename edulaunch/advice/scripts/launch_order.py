@@ -1,4 +1,6 @@
-"""The order of actions in a launch file, events that never come, delays in the wrong unit; nothing of the file is executed."""
+"""Rules about the order of actions in a launch file, events that never come, and delays in the wrong unit. No code of the file is
+executed.
+"""
 
 from __future__ import annotations
 
@@ -47,7 +49,7 @@ LESSON = '02_names'
     hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes', 'programs.parameter-not-declared'),
 )
 def setting_after_nodes(scripts: list[Script]) -> Iterator[Finding]:
-    """In a list that is written out: something that starts programs comes before it, and nothing that could after it."""
+    """Report an action that changes later programs, if all programs of its literal list start before it."""
     for file, tree in scripts:
         for items in (node for node in ast.walk(tree) if isinstance(node, ast.List)):
             variables = _variables(tree)
@@ -63,7 +65,7 @@ def setting_after_nodes(scripts: list[Script]) -> Iterator[Finding]:
 
 
 def _variables(tree: ast.Module) -> dict[str, ast.expr]:
-    """Return what is assigned to each variable, where that happens once."""
+    """Return the assigned value of each variable that is assigned once."""
     values: dict[str, list[ast.expr]] = {}
     for node in ast.walk(tree):
         if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
@@ -81,7 +83,7 @@ def _variables(tree: ast.Module) -> dict[str, ast.expr]:
     hides=('launch.not-added',),
 )
 def waits_for_unstarted(scripts: list[Script]) -> Iterator[Finding]:
-    """Report a variable that is read as target_action and nowhere else."""
+    """Report an action that is used as target_action, but is not in the launch description."""
     for file, tree in scripts:
         variables = _variables(tree)
         reads: dict[str, int] = {}
@@ -111,7 +113,7 @@ LONG_S = 300.0
     confidence='asked',
 )
 def timer_in_milliseconds(scripts: list[Script]) -> Iterator[Finding]:
-    """Report a number that is written out, of 300 and more."""
+    """Report a literal timer period of 300 or more."""
     for file, tree in scripts:
         for call in ast.walk(tree):
             if isinstance(call, ast.Call) and name_of_call(call) == 'TimerAction':

@@ -1,4 +1,6 @@
-"""What Python does at once in a launch file, although it is meant for later; nothing of the file is executed for these."""
+"""Rules about Python code that runs while launch loads the file, although it is meant for later. The code is not
+executed here.
+"""
 
 from __future__ import annotations
 
@@ -45,7 +47,9 @@ Function = ast.FunctionDef | ast.AsyncFunctionDef | ast.Module
     level='error',
 )
 def python_if(scripts: list[Script]) -> Iterator[Finding]:
-    """Of a LaunchConfiguration or a variable that holds one; `.perform(context)` returns a string, which a script may compare."""
+    """Report an `if` about a LaunchConfiguration or a variable that contains one. `.perform(context)` returns a string, which a
+    script may compare.
+    """
     for file, tree in scripts:
         for function in _functions(tree):
             known = _configurations(function)
@@ -54,7 +58,7 @@ def python_if(scripts: list[Script]) -> Iterator[Finding]:
 
 
 def _in_function(finding: Finding, function: Function) -> Finding:
-    """In a function that launch calls with its context, the value is known: there it can be asked for."""
+    """Yield the parts of a function that launch calls with its context, in which `perform` returns the value."""
     arguments = [] if isinstance(function, ast.Module) else function.args.args
     if not arguments or arguments[0].arg != 'context':
         return finding
@@ -96,7 +100,7 @@ def _functions(tree: ast.Module) -> Iterator[Function]:
 
 
 def _own(function: Function) -> Iterator[ast.AST]:
-    """Yield everything of a function but the functions in it."""
+    """Yield all nodes of a function without the nested functions."""
     todo: list[ast.AST] = list(function.body)
     while todo:
         node = todo.pop()
@@ -106,14 +110,14 @@ def _own(function: Function) -> Iterator[ast.AST]:
 
 
 def _tests(function: Function) -> Iterator[ast.expr]:
-    """Yield what decides an `if`, in both forms, part by part."""
+    """Yield the parts of the condition of an `if`, in both of its forms."""
     for node in _own(function):
         if isinstance(node, (ast.If, ast.IfExp)):
             yield from node.test.values if isinstance(node.test, ast.BoolOp) else (node.test,)
 
 
 def _configurations(function: Function) -> dict[str, str | None]:
-    """Variables that hold a LaunchConfiguration and nothing else, with the name of the argument where it is written out."""
+    """Return the variables that only ever contain a LaunchConfiguration, with the name of the argument if it is literal."""
     found: dict[str, str | None] = {}
     others: set[str] = set()
     for node in _own(function):
@@ -152,7 +156,7 @@ def _argument(node: ast.AST, known: dict[str, str | None]) -> str | None:
     level='error',
 )
 def opaque_returns_nothing(scripts: list[Script]) -> Iterator[Finding]:
-    """A function that an OpaqueFunction names, with an action that it makes and no `return` with a value."""
+    """Report a function of an OpaqueFunction that creates an action and returns no value."""
     for file, tree in scripts:
         named = {
             node.value.id
@@ -187,7 +191,7 @@ def opaque_returns_nothing(scripts: list[Script]) -> Iterator[Finding]:
     level='error',
 )
 def not_added(scripts: list[Script]) -> Iterator[Finding]:
-    """Report a variable of generate_launch_description() that holds an action and is never read."""
+    """Report a variable of generate_launch_description() that contains an action and is never read."""
     for file, tree in scripts:
         for function in _functions(tree):
             if isinstance(function, ast.Module) or function.name != 'generate_launch_description':
@@ -208,7 +212,7 @@ def _unread(function: ast.FunctionDef | ast.AsyncFunctionDef, read: set[str], fi
 
 
 def _is_in_comment(name: str, file: str) -> bool:
-    """Return whether a line that uses the variable is commented out, which is a deliberate choice."""
+    """Return whether a commented-out line uses the variable, which is a deliberate choice."""
     from edulaunch.ros.sources.source_package import read_text
 
     name = re.escape(name)

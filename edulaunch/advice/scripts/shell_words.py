@@ -1,4 +1,4 @@
-"""Words in a launch file that only a shell understands; nothing of the file is executed."""
+"""Rules about words in a launch file that only a shell understands. No code of the file is executed."""
 
 from __future__ import annotations
 

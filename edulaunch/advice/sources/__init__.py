@@ -1,1 +1,1 @@
-"""Rules over packages' sources (`Source`)."""
+"""Rules over the sources of packages (`Source`)."""

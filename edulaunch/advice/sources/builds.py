@@ -1,4 +1,4 @@
-"""What was built of a package and is older than its sources, and scripts of a CMake package, which are installed as programs."""
+"""Rules about outdated builds, and about scripts of CMake packages that are installed as programs."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ LEVELS_ABOVE = 4
     lesson='07_packages',
 )
 def changed_after_build(source: Source) -> Iterator[Finding]:
-    """By content, not by time: files of the source that are other than what is installed, or are not installed at all.
+    """Report source files that differ from the installed ones, or are not installed. The rule compares contents, not times.
 
     Links, and what `--symlink-install` leaves in place of modules, always show the sources.
     """
@@ -50,7 +50,7 @@ def changed_after_build(source: Source) -> Iterator[Finding]:
 
 
 def _installed_prefix(folder: str, package: str) -> tuple[str | None, str]:
-    """Return the prefix in which colcon has installed a package, alone or with all others, and the workspace."""
+    """Return the prefix into which colcon installed a package, alone or with all others, and the workspace."""
     for _ in range(LEVELS_ABOVE):
         folder = os.path.dirname(folder)
         for prefix in (os.path.join(folder, 'install', package), os.path.join(folder, 'install')):
@@ -60,7 +60,7 @@ def _installed_prefix(folder: str, package: str) -> tuple[str | None, str]:
 
 
 def _is_equal(built: str, path: str) -> bool:
-    """Return whether the installed file is the one of the sources, or has the same content."""
+    """Return whether the installed file is a link to the source file or has the same content."""
     if os.path.islink(built) or not os.path.isfile(path) or os.path.realpath(built) == os.path.realpath(path):
         return True
     try:
@@ -83,7 +83,7 @@ INSTALL = 'add install(PROGRAMS {written} DESTINATION lib/${{PROJECT_NAME}}) to 
     level='error',
 )
 def no_shebang(source: Source) -> Iterator[Finding]:
-    """Report this for what install(PROGRAMS) installs."""
+    """Report a script without `#!` that install(PROGRAMS) installs."""
     programs = _programs(source)
     for path, text in _scripts(source):
         if os.path.realpath(path) in programs and _runs(text) and not text.startswith('#!'):
@@ -99,7 +99,9 @@ def no_shebang(source: Source) -> Iterator[Finding]:
     level='error',
 )
 def program_not_installed(source: Source) -> Iterator[Finding]:
-    """A script that starts rclpy, when a launch file of the package starts it, or when the package installs no program at all."""
+    """Report a script that starts rclpy and is not installed, if a launch file of the package starts it, or the package installs
+    no program.
+    """
     launched, has_none = executables_launched(source), not _programs(source) and not source.package.contents.native
     for path in _left_out(source):
         if has_none or os.path.basename(path) in launched:
@@ -115,7 +117,7 @@ def program_not_installed(source: Source) -> Iterator[Finding]:
     level='info',
 )
 def program_left_out(source: Source) -> Iterator[Finding]:
-    """Report this for a package that installs other programs: it may be left out on purpose."""
+    """Report a script that is not installed in a package that installs other programs, because this may be intended."""
     launched, has_none = executables_launched(source), not _programs(source) and not source.package.contents.native
     for path in _left_out(source):
         if not has_none and os.path.basename(path) not in launched:
@@ -151,7 +153,7 @@ _EXECUTABLE = re.compile(r"""\bexec(?:utable)?\s*[=:]\s*["']?([\w.-]+)""")
     level='error',
 )
 def program_not_executable(source: Source) -> Iterator[Finding]:
-    """Installed below lib/, but with install(FILES)."""
+    """Report a script that install(FILES) puts below lib/."""
     installed, programs = source.installed, _programs(source)
     modules = tuple(place + os.sep for place in source.package.contents.python_modules.values())
     for path, text in _scripts(source):
@@ -170,7 +172,7 @@ def program_not_executable(source: Source) -> Iterator[Finding]:
     level='error',
 )
 def main_never_called(source: Source) -> Iterator[Finding]:
-    """Report an installed program without a call at the top level, or under `if`."""
+    """Report an installed program that never calls a function at its top level or under `if`."""
     programs = _programs(source)
     for path, text in _scripts(source):
         tree = parsed(path) if os.path.realpath(path) in programs and 'def main' in text else None
@@ -179,14 +181,14 @@ def main_never_called(source: Source) -> Iterator[Finding]:
 
 
 def _calls(statement: ast.stmt) -> bool:
-    """Return whether a statement of a module calls something when the module runs."""
+    """Return whether a top-level statement of a module calls something when the module runs."""
     if isinstance(statement, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Import, ast.ImportFrom, ast.Assign)):
         return False
     return any(isinstance(node, ast.Call) for node in ast.walk(statement))
 
 
 def _scripts(source: Source) -> Iterator[tuple[str, str]]:
-    """Yield (file, text) of the Python files of a CMake package that can be read."""
+    """Yield (file, text) of the readable Python files of a CMake package."""
     if source.is_readable and not source.package.is_python:
         package = source.package
         yield from ((path, read_text(path)) for path in package.python_files if not package.is_test(path))

@@ -1,4 +1,4 @@
-"""What ends in "No executable found": entry points that name nothing, and nodes that nothing names."""
+"""Rules about mistakes that lead to "No executable found": invalid entry points, and nodes without an entry point."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ LESSON = '07_packages'
     edits=(('{module}', '{near}', 'near'),),
 )
 def entry_point_module(source: Source) -> Iterator[Finding]:
-    """Report this for setup.py or setup.cfg, by the modules that setup() installs."""
+    """Report an entry point in setup.py or setup.cfg whose module setup() does not install."""
     package = source.package
     for executable, module, function in _entry_points(source):
         if module_file(package, module) is None and not _is_of_another(source, module):
@@ -45,7 +45,7 @@ def entry_point_module(source: Source) -> Iterator[Finding]:
 
 
 def _is_of_another(source: Source, module: str) -> bool:
-    """Return whether a module is of another package of the workspace: a build does not mind."""
+    """Return whether a module belongs to another package of the workspace, which a build accepts."""
     top, folder = module.partition('.')[0], os.path.dirname(source.package.folder)
     return top != source.package.name and (
         top in source.around.packages() or os.path.isfile(os.path.join(folder, top, 'package.xml'))
@@ -62,7 +62,7 @@ def _is_of_another(source: Source, module: str) -> bool:
     edits=((':{function}', ':{near}', 'near'),),
 )
 def entry_point_function(source: Source) -> Iterator[Finding]:
-    """By what the module defines or imports at its top level."""
+    """Report an entry point whose function the module neither defines nor imports at its top level."""
     for package, executable, module, function, path, tree in _read_entry_points(source):
         names, wanted = defined_names(tree), function.partition('.')[0]
         if function and wanted not in names:
@@ -81,7 +81,7 @@ def entry_point_function(source: Source) -> Iterator[Finding]:
     hides=('packages.entry-point-module',),
 )
 def entry_point_colon(source: Source) -> Iterator[Finding]:
-    """Report `package.module` and `package.module.main`: a build installs both, and neither starts."""
+    """Report `package.module` and `package.module.main`: a build installs both, but neither starts."""
     package = source.package
     for executable, module, function in _entry_points(source):
         above, _, leaf = module.rpartition('.')
@@ -102,7 +102,7 @@ def entry_point_colon(source: Source) -> Iterator[Finding]:
     level='error',
 )
 def main_wants_arguments(source: Source) -> Iterator[Finding]:
-    """Report a main function with required arguments: a script of setuptools calls it without arguments."""
+    """Report a main function with required arguments. The script of setuptools calls it without arguments."""
     for package, executable, module, function, path, tree in _read_entry_points(source):
         called = main_of(tree, function)
         if called is None:
@@ -124,7 +124,9 @@ def main_wants_arguments(source: Source) -> Iterator[Finding]:
     edits=(('', "'{executable} = {module}:main'", 'console_scripts'),),
 )
 def node_without_entry_point(source: Source) -> Iterator[Finding]:
-    """Report a node that a launch file of the package starts, or any when the package has no entry point at all."""
+    """Report a node without an entry point that a launch file of the package starts, or any node if the package has no entry
+    points.
+    """
     launched = executables_launched(source)
     for one in _unnamed(source):
         if one.facts['executable'] in launched or not source.package.contents.entry_points:
@@ -141,7 +143,7 @@ def node_without_entry_point(source: Source) -> Iterator[Finding]:
     edits=(('', "'{executable} = {module}:main'", 'console_scripts'),),
 )
 def node_left_out(source: Source) -> Iterator[Finding]:
-    """Report this for a package with other entry points: it may be left out on purpose."""
+    """Report a node without an entry point in a package with other entry points, because this may be intended."""
     launched = executables_launched(source)
     for one in _unnamed(source):
         if one.facts['executable'] not in launched and source.package.contents.entry_points:
@@ -149,7 +151,7 @@ def node_left_out(source: Source) -> Iterator[Finding]:
 
 
 def _unnamed(source: Source) -> Iterator[Finding]:
-    """Yield the modules with a main() that starts rclpy; not when an entry point means one and misspells it."""
+    """Yield the modules without an entry point whose main() starts rclpy. Skip a module if a misspelt entry point may mean it."""
     package = source.package
     if not (source.is_readable and package.is_python):
         return
@@ -171,7 +173,7 @@ def _unnamed(source: Source) -> Iterator[Finding]:
     level='error',
 )
 def node_in_wrong_folder(source: Source) -> Iterator[Finding]:
-    """Report this for a package of setup.py: neither a module, nor a script that data_files or scripts= install."""
+    """Report a node outside the installed modules and scripts of a package with setup.py."""
     package = source.package
     if not (source.is_readable and package.is_python):
         return
@@ -200,7 +202,7 @@ def node_in_wrong_folder(source: Source) -> Iterator[Finding]:
     hides=('packages.entry-point-module', 'packages.node-in-wrong-folder'),
 )
 def no_init(source: Source) -> Iterator[Finding]:
-    """Report the folder of the package's own modules, when setup() does not install it."""
+    """Report the folder of the package's modules if it has no __init__.py, so that setup() does not install it."""
     package = source.package
     folder = os.path.join(package.folder, package.name)
     has_modules = os.path.isdir(folder) and any(name.endswith('.py') for name in os.listdir(folder))
@@ -210,14 +212,14 @@ def no_init(source: Source) -> Iterator[Finding]:
 
 
 def _entry_points(source: Source) -> Iterator[tuple[str, str, str]]:
-    """Yield (executable, module, function) of a package whose build file can be read."""
+    """Yield (executable, module, function) of a package whose build file is readable."""
     if source.is_readable:
         for place, (module, function) in source.package.contents.entry_points.items():
             yield os.path.basename(place), module, function
 
 
 def _read_entry_points(source: Source) -> Iterator[tuple[SourcePackage, str, str, str, str, ast.Module]]:
-    """Yield those whose module is there and is Python: package, executable, module, function, file, syntax tree."""
+    """Yield the entry points whose module is readable Python: package, executable, module, function, file, syntax tree."""
     for executable, module, function in _entry_points(source):
         path = module_file(source.package, module)
         tree = None if path is None else parsed(path)
@@ -241,7 +243,7 @@ def _of_entry(
 
 
 def _is_node(path: str) -> bool:
-    """Return whether there is a main() that starts rclpy."""
+    """Return whether a module has a main() that starts rclpy."""
     text = read_text(path)
     tree = parsed(path) if 'rclpy' in text else None
     called = None if tree is None else main_of(tree, 'main')

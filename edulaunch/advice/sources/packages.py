@@ -1,4 +1,4 @@
-"""Rules about files of a package that no build installs or Python cannot read, missing dependencies, and package names that
+"""Rules about files of a package that are not installed or are not valid Python, missing dependencies, and package names that
 differ.
 """
 
@@ -40,7 +40,7 @@ NOT_LAUNCHED = frozenset(('doc', 'docs', 'example', 'examples', 'src'))
     edits=(('', "(os.path.join('share', package_name, '{folder}'), glob('{pattern}'))", 'data_files'),),
 )
 def launch_file_not_installed(source: Source) -> Iterator[Finding]:
-    """Report a launch file by its name or its folder; descriptions of launch tests need not be installed."""
+    """Report a launch file that no build installs, by its name or its folder. Launch tests need not be installed."""
     package = source.package
     for path in _not_installed(source):
         if package.is_launch_file(path) and os.path.dirname(package.relative(path)).split(os.sep)[0] not in NOT_LAUNCHED:
@@ -56,7 +56,7 @@ def launch_file_not_installed(source: Source) -> Iterator[Finding]:
     edits=(('', "(os.path.join('share', package_name, '{folder}'), glob('{pattern}'))", 'data_files'),),
 )
 def data_not_installed(source: Source) -> Iterator[Finding]:
-    """Files of the folders in which packages keep parameters, robots and worlds, when a launch file or program names them."""
+    """Report a file for parameters, robots or worlds that is not installed, if a launch file or program names it."""
     package = source.package
     written = '\n'.join(_asking_texts(source))
     for path in _not_installed(source):
@@ -76,14 +76,16 @@ def data_not_installed(source: Source) -> Iterator[Finding]:
 
 
 def _asking_texts(source: Source) -> Iterator[str]:
-    """Yield the files of the package that ask for a share folder, without comments."""
+    """Yield the files of the package that use a share folder, without comments."""
     for text in map(read_text, _used_texts(source)):
         if 'share' in text:
             yield _COMMENT.sub('', text)
 
 
 def _used_texts(source: Source) -> Iterator[str]:
-    """Launch files, and Python files that a build installs; where what it installs is not known, all Python files."""
+    """Yield launch files, and the Python files that a build installs. If the installed files are not known, yield all Python
+    files.
+    """
     package, installed = source.package, source.installed
     modules = tuple(package.contents.python_modules.values())
     for path in package.files():
@@ -115,7 +117,7 @@ def _of_file(package: str, path: str, facts: dict[str, Any]) -> Finding:
     level='error',
 )
 def not_python(source: Source) -> Iterator[Finding]:
-    """Wrong syntax, tabs mixed with spaces, another encoding than UTF-8."""
+    """Report wrong syntax, tabs mixed with spaces, and an encoding other than UTF-8."""
     for path in source.package.python_files:
         name = os.path.basename(path)
         try:
@@ -140,7 +142,7 @@ UNUSED = frozenset(('antigravity', 'idlelib', 'this', 'turtle', 'turtledemo'))
     do='rename it, for example to my_{module}',
 )
 def hides_python(source: Source) -> Iterator[Finding]:
-    """Top-level modules that a package of Python installs."""
+    """Report an installed top-level module that hides a module of Python."""
     for module, file in source.package.contents.python_modules.items():
         if module in sys.stdlib_module_names and module not in UNUSED:
             yield found('module', module, file=file, package=source.package.name)
@@ -178,7 +180,7 @@ _XML_LAUNCHED = re.compile(r"""\bpkg\s*[:=]\s*["']?(\w+)["']?""")
     edits=(('', '<exec_depend>{dependency}</exec_depend>', 'manifest'),),
 )
 def dependency_missing(source: Source) -> Iterator[Finding]:
-    """Packages that are imported or launched; each once, where it is first used."""
+    """Report a package that is imported or launched but not a dependency, once, where it is first used."""
     for name, file, line, how in _missing(source):
         if not _is_of_launch(name, file):
             tags = [f'<{one.tag}>' for one in source.package.dependencies if one.name == name]
@@ -195,7 +197,7 @@ def dependency_missing(source: Source) -> Iterator[Finding]:
     level='info',
 )
 def launch_not_named(source: Source) -> Iterator[Finding]:
-    """Once for a package."""
+    """Report a package whose launch files need dependencies that package.xml does not name, once for each package."""
     for name, file, line, _ in _missing(source):
         if _is_of_launch(name, file):
             yield found('dependency', name, file=file, line=line)
@@ -218,7 +220,7 @@ def _missing(source: Source) -> Iterator[tuple[str, str, int, str]]:
 
 
 def _uses(source: Source) -> Iterator[tuple[str, str, int, str]]:
-    """Yield (package, file, line, 'imported' or 'launched') in order of files and lines."""
+    """Yield (package, file, line, 'imported' or 'launched') in the order of files and lines."""
     launched: list[tuple[str, str, int, str]] = []
     for path in _used_texts(source):
         is_launch = source.package.is_launch_file(path)
@@ -236,7 +238,7 @@ def _uses(source: Source) -> Iterator[tuple[str, str, int, str]]:
 
 
 def _launched_by_markup(path: str) -> Iterator[tuple[int, str]]:
-    """Yield (line, package) of a launch file of XML or YAML, without its comments."""
+    """Yield (line, package) of an XML or YAML launch file, without its comments."""
     text = _COMMENT.sub(lambda found: '\n' * found[0].count('\n'), read_text(path))
     for number, line in enumerate(text.splitlines(), 1):
         yield from ((number, name) for name in _XML_LAUNCHED.findall(line))
@@ -255,7 +257,7 @@ _PROJECT = re.compile(r'^\s*project\s*\(\s*([\w.-]+)', re.MULTILINE | re.IGNOREC
     level='error',
 )
 def name_differs(source: Source) -> Iterator[Finding]:
-    """By `package_name =` or `name=` in setup.py, or project() in CMakeLists.txt."""
+    """Report a name in setup.py or in project() of CMakeLists.txt that differs from package.xml."""
     package = source.package
     build = package.build_file()
     pattern = _SETUP_NAME if package.is_python else _PROJECT

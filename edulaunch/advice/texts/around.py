@@ -1,4 +1,4 @@
-"""The packages around a file: the ones of its workspace and the built-in ones, with what they have."""
+"""The packages around a file: those of its workspace and the built-in ones."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class Around:
 
     @cached_property
     def packages(self) -> list[str]:
-        """Names of all packages."""
+        """The names of all packages."""
         return list(self.index.packages())
 
     def executables(self, package: str) -> list[str]:
@@ -60,7 +60,7 @@ class Around:
         return self._executables[package]
 
     def launch_files(self, package: str) -> dict[str, str]:
-        """Return the launch files that a package has installed: name -> path below its share folder."""
+        """Return the installed launch files of a package: name -> path below its share folder."""
         share = self.index.share(package) if package in self.packages else None
         found: dict[str, str] = {}
         for folder, folders, names in os.walk(share or '', followlinks=True) if share else ():
@@ -71,14 +71,16 @@ class Around:
         return found
 
     def unknown_package(self, package: str) -> dict[str, Any] | None:
-        """Return what is known of a package that is misspelt; None for one that is there, or that may be somewhere else."""
+        """Return facts about a misspelt package; None for an existing package, or one that may be elsewhere."""
         if package in self.packages or self.index.absent(package) is not None:
             return None
         near = nearest_spelling(package, self.packages)
         return {'about': 'packages.unknown', 'package': package, 'near': near, 'searched': self.workspaces} if near else None
 
     def unknown_executable(self, package: str, executable: str) -> dict[str, Any] | None:
-        """What is known of an executable that a package does not have; None when it has it, or is not known well enough."""
+        """Return facts about an executable that a package does not have; None if the package has it, or is not
+        known well enough.
+        """
         from edulaunch.ros.sources.missing import missing_executable
 
         if package not in self.packages or executable in self.executables(package) or not self.executables(package):

@@ -1,4 +1,4 @@
-"""Names in a Python text: what is bound, what is not, and what was imported from where."""
+"""The names in a Python text: which are defined, which are not, and where each was imported from."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ ALWAYS = frozenset((*dir(builtins), '__file__', '__name__', '__doc__', '__packag
 
 
 def bound_names(tree: ast.Module) -> set[str] | None:
-    """Return every name that the file binds anywhere; None when `import *`, `exec` or `globals()` may bind others."""
+    """Return every name that the file defines anywhere; None if `import *`, `exec` or `globals()` may define others."""
     found: set[str] = set()
     for node in ast.walk(tree):
         if isinstance(node, (ast.Import, ast.ImportFrom)):
@@ -49,7 +49,7 @@ def bound_names(tree: ast.Module) -> set[str] | None:
 
 
 def unknown_names(text: Text, tree: ast.Module, process: str | None = None) -> Iterator[Foreseen]:
-    """Yield the names that the file uses and nothing binds, each where it is used first.
+    """Yield the undefined names that the file uses, each at its first use.
 
     :param process: the name of the program; None for a launch file.
     """
@@ -67,7 +67,7 @@ def unknown_names(text: Text, tree: ast.Module, process: str | None = None) -> I
 
 
 def imported(tree: ast.Module) -> dict[str, str]:
-    """Local name -> full name, of what is imported: 'Node' -> 'launch_ros.actions.Node', 'actions' -> 'launch.actions'."""
+    """Return the full name of each imported name: 'Node' -> 'launch_ros.actions.Node', 'actions' -> 'launch.actions'."""
     found: dict[str, str] = {}
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and node.module and not node.level:
@@ -83,7 +83,7 @@ def imported(tree: ast.Module) -> dict[str, str]:
 
 
 def full_name(function: ast.expr, names: dict[str, str]) -> str | None:
-    """Return the full name of what is called, by the imports; None when it is not imported."""
+    """Return the full name of a called function according to the imports; None if it is not imported."""
     parts: list[str] = []
     while isinstance(function, ast.Attribute):
         parts.insert(0, function.attr)
@@ -93,7 +93,7 @@ def full_name(function: ast.expr, names: dict[str, str]) -> str | None:
 
 
 def launch_imports(text: Text, tree: ast.Module) -> Iterator[Foreseen]:
-    """Yield the modules of launch that are not there, and names that they do not have."""
+    """Yield imports of modules or names that launch does not have."""
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and node.module and not node.level:
             module = node.module
@@ -147,7 +147,7 @@ def has_name(module: str, name: str) -> bool:
 
 
 def interface_imports(text: Text, tree: ast.Module, process: str, registry: Any) -> Iterator[Foreseen]:
-    """Messages, services and actions that a package with interfaces does not have."""
+    """Yield imports of messages, services and actions that a package of interfaces does not have."""
     for node in ast.walk(tree):
         if not (isinstance(node, ast.ImportFrom) and node.module and not node.level):
             continue

@@ -31,7 +31,7 @@ _MARKUP = re.compile(r'[._]launch\.(xml|ya?ml)$')
 
 
 class Marked(NamedTuple):
-    """A finding with its place in the file, and the edits that cure it, if any are certain."""
+    """A finding with its place in the file, and the edits that certainly correct it, if there are any."""
 
     finding: Finding
     span: Span
@@ -39,7 +39,7 @@ class Marked(NamedTuple):
 
 
 def kind_of(path: str, text: str) -> str | None:
-    """Return what a file is to us, by its name and what is in it; None for one that we do not look at."""
+    """Return the kind of a file by its name and content; None for a file that is not checked."""
     name = os.path.basename(path)
     if name == 'package.xml':
         return MANIFEST
@@ -59,9 +59,9 @@ def kind_of(path: str, text: str) -> str | None:
 
 
 def check(text: str, path: str, around: Around | None = None) -> list[Marked]:
-    """Return the mistakes in a file, the worst first. Nothing of it is executed.
+    """Return the mistakes in the content of a file, the worst first. None of its code is executed.
 
-    :param path: where the text is stored, or will be: its name says what it is, and its folder what is known around it.
+    :param path: the path of the text. Its name decides the kind of file, and its folder the packages around it.
     :param around: the packages around it. By default they are read again.
     """
     kind = kind_of(path, text)
@@ -92,7 +92,7 @@ def _looked_at(kind: str, text: Text, around: Around) -> Iterator[Marked]:
 
 
 def _of_failures(text: Text, failures: Iterable[Foreseen]) -> Iterator[Marked]:
-    """Yield the findings of the rules over errors, for the errors that a rule knows."""
+    """Yield findings of the rules over errors for the predicted errors."""
     for foreseen in failures:
         for finding in judge_failure(foreseen.failure)[:1]:
             finding = finding._replace(file=text.path, process=None)
@@ -100,9 +100,9 @@ def _of_failures(text: Text, failures: Iterable[Foreseen]) -> Iterator[Marked]:
 
 
 def marked(finding: Finding, text: Text, span: Span | None = None, edits: Edits | None = None) -> Marked:
-    """Return a finding with its place in the text: where it is known, else a word that occurs once in its line, else the line.
+    """Return a finding with its place in the text: its known place, or a word that occurs once in its line, or the line.
 
-    :param edits: the certain ones, or None for what the rule offers.
+    :param edits: the certain edits, or None for the edits of the rule.
     """
     if edits is None:
         edits = (edits_of(finding, text, span) if span else ()) or edits_of(finding, text)
@@ -129,7 +129,7 @@ def _narrowed(finding: Finding, text: Text, edits: Edits) -> Span:
 
 
 def _ordered(marks: Iterable[Marked]) -> list[Marked]:
-    """In the order of a report: the worst first, each once, and none that follows from another."""
+    """Return findings in the order of a report: the worst first, each once, and no consequences of others."""
     listed = list(marks)
     by_finding = {id(mark.finding): mark for mark in listed}
     return [by_finding[id(finding)] for finding in in_order([mark.finding for mark in listed])]

@@ -1,4 +1,4 @@
-"""The edits that cure a finding, from the edit forms of its rule, where it is certain what has to be written where."""
+"""The edits that correct a finding, made from the edit forms of its rule if text and place are certain."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from edulaunch.engine.nearest import nearest_spelling
 
 
 class Edit(NamedTuple):
-    """One change of a file: what is written at `span` is `old`, and `new` belongs there.
+    """One change of a file: `old`, which is at `span`, is replaced by `new`.
 
     :ivar file: the path of the file.
     """
@@ -30,7 +30,7 @@ Edits = tuple[Edit, ...]
 
 
 def written(finding: Finding) -> tuple[str, str, str] | None:
-    """Return what a rule wants in place of what: (old, new, place), the first of its forms whose facts are all known."""
+    """Return (old, new, place) of the first edit form of a rule whose facts are all known."""
     facts = {**finding.facts, finding.kind: finding.name}
     for old, new, place in rule_named(finding.rule).edits:
         if all(facts.get(name) not in (None, '', [], ()) for name in (*fields_of(old), *fields_of(new))):
@@ -41,9 +41,9 @@ def written(finding: Finding) -> tuple[str, str, str] | None:
 
 
 def edits_of(finding: Finding, text: Text, within: Span | None = None) -> Edits:
-    """Return the edits that cure a finding in the file.
+    """Return the edits of a file that correct a finding.
 
-    :param within: where what is wrong is, when that is known more exactly than by line.
+    :param within: the place of the mistake, if it is known more exactly than by its line.
     """
     form = written(finding)
     if form is None:
@@ -59,12 +59,12 @@ def edits_of(finding: Finding, text: Text, within: Span | None = None) -> Edits:
 
 
 def inserted(text: Text, offset: int, new: str) -> Edit:
-    """Return an edit that only adds something."""
+    """Return an edit that only inserts text."""
     return Edit(text.path, Span(offset, offset), '', new)
 
 
 def _import(text: Text, line: str, facts: dict[str, Any]) -> Edits:
-    """Return a line among the imports: behind the last one at the top of the file, or below its docstring and comments."""
+    """Return the edit that adds an import: after the last one at the top of the file, or below its docstring and comments."""
     tree = text.tree
     if tree is None or line in text.text.splitlines():
         return ()
@@ -79,7 +79,7 @@ def _import(text: Text, line: str, facts: dict[str, Any]) -> Edits:
 
 def _in_list(keyword: str) -> Callable[[Text, str, dict[str, Any]], Edits]:
     def insert(text: Text, new: str, facts: dict[str, Any]) -> Edits:
-        """Return an item at the end of a list of setup.py: `data_files=[...]`, or `console_scripts` of the entry points."""
+        """Return the edit that appends an item to a list of setup.py, such as `data_files=[...]` or `console_scripts`."""
         tree = text.tree
         found = None if tree is None or facts.get('move') or facts.get('beside') else _list_of(tree, keyword)
         if tree is None or found is None or new in text.text:
@@ -115,7 +115,9 @@ def _list_of(tree: ast.Module, keyword: str) -> ast.List | None:
 
 
 def _behind_last(text: Text, found: ast.List, end: int, new: str) -> Edit:
-    """Behind the last item of a list, on a line of its own where the items have lines of their own."""
+    """Return the edit that adds an item after the last one of a list. It gets its own line if the other items have their own
+    lines.
+    """
     opened = text.of_node(found).start
     if not found.elts:
         return inserted(text, opened + 1, new)
@@ -130,7 +132,7 @@ def _behind_last(text: Text, found: ast.List, end: int, new: str) -> Edit:
 
 
 def _manifest(text: Text, new: str, facts: dict[str, Any]) -> Edits:
-    """Return a line of a package.xml: behind the last dependency, else in front of <export> or of the end."""
+    """Return the edit that adds a line to a package.xml, after the last dependency, or before <export> or the end."""
     if new in text.text:
         return ()
     found = list(re.finditer(r'^([ \t]*)<(?:\w+_)?depend>.*</(?:\w+_)?depend>[ \t]*$', text.text, re.MULTILINE))
@@ -153,7 +155,7 @@ FILES = {'data_files': 'setup.py', 'console_scripts': 'setup.py', 'manifest': 'p
 
 
 def applied(text: str, edits: Edits) -> str:
-    """Return the text with edits made; of two that overlap the first counts."""
+    """Return the text after the edits. If two edits overlap, the first one counts."""
     made, last = text, len(text) + 1
     for edit in sorted(edits, key=lambda one: one.span, reverse=True):
         if edit.span.end <= last and text[edit.span.start : edit.span.end] == edit.old:

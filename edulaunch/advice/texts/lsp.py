@@ -1,4 +1,4 @@
-"""Marks as diagnostics and edits of the Language Server Protocol: plain data, with columns in UTF-16 units."""
+"""Marks as diagnostics and edits of the Language Server Protocol. All results are plain data with columns in UTF-16 units."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ SOURCE = 'edulaunch'
 
 
 def position(text: Text, offset: int) -> dict[str, int]:
-    """Return a place in the file: line and character count from 0, and characters are UTF-16 units."""
+    """Return a place in the file. Line and character count from 0, and characters are UTF-16 units."""
     line, column = text.place(offset)
     start = offset - column
     return {'line': line - 1, 'character': len(text.text[start:offset].encode('utf-16-le')) // 2}
 
 
 def offset_of(text: Text, line: int, character: int) -> int:
-    """Return the offset of such a place."""
+    """Return the offset of such a position."""
     start, end = text.whole_line(line + 1)
     units = text.text[start:end].encode('utf-16-le')[: 2 * character]
     return start + len(units.decode('utf-16-le', errors='ignore'))
 
 
 def range_of(text: Text, span: Span) -> dict[str, Any]:
-    """Return a part of the file."""
+    """Return a part of the file as a range."""
     return {'start': position(text, span.start), 'end': position(text, span.end)}
 
 
@@ -43,13 +43,13 @@ def changes(text: Text, edits: Edits) -> list[dict[str, Any]]:
 
 
 def title(edits: Edits) -> str:
-    """Return what a quick fix is called in a menu."""
+    """Return the name of a quick fix in a menu."""
     edit = edits[-1]
     return f"replace '{edit.old}' by '{edit.new}'" if edit.old else f'add: {edit.new.strip()}'
 
 
 def diagnostic(mark: Marked, text: Text, reader: Reader) -> dict[str, Any]:
-    """Return a mark as a `Diagnostic`; its `data` has the edits that cure it, and the title of the quick fix."""
+    """Return a mark as a `Diagnostic`. Its `data` contains its edits and the title of the quick fix."""
     words = rendered(mark.finding, reader)
     data = {'title': title(mark.edits), 'changes': changes(text, mark.edits)} if mark.edits else None
     return {
@@ -63,12 +63,12 @@ def diagnostic(mark: Marked, text: Text, reader: Reader) -> dict[str, Any]:
 
 
 def uri_of(path: str) -> str:
-    """Return the address of a file."""
+    """Return the URI of a file."""
     return Path(path).absolute().as_uri()
 
 
 def path_of(uri: str) -> str:
-    """Return the path of a document. A document that is not a file has the path that its address names."""
+    """Return the path of a document. A document that is not a file has the path in its URI."""
     return unquote(urlparse(uri).path)
 
 

@@ -1,4 +1,4 @@
-"""setup.py and package.xml in an editor: the rules over sources look at a copy of the package with the new text."""
+"""Check setup.py and package.xml in an editor: the rules over sources look at a copy of the package with the new text."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ LEFT_OUT = frozenset(('.git', '__pycache__', 'build', 'install', 'log', 'node_mo
 
 
 def findings_of_package(text: Text) -> list[Finding]:
-    """Return what the rules say of the package around a file, with the text in place of what is stored; of that file only."""
+    """Return the findings about a file when the package contains the new text instead of the stored file."""
     folder = package_around(os.path.dirname(text.path))
     if folder is None:
         return []
@@ -33,7 +33,7 @@ def findings_of_package(text: Text) -> list[Finding]:
 
 
 def _link(folder: str, copy: str) -> None:
-    """A folder with the same files, as links; the files that make it a package are copied."""
+    """Create a folder with links to the same files. The files that define the package are copied."""
     for number, path in enumerate(_files(folder)):
         if number >= MOST_FILES:
             return

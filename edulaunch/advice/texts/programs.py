@@ -1,4 +1,4 @@
-"""Nodes in Python: names without an import, interfaces that are not there, fields that a message does not have."""
+"""Predict errors in the programs of nodes: names without an import, missing interfaces, fields that a message does not have."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from edulaunch.engine.nearest import nearest
 
 
 def foreseen_in_program(text: Text, tree: ast.Module, around: Around) -> Iterator[Foreseen]:
-    """Yield what would end the program, in any order."""
+    """Yield the errors that would end the program, in any order."""
     process = os.path.basename(text.path).removesuffix('.py')
     registry = around.registry
     yield from unknown_names(text, tree, process)
@@ -25,7 +25,9 @@ def foreseen_in_program(text: Text, tree: ast.Module, around: Around) -> Iterato
 
 
 def _fields(text: Text, tree: ast.Module, process: str, registry: Any) -> Iterator[Foreseen]:
-    """`message = Twist()` and then `message.liner`: of names that hold nothing else in their function."""
+    """Yield unknown fields, such as `message.liner` after `message = Twist()`, of variables that hold only one class in their
+    function.
+    """
     names = imported(tree)
     for function in (node for node in ast.walk(tree) if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))):
         kinds = _messages(function, names, registry)
@@ -35,7 +37,7 @@ def _fields(text: Text, tree: ast.Module, process: str, registry: Any) -> Iterat
 
 
 def _messages(function: ast.AST, names: dict[str, str], registry: Any) -> dict[str, Any]:
-    """Variables that hold a new message of one class and nothing else."""
+    """Return the variables that only ever hold a new message of one class."""
     made: dict[str, list[Any]] = {}
     for node in ast.walk(function):
         if isinstance(node, ast.Assign):

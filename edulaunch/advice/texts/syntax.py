@@ -1,4 +1,4 @@
-"""What Python cannot read: the error with its place, and the edit that Python itself proves to be right."""
+"""Syntax errors of Python with their places, and the edits that Python confirms."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from edulaunch.advice.texts.text import Span, Text
 
 
 class Foreseen(NamedTuple):
-    """An error that will come when the text is used, and where its cause is.
+    """A predicted error, and the place of its cause.
 
-    :ivar span: None where only the line of the failure is known.
+    :ivar span: the place of the cause, or None if only the line of the failure is known.
     :ivar edits: the certain edits, or None for the edits of the rule.
     """
 
@@ -27,7 +27,7 @@ class Foreseen(NamedTuple):
 
 
 def syntax_error(text: Text) -> Foreseen | None:
-    """Return the first error that Python finds; None when it can read the text."""
+    """Return the first error that Python finds; None if it can parse the text."""
     try:
         ast.parse(text.text, text.path)
     except SyntaxError as error:
@@ -44,7 +44,7 @@ def syntax_error(text: Text) -> Foreseen | None:
 
 
 def _certain(text: Text, error: SyntaxError, span: Span) -> Edits:
-    """Of the edits that come into question the first one after which Python reads further."""
+    """Return the first of the possible edits after which Python can read further."""
     line = error.lineno or 1
     for edits in _tries(text, error.msg, line, span):
         if _reads(text.text, edits, line):
@@ -81,7 +81,7 @@ def _tries(text: Text, said: str, line: int, span: Span) -> Iterator[Edits]:
 
 
 def _reads(text: str, edits: Edits, line: int) -> bool:
-    """Return whether Python reads the edited text beyond that line."""
+    """Return whether Python can parse the edited text beyond that line."""
     try:
         ast.parse(applied(text, edits))
     except SyntaxError as error:
@@ -92,7 +92,7 @@ def _reads(text: str, edits: Edits, line: int) -> bool:
 
 
 def _gaps(text: Text, span: Span) -> Iterator[int]:
-    """Offsets behind each word or closing bracket of a part, from the first line that it touches on."""
+    """Yield the offset after each word or closing bracket of a part, from its first line."""
     start = text.whole_line(text.place(span.start).line)
     part = text.text[start.start : max(span.end, text.whole_line(text.place(span.end).line).end)]
     try:
@@ -114,7 +114,7 @@ def _gaps(text: Text, span: Span) -> Iterator[int]:
 
 
 def _end_of_code(text: Text, line: int) -> int:
-    """Return the end of a line, in front of a comment."""
+    """Return the end of a line, before a comment."""
     start, end = text.line_span(line)
     before = text.text[start:end].partition('#')[0].rstrip()
     return start + len(before)

@@ -1,4 +1,4 @@
-"""The content of a file with offsets, lines and columns, and where the parts of a Python file are."""
+"""The content of a file with offsets, lines and columns, and the places of the parts of a Python file."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ LONGEST = 400_000
 
 
 class Span(NamedTuple):
-    """A part of a file, by the offsets of its first character and of the one behind it."""
+    """A part of a file: the offset of its first character, and the offset after its last one."""
 
     start: int
     end: int
@@ -29,7 +29,7 @@ class Place(NamedTuple):
 class Text:
     """The content of a file or of an editor.
 
-    :ivar path: where it is, or will be, stored.
+    :ivar path: the path where it is stored, or will be.
     """
 
     def __init__(self, text: str, path: str) -> None:
@@ -39,7 +39,7 @@ class Text:
 
     @cached_property
     def tree(self) -> ast.Module | None:
-        """The syntax tree of a Python text; None when Python cannot read it."""
+        """The syntax tree of a Python text; None if Python cannot parse it."""
         try:
             return ast.parse(self.text, self.path)
         except (SyntaxError, ValueError, RecursionError):
@@ -47,11 +47,11 @@ class Text:
 
     @property
     def line_count(self) -> int:
-        """How many lines it has."""
+        """The number of lines."""
         return len(self._starts)
 
     def place(self, offset: int) -> Place:
-        """Line and column of an offset."""
+        """Return the line and column of an offset."""
         number = bisect_right(self._starts, offset)
         return Place(number, offset - self._starts[number - 1])
 
@@ -80,11 +80,11 @@ class Text:
         return start + (column if words.isascii() else len(words.encode()[:column].decode(errors='ignore')))
 
     def of_node(self, node: Any) -> Span:
-        """Return where a node of the syntax tree is."""
+        """Return the span of a node of the syntax tree."""
         return Span(self._byte_offset(node.lineno, node.col_offset), self._byte_offset(node.end_lineno, node.end_col_offset))
 
     def found(self, words: str, within: Span) -> Span | None:
-        """Return where the words are in a part of the text; None when they are not there, or more than once."""
+        """Return the span of the words in a part of the text; None if they do not occur there exactly once."""
         before = r'(?<!\w)' if words[:1].isidentifier() else ''
         behind = r'(?!\w)' if words[-1:].isidentifier() or words[-1:].isdigit() else ''
         spans = [
@@ -94,7 +94,7 @@ class Text:
         return spans[0] if len(spans) == 1 else None
 
     def extent(self, line: int) -> Span:
-        """Return what begins in a line: the call or statement in Python, the tag in XML, or else the line."""
+        """Return the span of what begins in a line: the call or statement in Python, the tag in XML, or otherwise the line."""
         own = self.line_span(line)
         if self.path.endswith('.py') and self.tree is not None:
             nodes: list[Any] = [

@@ -1,4 +1,4 @@
-"""Work on a student's packages: create new ones (`new_package`), and find missing dependencies (`dependencies`).
+"""Tools for a student's packages: create new ones (`new_package`), and find missing dependencies (`dependencies`).
 
 No code of a package runs.
 """

@@ -1,4 +1,4 @@
-"""Dependencies of package.xml files that are not here: the counterpart of `rosdep check`."""
+"""Find dependencies in package.xml files that are not available here, as `rosdep check` does."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Missing(NamedTuple):
 
 
 def missing_dependencies(path: str) -> tuple[list[str], list[Missing]]:
-    """Return the packages below `path`, and each dependency of theirs that neither the underlay nor the workspace has."""
+    """Return the packages below `path`, and each of their dependencies that neither the underlay nor the workspace has."""
     index = Index((), [path], read_source=read_source)
     packages = source_packages(index)
     here = list(index.packages())
@@ -49,7 +49,9 @@ def missing_dependencies(path: str) -> tuple[list[str], list[Missing]]:
 
 
 def is_here(name: str, here: list[str]) -> bool:
-    """Return whether a dependency is satisfied, or needed only for what edulaunch does not do (building, compiled programs)."""
+    """Return whether a dependency is available, or needed only for building or for compiled programs, which edulaunch does not
+    do.
+    """
     if SAME.get(name, name) in here or any(fnmatchcase(name, pattern) for pattern in NOT_NEEDED):
         return True
     for prefix in ('python3-', 'python-'):

@@ -1,4 +1,4 @@
-"""Making a package: the report of `ros2 pkg create`, and its package.xml."""
+"""Create a package, its package.xml, and the output of `ros2 pkg create`."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ _NAME = re.compile(r'[a-z][a-z0-9_]*')
 
 
 def create_package(package: NewPackage, say: Callable[[str], object]) -> None:
-    """Make the files of a package; `say` gets each line of the report.
+    """Create the files of a package. `say` is called with each line of the output.
 
-    :raises PackageError: when the name cannot be a package's, the build type is unknown, or there is such a folder already.
+    :raises PackageError: if the name is invalid, the build type is unknown, or the folder already exists.
     """
     _refuse(package)
     for line in _summary(package):
@@ -83,7 +83,7 @@ def _summary(package: NewPackage) -> list[str]:
 
 
 class _Writer:
-    """Writes below the package's folder, and says so."""
+    """Writes files below the package's folder, and reports each one."""
 
     def __init__(self, package: NewPackage, say: Callable[[str], object]) -> None:
         self.say = say
@@ -91,17 +91,17 @@ class _Writer:
         self._shown = os.path.join(os.curdir, package.name) if package.destination == os.curdir else package.folder
 
     def folder(self, name: str) -> None:
-        """Make a folder."""
+        """Create a folder."""
         self.say(f'creating folder {os.path.join(self._shown, name).removesuffix("/.")}')
         os.makedirs(os.path.join(self._folder, name), exist_ok=True)
 
     def file(self, name: str, text: str) -> None:
-        """Write a file and say so."""
+        """Write a file and report it."""
         self.say(f'creating {os.path.join(self._shown, name)}')
         self.quiet(name, text)
 
     def quiet(self, name: str, text: str) -> None:
-        """Write a file."""
+        """Write a file without reporting it."""
         with open(os.path.join(self._folder, name), 'w', encoding='utf-8', newline='\n') as file:
             file.write(text)
 

@@ -1,4 +1,6 @@
-"""Answers to commands that set up a real ROS 2 machine or open a window: what is not needed, and what shows the same."""
+"""Answers to commands that set up a real ROS 2 computer or open a window. They say why the command is not needed, and what shows
+the same.
+"""
 
 from __future__ import annotations
 
@@ -41,7 +43,7 @@ _SHOWN = 5
 
 
 def answer(words: Sequence[str], folder: str = os.curdir) -> str | None:
-    """Return a sentence for `colcon`, `rosdep`, `vcs`, `apt` with packages of ROS, `source` of setup files and windows.
+    """Return the sentence for `colcon`, `rosdep`, `vcs`, `apt` with packages of ROS, `source` of setup files, and windows.
 
     It also answers `ls` of folders that only a build makes.
 

@@ -1,4 +1,4 @@
-"""The files of a new package, of Python or of CMake, and the notice of its license."""
+"""The files of a new Python or CMake package, and the text of its license."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ LINTERS = {
 
 @dataclass(frozen=True)
 class NewPackage:
-    """What is known of a package before it exists; the defaults are those of `ros2 pkg create`."""
+    """The properties of a package that is going to be created. The defaults are those of `ros2 pkg create`."""
 
     name: str
     destination: str = os.curdir
@@ -87,12 +87,12 @@ class NewPackage:
 
     @property
     def folder(self) -> str:
-        """Where it is made."""
+        """The folder of the new package."""
         return os.path.join(self.destination, self.name)
 
 
 def write_python(package: NewPackage, writer: Any) -> None:
-    """Write them, in the order of `ros2 pkg create`."""
+    """Write the files of a Python package, in the order of `ros2 pkg create`."""
     name = package.name
     entry = f"            '{package.node_name} = {name}.{package.node_name}:main',\n" if package.node_name else ''
     writer.say('creating source folder')
@@ -208,7 +208,7 @@ namespace {name}
 
 
 def write_cmake(package: NewPackage, writer: Any) -> None:
-    """Write them, in the order of `ros2 pkg create`."""
+    """Write the files of a CMake package, in the order of `ros2 pkg create`."""
     name, library, node = package.name, package.library_name, package.node_name
     writer.say('creating source and include folder')
     writer.folder('src')

@@ -1,1 +1,1 @@
-"""Rules over a workspace as a whole (`Workspace`); nothing of it is executed."""
+"""Rules over a whole workspace (`Workspace`). None of its code is executed."""

@@ -40,7 +40,7 @@ def none_here(workspace: Workspace) -> Iterator[Finding]:
     level='info',
 )
 def passed_over(workspace: Workspace) -> Iterator[Finding]:
-    """Report the folder itself; those below it are left out on purpose."""
+    """Report a folder that colcon skips. The packages below it are left out on purpose."""
     mark = _mark(workspace.path)
     if not workspace.packages and mark is not None:
         yield found('folder', os.path.basename(workspace.path), file=workspace.path, mark=mark)
@@ -58,7 +58,7 @@ def _mark(folder: str) -> str | None:
     level='info',
 )
 def of_ros_1(workspace: Workspace) -> Iterator[Finding]:
-    """Other rules do not check such a package."""
+    """Report a package of ROS 1. Other rules do not check it."""
     for source in workspace.sources:
         if source.is_of_ros_1:
             yield found('package', source.package.name, file=source.package.manifest_file)
@@ -71,7 +71,7 @@ def of_ros_1(workspace: Workspace) -> Iterator[Finding]:
     do='add {folder}/ to .gitignore, and remove it with `git rm -r --cached {folder}`',
 )
 def build_output_committed(workspace: Workspace) -> Iterator[Finding]:
-    """In a repository whose .gitignore does not name build output."""
+    """Report build output in a repository whose .gitignore does not name it."""
     for name, signs in BUILD_SIGNS.items():
         folder = os.path.join(workspace.path, name)
         if any(os.path.exists(os.path.join(folder, sign)) for sign in signs) and _is_committed(workspace.path):
@@ -109,7 +109,7 @@ def package_is_repository(workspace: Workspace) -> Iterator[Finding]:
     level='error',
 )
 def build_file(workspace: Workspace) -> Iterator[Finding]:
-    """What reading package.xml, setup.py, setup.cfg and CMakeLists.txt has noticed, in the words of the room that reads them."""
+    """Report problems that were noticed while package.xml, setup.py, setup.cfg and CMakeLists.txt were read."""
     for warning in workspace.around.warnings:
         if not warning.about:
             name, line = os.path.basename(warning.file), warning.line or None
@@ -124,7 +124,7 @@ def build_file(workspace: Workspace) -> Iterator[Finding]:
     level='info',
 )
 def build_unknown(workspace: Workspace) -> Iterator[Finding]:
-    """Report one for each build file."""
+    """Report each build file whose installed files are not known."""
     first = {warning.file: warning for warning in reversed(workspace.around.warnings) if warning.about == 'unknown'}
     for warning in first.values():
         yield found('file', os.path.basename(warning.file), file=warning.file, line=warning.line or None, said=warning.sentence)
@@ -137,7 +137,7 @@ def build_unknown(workspace: Workspace) -> Iterator[Finding]:
     do='change to the workspace that you mean with cd; within one workspace, change the <name> of one of the two',
 )
 def same_name(workspace: Workspace) -> Iterator[Finding]:
-    """Report this for the one that is left out."""
+    """Report the package that is left out because another one has the same name."""
     for warning in workspace.around.warnings:
         said = re.match(r"there is a package '(.*)' in (.*)/ already", warning.sentence) if warning.about == 'same name' else None
         if said is not None:

@@ -1,5 +1,5 @@
-"""CDR bytes of messages, as ROS 2 middlewares and rosbag2 files carry them (XCDR1, little-endian), and how CDR lays out each
-sort of field. Positions count from the end of the header, which alignment refers to.
+"""Convert messages to CDR bytes and back, as ROS 2 middlewares and rosbag2 files store them (XCDR1, little-endian). Positions
+count from the end of the header, to which alignment refers.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ _COUNT = Struct('<I')
 
 
 class Truncated(Exception):
-    """The bytes end, or a count promises more, than there is."""
+    """The bytes end too early, or a count is larger than the rest."""
 
 
 class Step(Protocol):
-    """One stretch of the layout: takes `takes` entries of the wire tuple."""
+    """One part of the layout, which uses `takes` entries of the wire tuple."""
 
     takes: int
 
@@ -58,9 +58,7 @@ class Codec:
 
 
 class Run:
-    """Single numbers, booleans and bytes in a row: one struct for each of the 8 possible alignments of the
-    start.
-    """
+    """A row of single numbers, booleans and bytes, with one struct for each of the 8 possible alignments of its start."""
 
     def __init__(self, kinds: list[Primitive | None]) -> None:
         self._kinds = kinds  # None stands for the byte of a message without fields
@@ -88,7 +86,7 @@ class Run:
 
 
 class Text:
-    """A string: the number of bytes with the final zero, the UTF-8 bytes, a zero."""
+    """A string: the number of bytes including the final zero, the UTF-8 bytes, and a zero."""
 
     takes = 1
 
@@ -106,7 +104,7 @@ class Text:
 
 
 class WideText:
-    """A wide string: the number of UTF-16 units, then each as 32 bits (so rmw_fastrtps does), no final zero."""
+    """A wide string: the number of UTF-16 units, and then each unit as 32 bits, without a final zero (as rmw_fastrtps does)."""
 
     takes = 1
 
@@ -123,7 +121,7 @@ class WideText:
 
 
 class Numbers:
-    """Repeated numbers, booleans or bytes; `size` is the length of a fixed array, None for a sequence."""
+    """Repeated numbers, booleans or bytes. `size` is the length of a fixed array, and None for a sequence."""
 
     takes = 1
 
@@ -268,7 +266,7 @@ def encode(cls: type[Message], wire: tuple[Any, ...]) -> bytes:
 
 
 def decode(cls: type[Message], data: bytes) -> tuple[Any, ...]:
-    """Return the wire tuple that CDR bytes of class `cls` hold.
+    """Return the wire tuple of class `cls` from its CDR bytes.
 
     :raises InterfaceError: when the bytes are not CDR of that type.
     """

@@ -1,4 +1,4 @@
-"""Messages as YAML and CSV, as `ros2 topic echo` prints them."""
+"""Convert messages to YAML and CSV, as `ros2 topic echo` prints them."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ WIDEST = 2**31 - 1
 
 
 def message_yaml(message: Message, short: Shortening = EVERYTHING, *, flow_style: bool = False) -> str:
-    """Return the message as YAML text, fields in their order, ending with a line end."""
+    """Return the message as YAML text with its fields in order and a final line break."""
     import yaml
 
     content = message_dict(message, short)
@@ -65,7 +65,7 @@ def _list(values: Any, short: Shortening) -> list[Any]:
 
 
 def plain_value(value: Any, short: Shortening) -> Any:
-    """Return one value of a field as plain data."""
+    """Return the value of one field as plain data."""
     if isinstance(value, Message):
         return message_dict(value, short)
     if isinstance(value, bytes):

@@ -1,4 +1,4 @@
-"""Type descriptions and their RIHS01 hashes, by which ROS 2 programs check whether they mean the same type."""
+"""Type descriptions and their RIHS01 hashes, with which ROS 2 programs check whether they use the same definition of a type."""
 
 from __future__ import annotations
 
@@ -18,8 +18,7 @@ SpecOf = Callable[[str], InterfaceSpec]
 
 
 def type_description(type_name: str, spec_of: SpecOf) -> dict[str, Any]:
-    """Return the description of a type and all types it refers to, as
-    type_description_interfaces/msg/TypeDescription lays it out.
+    """Return the description of a type and of all types in it, in the form of type_description_interfaces/msg/TypeDescription.
 
     :param spec_of: gives the spec of a full type name (`Registry.spec`).
     """

@@ -1,4 +1,4 @@
-"""Makes `python3 node.py` work in a shell that has evaluated `edulaunch env --shell`, as in one where ROS 2 is sourced.
+"""Make `python3 node.py` work in a shell that has evaluated `edulaunch env --shell`, as in a shell that has sourced ROS 2.
 
 Every Python of such a shell reads this file at its start. It only waits for the first import of a ROS package, or of one that is
 not found otherwise, and then sources edulaunch. Python's own and installed modules often try names that do not exist (`copy` asks

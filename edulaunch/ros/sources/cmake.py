@@ -1,4 +1,4 @@
-"""What a CMakeLists.txt installs, read without running CMake.
+"""Read what a CMakeLists.txt installs, without running CMake.
 
 Understood: project, set, list(APPEND), file(GLOB), foreach, install(PROGRAMS | FILES | DIRECTORY | TARGETS),
 rosidl_generate_interfaces, ament_python_install_package, ament_auto_package(INSTALL_TO_SHARE ...). Branches
@@ -48,7 +48,7 @@ _WORDS = frozenset(
 
 
 def read_cmake_lists(manifest: Manifest) -> Contents:
-    """Return the contents of an ament_cmake package; what cannot be followed becomes a warning."""
+    """Return the contents of an ament_cmake package. Commands that cannot be evaluated cause a warning."""
     return _CMakeLists(manifest).read()
 
 

@@ -1,4 +1,4 @@
-"""CMake's syntax: commands, quoted and bare words, comments and ${variables}."""
+"""Parse CMake's syntax: commands, quoted and unquoted words, comments and ${variables}."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _VARIABLE = re.compile(r'\$\{([^${}]*)\}')
 
 
 class Command(NamedTuple):
-    """`name(words...)` at `line`; `quoted` is whether each word was in quotation marks."""
+    """A command `name(words...)` at `line`. `quoted` contains whether each word was in quotation marks."""
 
     name: str
     line: int
@@ -49,7 +49,7 @@ def commands(text: str) -> Iterator[Command]:
 
 
 def expand(command: Command, variables: dict[str, list[str]], unknown: Callable[[str], None]) -> list[str]:
-    """Return the words with ${variables} filled in; a bare word becomes as many words as its lists have items.
+    """Return the words with the values of ${variables}. An unquoted word becomes as many words as its lists have items.
 
     A word with a variable that is not known is left out, after `unknown(name)`.
     """

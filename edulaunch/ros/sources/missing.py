@@ -1,4 +1,4 @@
-"""What is known of something that a launch does not find: it may be in the sources, and no build would install it."""
+"""Facts about something that a launch does not find. It may be in the sources without being installed."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ LOOKED_AT = 500
 
 
 def missing_package(index: Index, package: str, here: str | None = None) -> Facts:
-    """Of a package that is not found: the nearest name, or where such a folder is, or that no workspace was named.
+    """Return facts about a missing package: the nearest name, the folder that contains it, or that no workspace was given.
 
     :param here: the folder of the program that needs it (default: that of this process).
     """
@@ -123,7 +123,7 @@ def _not_installed(package: SourcePackage, path: str) -> Facts:
 
 
 def missing_executable(index: Index, package: str, executable: str) -> Facts:
-    """Of an executable that a package does not have: the nearest, or that its source is there and no build file names it."""
+    """Return facts about a missing executable: the nearest name, or that its source exists and no build file names it."""
     names = [*index.executables(package), *index.native_executables(package)]
     near = f'{executable}.py' if f'{executable}.py' in names else nearest_spelling(executable, names)
     not_built = {} if near == f'{executable}.py' else _not_built(index, package, executable)

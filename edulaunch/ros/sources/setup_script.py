@@ -23,7 +23,7 @@ _GIVEN = frozenset((*dir(builtins), '__file__', '__name__', '__doc__', '__builti
 
 
 def first_undefined_name(tree: ast.Module) -> tuple[str, int] | None:
-    """Return the first such name and its line; None without one, or if it cannot be determined.
+    """Return the first undefined name and its line; None without one, or if that cannot be determined.
 
     Only what is evaluated in any case is looked at: no bodies of functions, conditions, loops and `try`.
     """
@@ -83,7 +83,7 @@ _MARKERS = 'share/ament_index/resource_index/packages'
 
 
 def read_setup_script(manifest: Manifest) -> Contents:
-    """Return what an ament_python package installs; a warning reports what a build would reject, or only a run can show."""
+    """Return what an ament_python package installs. A warning reports what a build would reject, or what only a run can show."""
     return _SetupScript(manifest).read()
 
 

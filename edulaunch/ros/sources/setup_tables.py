@@ -1,4 +1,4 @@
-"""What setup.cfg and pyproject.toml say in place of the arguments of setup()."""
+"""Read setup.cfg and pyproject.toml, which can replace the arguments of setup()."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ SCRIPTS = {'scripts': 'console_scripts', 'gui-scripts': 'gui_scripts'}
 
 
 def read_setup_cfg(folder: str, warn: Warn) -> ConfigParser:
-    """Return setup.cfg with its capitals; empty if it is missing or cannot be read."""
+    """Return the content of setup.cfg with its upper-case letters; empty if the file is missing or unreadable."""
     from configparser import ConfigParser, Error
 
     file = os.path.join(folder, 'setup.cfg')
@@ -35,7 +35,7 @@ def read_setup_cfg(folder: str, warn: Warn) -> ConfigParser:
 
 
 def setup_cfg_options(folder: str, parser: ConfigParser) -> dict[str, Any]:
-    """Return the sections [options ...] of setup.cfg, under the names that setup() gives them."""
+    """Return the sections [options ...] of setup.cfg under the names of the arguments of setup()."""
 
     def section(name: str) -> dict[str, str]:
         return dict(parser[name]) if parser.has_section(name) else {}
@@ -53,7 +53,7 @@ def setup_cfg_options(folder: str, parser: ConfigParser) -> dict[str, Any]:
 
 
 def pyproject_options(folder: str, warn: Warn) -> dict[str, Any]:
-    """Return the tables [project] and [tool.setuptools] of pyproject.toml, under the names that setup() gives them."""
+    """Return the tables [project] and [tool.setuptools] of pyproject.toml under the names of the arguments of setup()."""
     file = os.path.join(folder, 'pyproject.toml')
     if not os.path.isfile(file):
         return {}

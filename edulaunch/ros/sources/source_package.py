@@ -48,19 +48,19 @@ class SourcePackage:
 
     @property
     def is_python(self) -> bool:
-        """Whether it is built by setup.py, or would be: it may have been forgotten."""
+        """Whether it is built with setup.py, or would be if that file were not missing."""
         if os.path.isfile(self.build_file('CMakeLists.txt')):
             return False
         manifest = read_manifest(self.folder, [])
         return os.path.isfile(self.build_file('setup.py')) or (manifest is not None and manifest.build_type == 'ament_python')
 
     def build_file(self, name: str | None = None) -> str:
-        """setup.py or CMakeLists.txt."""
+        """The path of setup.py or CMakeLists.txt."""
         return os.path.join(self.folder, name or ('setup.py' if self.is_python else 'CMakeLists.txt'))
 
     @cached_property
     def dependencies(self) -> list[Dependency]:
-        """What package.xml names, in the order of its tags; those under a condition too."""
+        """The dependencies in package.xml, in the order of its tags, including those under a condition."""
         with open(self.manifest_file, encoding='utf-8', errors='replace') as file:
             lines = file.read().splitlines()
         root = ElementTree.fromstring('\n'.join(lines).encode('utf-8'))
@@ -74,7 +74,7 @@ class SourcePackage:
 
     @cached_property
     def python_files(self) -> list[str]:
-        """All Python files of the package but tests and setup.py, sorted."""
+        """All Python files of the package except tests and setup.py, sorted."""
         return sorted(
             path
             for path in self.files()
@@ -82,7 +82,7 @@ class SourcePackage:
         )
 
     def files(self) -> Iterator[str]:
-        """Yield all files, without hidden folders and what Python and colcon generate."""
+        """Yield all files, without hidden folders and files that Python and colcon generate."""
         for folder, folders, names in os.walk(self.folder):
             folders[:] = sorted(
                 name
@@ -94,7 +94,7 @@ class SourcePackage:
             yield from (os.path.join(folder, name) for name in sorted(names))
 
     def relative(self, path: str) -> str:
-        """Return a path below the package's folder."""
+        """Return a path relative to the package's folder."""
         return os.path.relpath(path, self.folder)
 
     def is_test(self, path: str) -> bool:
@@ -138,7 +138,7 @@ def source_packages(index: Index) -> list[SourcePackage]:
 
 
 def read_text(path: str) -> str:
-    """Return the text of a file; empty when it cannot be read."""
+    """Return the text of a file; empty if it cannot be read."""
     try:
         with open(path, encoding='utf-8', errors='replace') as file:
             return file.read()
@@ -187,7 +187,7 @@ def modules_of(package: SourcePackage) -> dict[str, str]:
 
 
 def defined_names(tree: ast.Module) -> list[str]:
-    """Return the names that a module defines or imports at its top level, those under `if` and `try` too."""
+    """Return the names that a module defines or imports at its top level, including those under `if` and `try`."""
     names = []
     for node in ast.walk(tree):
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
@@ -200,12 +200,12 @@ def defined_names(tree: ast.Module) -> list[str]:
 
 
 def main_of(tree: ast.Module, name: str) -> ast.FunctionDef | None:
-    """Return the function of that name at the top level."""
+    """Return the top-level function with that name."""
     return next((node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == name), None)
 
 
 def line_with(file: str, word: str) -> int:
-    """Return the first line of a file with the word; 0 without one."""
+    """Return the number of the first line that contains the word; 0 without one."""
     return next((number for number, line in enumerate(read_text(file).splitlines(), 1) if word in line), 0)
 
 
@@ -214,7 +214,7 @@ DATA_FOLDERS = ('config', 'params', 'param', 'rviz', 'urdf', 'worlds', 'maps', '
 
 
 def install_facts(package: SourcePackage, path: str) -> dict[str, str | None]:
-    """Return how a data file comes to be installed; None for what does not apply.
+    """Return facts about the installation of a data file; None for facts that do not apply.
 
     :returns: Return `beside`, the folder whose files are already installed. For a file beside the build file, return `move`, the
         folder in which it belongs. `folder` and `pattern` are for setup.py, and `top` is for CMakeLists.txt.

@@ -1,4 +1,4 @@
-"""Reads Python text without running it: a small interpreter that knows assignments, loops and harmless calls.
+"""Evaluate Python text without running it, with a small interpreter for assignments, loops and harmless calls.
 
 An unsupported expression becomes an :class:`~edulaunch.ros.sources.static_values.Unknown`, which spreads to the expression around
 it. Thus one clever line in a setup.py costs only its own value.
@@ -38,7 +38,7 @@ class _Returned(Exception):
 
 
 class StaticPython:
-    """Reads one module.
+    """Evaluates one module.
 
     :param file: its path, which `__file__` shows.
     :param folder: what relative paths in it mean.
@@ -53,14 +53,14 @@ class StaticPython:
         self._steps = 0
 
     def run(self, body: list[ast.stmt]) -> None:
-        """Follow statements in order."""
+        """Evaluate statements in order."""
         for statement in body:
             self._steps += 1
             if self._steps < _STEPS:
                 getattr(self, f'_do_{type(statement).__name__}', self._skip)(statement)
 
     def value(self, node: ast.expr | None) -> Any:
-        """Return what an expression is worth, or an Unknown."""
+        """Return the value of an expression, or an Unknown."""
         if node is None:
             return None
         self._steps += 1

@@ -1,4 +1,4 @@
-"""Values while Python text is read without being run, and the few functions that may be called meanwhile."""
+"""Values for the static evaluation of Python text, and the few functions that may be called meanwhile."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 
 
 class Unknown:
-    """A value that cannot be known without running the file; remembers where it came from.
+    """A value that is not known without running the file. It stores its origin.
 
     :param line: where in the file.
     :param why: what could not be followed, as source text.
@@ -20,7 +20,7 @@ class Unknown:
 
 
 class Module:
-    """The name of an imported module, standing for the module itself."""
+    """An imported module, represented by its name."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -38,7 +38,7 @@ def first_unknown(value: Any) -> Unknown | None:
 
 
 class PathText(str):
-    """A `pathlib.Path` of the text that is read: a path that may be relative to the package's folder."""
+    """A `pathlib.Path` of the evaluated text. It may be relative to the package's folder."""
 
     folder: str
 
@@ -53,19 +53,19 @@ class PathText(str):
         return self.joinpath(part)
 
     def joinpath(self, *parts: str) -> PathText:
-        """Do the same as the method of `Path`."""
+        """Return the joined path, as `Path.joinpath` does."""
         return self.below(self.folder, self, *parts)
 
     def glob(self, pattern: str) -> list[PathText]:
-        """Do the same as the method of `Path`, sorted."""
+        """Return the matching paths as `Path.glob` does, sorted."""
         return self._listed(pattern)
 
     def rglob(self, pattern: str) -> list[PathText]:
-        """Do the same as the method of `Path`, sorted."""
+        """Return the matching paths as `Path.rglob` does, sorted."""
         return self._listed(os.path.join('**', pattern))
 
     def iterdir(self) -> list[PathText]:
-        """Do the same as the method of `Path`, sorted."""
+        """Return the content of the folder as `Path.iterdir` does, sorted."""
         return self._listed('*')
 
     def _listed(self, pattern: str) -> list[PathText]:
@@ -75,55 +75,55 @@ class PathText(str):
         return [self.joinpath(name) for name in found]
 
     def is_file(self) -> bool:
-        """Do the same as the method of `Path`."""
+        """Return whether the path is a file, as `Path.is_file` does."""
         return os.path.isfile(os.path.join(self.folder, self))
 
     def is_dir(self) -> bool:
-        """Do the same as the method of `Path`."""
+        """Return whether the path is a folder, as `Path.is_dir` does."""
         return os.path.isdir(os.path.join(self.folder, self))
 
     def exists(self) -> bool:
-        """Do the same as the method of `Path`."""
+        """Return whether the path exists, as `Path.exists` does."""
         return os.path.exists(os.path.join(self.folder, self))
 
     def relative_to(self, other: str) -> PathText:
-        """Do the same as the method of `Path`, for a folder above."""
+        """Return the path relative to a folder above it, as `Path.relative_to` does."""
         return self.below(self.folder, os.path.relpath(self, other))
 
     def as_posix(self) -> str:
-        """Do the same as the method of `Path`."""
+        """Return the path with forward slashes, as `Path.as_posix` does."""
         return str(self)
 
     def resolve(self) -> PathText:
-        """Do the same as the method of `Path`; links are left alone."""
+        """Return the absolute path, as `Path.resolve` does, but without following links."""
         return self.below(self.folder, os.path.normpath(os.path.join(self.folder, self)))
 
     absolute = resolve
 
     @property
     def parent(self) -> PathText:
-        """As of `Path`."""
+        """The folder that contains the path, as in `Path`."""
         return self.below(self.folder, os.path.dirname(self) or '.')
 
     @property
     def parents(self) -> list[PathText]:
-        """As of `Path`."""
+        """The folders above the path, as in `Path`."""
         above = self.parent
         return [above] if above in ('.', os.sep) else [above, *above.parents]
 
     @property
     def name(self) -> str:
-        """As of `Path`."""
+        """The last part of the path, as in `Path`."""
         return os.path.basename(self)
 
     @property
     def stem(self) -> str:
-        """As of `Path`."""
+        """The last part of the path without its suffix, as in `Path`."""
         return os.path.splitext(self.name)[0]
 
     @property
     def suffix(self) -> str:
-        """As of `Path`."""
+        """The suffix of the path, as in `Path`."""
         return os.path.splitext(self.name)[1]
 
 
@@ -158,7 +158,7 @@ PURE: dict[str, Callable[..., Any]] = {
 
 
 def callables(folder: str) -> dict[str, Callable[..., Any]]:
-    """Return the functions with which setup.py files list their files; relative paths mean `folder`."""
+    """Return the functions with which setup.py files list their files. Relative paths start at `folder`."""
     listing = _Listing(folder)
     local = listing.local
     table: dict[str, Callable[..., Any]] = {
@@ -248,7 +248,7 @@ METHODS: dict[type, frozenset[str]] = {
 
 
 def find_packages(where: str, exclude: Any = (), include: Any = ('*',), marker: str = '__init__.py') -> list[str]:
-    """setuptools' find_packages: dotted names of the folders below `where` that hold `marker`."""
+    """Return the dotted names of the folders below `where` that contain `marker`, as setuptools' find_packages does."""
     from fnmatch import fnmatchcase
 
     names = []

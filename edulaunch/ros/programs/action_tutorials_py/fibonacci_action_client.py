@@ -1,4 +1,4 @@
-"""The program fibonacci_action_client: asks for ten Fibonacci numbers, and ends."""
+"""The program fibonacci_action_client: it requests ten Fibonacci numbers and ends."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ ORDER = 10
 
 
 class FibonacciActionClient(Node):
-    """Does one step after the other, each in a callback."""
+    """Sends a goal and handles each reply in a callback."""
 
     def __init__(self) -> None:
         super().__init__('fibonacci_action_client')
         self._action_client = ActionClient(self, Fibonacci, 'fibonacci')
 
     def send_goal(self, order: int) -> None:
-        """Send the goal as soon as there is a server."""
+        """Send the goal as soon as the server exists."""
         self._action_client.wait_for_server()
         goal = Fibonacci.Goal(order=order)
         sent = self._action_client.send_goal_async(goal, feedback_callback=self.feedback_callback)
         sent.add_done_callback(self.goal_response_callback)
 
     def goal_response_callback(self, future: Future) -> None:
-        """Ask for the result of an accepted goal."""
+        """Request the result of an accepted goal."""
         goal_handle = future.result()
         if not goal_handle.accepted:
             self.get_logger().info('Goal rejected :(')

@@ -1,4 +1,4 @@
-"""The program fibonacci_action_server: counts Fibonacci numbers, one a second."""
+"""The program fibonacci_action_server: it computes one Fibonacci number per second."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class FibonacciActionServer(Node):
         self._action_server = ActionServer(self, Fibonacci, 'fibonacci', self.execute_callback)
 
     def execute_callback(self, goal_handle: ServerGoalHandle) -> Fibonacci.Result:
-        """Work on a goal."""
+        """Execute a goal."""
         self.get_logger().info('Executing goal...')
         feedback = Fibonacci.Feedback(partial_sequence=[0, 1])
         numbers = feedback.partial_sequence

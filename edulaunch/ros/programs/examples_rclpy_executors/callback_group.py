@@ -1,4 +1,4 @@
-"""The program callback_group: two timers of one group, which never run at the same time, and a listener beside them."""
+"""The program callback_group: two timers of one group, which never run at the same time, and a listener."""
 
 from __future__ import annotations
 

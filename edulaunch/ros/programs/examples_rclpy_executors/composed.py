@@ -1,4 +1,4 @@
-"""The program composed: talker and listener in one program, one executor spins both."""
+"""The program composed: a talker and a listener in one program, spun by one executor."""
 
 from __future__ import annotations
 

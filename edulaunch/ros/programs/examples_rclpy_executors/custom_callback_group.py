@@ -1,4 +1,4 @@
-"""The program custom_callback_group: a callback group of its own that lets a timer run only now and then."""
+"""The program custom_callback_group: a custom callback group that limits how often a timer runs."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from edulaunch.ros.running import spin
 
 
 class ThrottledCallbackGroup(CallbackGroup):
-    """Delays callbacks that have run too often; a timer gives them new turns."""
+    """Delays callbacks that have run too often. A timer restores the allowed number."""
 
     def __init__(self, node: Node) -> None:
         super().__init__()
@@ -21,27 +21,27 @@ class ThrottledCallbackGroup(CallbackGroup):
         self.bucket_max = 10
 
     def can_execute(self, entity: Any) -> bool:
-        """Return whether there is a turn left."""
+        """Return whether another callback is allowed."""
         return self.bucket > 0
 
     def beginning_execution(self, entity: Any) -> bool:
-        """Take a turn."""
+        """Reduce the number of allowed callbacks."""
         if not self.bucket:
             return False
         self.bucket -= 1
         return True
 
     def ending_execution(self, entity: Any) -> None:
-        """Do nothing, because a turn is not returned."""
+        """Do nothing, because only the timer restores the number."""
 
     def timer_callback(self) -> None:
-        """Give new turns when all are used."""
+        """Restore the number of allowed callbacks when it is 0."""
         if not self.bucket:
             self.bucket = self.bucket_max
 
 
 class ThrottledTalker(Node):
-    """A fast timer in such a group."""
+    """A node with a fast timer in a throttled group."""
 
     def __init__(self) -> None:
         super().__init__('intermittent_talker')

@@ -1,4 +1,4 @@
-"""The program custom_executor: an executor that lets some nodes run before all others."""
+"""The program custom_executor: an executor that runs the callbacks of some nodes before all others."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from examples_rclpy_executors.talker import Talker
 
 
 class Estopper(Node):
-    """Must be stopped immediately."""
+    """Logs emergency stops, which must be handled immediately."""
 
     def __init__(self) -> None:
         super().__init__('estopper')
@@ -26,7 +26,7 @@ class Estopper(Node):
 
 
 class PriorityExecutor(Executor):
-    """Callbacks of high-priority nodes get a thread each; all others share the one that spins."""
+    """Runs each callback of a high-priority node in a separate thread. All others share the thread that spins."""
 
     def __init__(self) -> None:
         super().__init__()

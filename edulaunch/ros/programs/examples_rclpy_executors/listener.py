@@ -1,4 +1,4 @@
-"""The program listener: logs each message on `chatter`."""
+"""The program listener: it logs each message on `chatter`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The program talker: publishes on `chatter` every second."""
+"""The program talker: it publishes on `chatter` every second."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from edulaunch.ros.running import spin
 
 
 class Talker(Node):
-    """Counts from 0."""
+    """Publishes numbers from 0."""
 
     def __init__(self) -> None:
         super().__init__('talker')

@@ -9,7 +9,7 @@ from edulaunch.ros.running import run
 
 
 def work() -> None:
-    """Trigger once, and spin until the callback has run."""
+    """Trigger the guard condition once, and spin until its callback has run."""
     node = rclpy.create_node('guard_condition')
     called = False
 

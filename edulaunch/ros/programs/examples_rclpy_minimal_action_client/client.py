@@ -1,4 +1,4 @@
-"""The program client: sends a goal, logs its feedback and its result, and ends."""
+"""The program client: it sends a goal, logs its feedback and its result, and ends."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ ORDER = 10
 
 
 class MinimalActionClient(Node):
-    """Does one step after the other, each in a callback."""
+    """Sends a goal and handles each reply in a callback."""
 
     def __init__(self) -> None:
         super().__init__('minimal_action_client')
@@ -31,7 +31,7 @@ class MinimalActionClient(Node):
         sent.add_done_callback(self.goal_response_callback)
 
     def goal_response_callback(self, future: Future) -> None:
-        """Ask for the result of an accepted goal."""
+        """Request the result of an accepted goal."""
         goal_handle: ClientGoalHandle = future.result()
         if not goal_handle.accepted:
             self.get_logger().info('Goal rejected :(')

@@ -16,7 +16,7 @@ ORDER = 10
 
 
 class MinimalActionClientAsyncIO(Node):
-    """Its goals are coroutines."""
+    """An action client whose goals are coroutines."""
 
     def __init__(self) -> None:
         super().__init__('minimal_action_client_asyncio')

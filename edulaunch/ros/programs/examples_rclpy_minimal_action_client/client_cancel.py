@@ -1,4 +1,4 @@
-"""The program client_cancel: cancels its goal after two seconds."""
+"""The program client_cancel: it cancels its goal after two seconds."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class CancellingActionClient(MinimalActionClient):
         self._timer = self.create_timer(PATIENCE_S, self.timer_callback)
 
     def timer_callback(self) -> None:
-        """Cancel, once."""
+        """Cancel the goal once."""
         self.get_logger().info('Canceling goal')
         self._goal_handle.cancel_goal_async().add_done_callback(self.cancel_done)
         self._timer.cancel()

@@ -1,4 +1,4 @@
-"""The program client_not_composable: functions instead of a class."""
+"""The program client_not_composable: an action client written with functions instead of a class."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The program server: works on all its goals at the same time."""
+"""The program server: it executes all its goals at the same time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The program server_defer: begins to work on a goal three seconds after it was accepted."""
+"""The program server_defer: it starts each goal three seconds after it accepted the goal."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ DELAY_S = 3.0
 
 
 class DeferringActionServer(MinimalActionServer):
-    """Lets the last accepted goal wait."""
+    """Delays the goal that it accepted last."""
 
     def __init__(self) -> None:
         super().__init__(handle_accepted_callback=self.handle_accepted_callback)
@@ -25,7 +25,7 @@ class DeferringActionServer(MinimalActionServer):
         self._timer = self.create_timer(DELAY_S, self.timer_callback)
 
     def timer_callback(self) -> None:
-        """Begin, once."""
+        """Start the goal once."""
         if self._goal_handle is not None:
             self._goal_handle.execute()
         if self._timer is not None:

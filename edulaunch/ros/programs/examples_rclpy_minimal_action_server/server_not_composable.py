@@ -1,4 +1,4 @@
-"""The program server_not_composable: functions instead of a class."""
+"""The program server_not_composable: an action server written with functions instead of a class."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def cancel_callback(node: Node, goal_handle: ServerGoalHandle) -> CancelResponse
 
 
 async def execute_callback(node: Node, goal_handle: ServerGoalHandle) -> Fibonacci.Result:
-    """Work on a goal: one number per second, each published as feedback."""
+    """Execute a goal: compute one number per second, and publish each as feedback."""
     node.get_logger().info('Executing goal...')
     feedback = Fibonacci.Feedback(sequence=[0, 1])
     for index in range(1, goal_handle.request.order):

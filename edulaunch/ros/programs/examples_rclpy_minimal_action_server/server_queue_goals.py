@@ -1,4 +1,4 @@
-"""The program server_queue_goals: works on its goals one after the other."""
+"""The program server_queue_goals: it executes its goals one after the other."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from examples_rclpy_minimal_action_server._fibonacci import MinimalActionServer,
 
 
 class QueueingActionServer(MinimalActionServer):
-    """Keeps accepted goals in a queue while it works on one."""
+    """Stores accepted goals in a queue while it executes one."""
 
     def __init__(self) -> None:
         super().__init__(handle_accepted_callback=self.handle_accepted_callback)
@@ -21,7 +21,7 @@ class QueueingActionServer(MinimalActionServer):
         self._current_goal: ServerGoalHandle | None = None
 
     def handle_accepted_callback(self, goal_handle: ServerGoalHandle) -> None:
-        """Begin, or queue the goal."""
+        """Start the goal, or add it to the queue."""
         with self._goal_queue_lock:
             if self._current_goal is not None:
                 self._goal_queue.append(goal_handle)
@@ -31,7 +31,7 @@ class QueueingActionServer(MinimalActionServer):
                 self._current_goal.execute()
 
     def execute_callback(self, goal_handle: ServerGoalHandle) -> Fibonacci.Result:
-        """Work on a goal, then begin with the next one."""
+        """Execute a goal, and then start the next one."""
         try:
             return super().execute_callback(goal_handle)
         finally:

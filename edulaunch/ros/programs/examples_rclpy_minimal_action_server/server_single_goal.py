@@ -10,7 +10,7 @@ from examples_rclpy_minimal_action_server._fibonacci import MinimalActionServer,
 
 
 class SingleGoalActionServer(MinimalActionServer):
-    """Works only on the newest goal."""
+    """Executes only the newest goal."""
 
     def __init__(self) -> None:
         super().__init__(handle_accepted_callback=self.handle_accepted_callback)
@@ -18,7 +18,7 @@ class SingleGoalActionServer(MinimalActionServer):
         self._goal_lock = Lock()
 
     def handle_accepted_callback(self, goal_handle: ServerGoalHandle) -> None:
-        """Abort the current goal, and begin the new one."""
+        """Abort the current goal, and start the new one."""
         with self._goal_lock:
             if self._goal_handle is not None and self._goal_handle.is_active:
                 self.get_logger().info('Aborting previous goal')

@@ -1,4 +1,4 @@
-"""The program client: spins until its reply has arrived."""
+"""The program client: it spins until its reply has arrived."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from examples_rclpy_minimal_client._asking import REQUEST, client_of, tell
 
 
 def ask() -> None:
-    """Ask once."""
+    """Send one request, and spin until the reply has arrived."""
     node = rclpy.create_node('minimal_client')
     future = client_of(node).call_async(REQUEST)
     rclpy.spin_until_future_complete(node, future)

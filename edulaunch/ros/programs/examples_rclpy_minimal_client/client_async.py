@@ -1,4 +1,4 @@
-"""The program client_async: checks between other work whether the reply has arrived."""
+"""The program client_async: it checks between other work whether the reply has arrived."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from examples_rclpy_minimal_client._asking import REQUEST, client_of, tell
 
 
 def ask() -> None:
-    """Ask once."""
+    """Send one request, and check for the reply after each spin."""
     node = rclpy.create_node('minimal_client_async')
     future = client_of(node).call_async(REQUEST)
     while rclpy.ok() and not future.done():

@@ -1,4 +1,4 @@
-"""The program client_async_callback: sends a request in a callback that waits for the reply with `await`."""
+"""The program client_async_callback: it sends a request in a callback and waits for the reply with `await`."""
 
 from __future__ import annotations
 
@@ -10,7 +10,9 @@ from examples_rclpy_minimal_client._asking import REQUEST, client_of, tell
 
 
 def ask() -> None:
-    """Ask once, half a second after the start. The group lets the reply arrive while the callback waits for it."""
+    """Send one request half a second after the start. The callback group lets the reply arrive while the callback
+    waits for it.
+    """
     node = rclpy.create_node('minimal_client')
     group = ReentrantCallbackGroup()
     steps: list[str] = []

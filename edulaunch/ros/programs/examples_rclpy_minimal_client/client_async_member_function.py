@@ -1,4 +1,4 @@
-"""The program client_async_member_function: a class that asks."""
+"""The program client_async_member_function: a class that sends a request."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from examples_rclpy_minimal_client._asking import REQUEST, client_of, tell
 
 
 class MinimalClientAsync(Node):
-    """Has a client of `add_two_ints`; it is created when there is a server."""
+    """Contains a client of `add_two_ints`, and waits for the server when it is created."""
 
     def __init__(self) -> None:
         super().__init__('minimal_client_async')
@@ -18,12 +18,12 @@ class MinimalClientAsync(Node):
         self.req = REQUEST
 
     def send_request(self) -> None:
-        """Send the request; `future` gets the reply."""
+        """Send the request. The reply arrives in `future`."""
         self.future = self.cli.call_async(self.req)
 
 
 def ask() -> None:
-    """Ask once."""
+    """Send one request, and log the reply."""
     node = MinimalClientAsync()
     node.send_request()
     while rclpy.ok() and not node.future.done():

@@ -1,4 +1,4 @@
-"""The program publisher_local_function: the callback of its timer is a function inside another one."""
+"""The program publisher_local_function: the callback of its timer is a nested function."""
 
 from __future__ import annotations
 

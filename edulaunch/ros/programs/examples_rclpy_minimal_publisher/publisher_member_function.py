@@ -9,7 +9,7 @@ from edulaunch.ros.running import spin
 
 
 class MinimalPublisher(Node):
-    """Counts from 0 on `topic`."""
+    """Publishes numbers from 0 on `topic`."""
 
     def __init__(self) -> None:
         super().__init__('minimal_publisher')

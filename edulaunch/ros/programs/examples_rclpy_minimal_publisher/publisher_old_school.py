@@ -1,4 +1,4 @@
-"""The program publisher_old_school: publishes in its own loop, without spinning."""
+"""The program publisher_old_school: it publishes in a loop, without spinning."""
 
 from __future__ import annotations
 

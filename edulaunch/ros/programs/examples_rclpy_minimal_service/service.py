@@ -1,4 +1,4 @@
-"""The program service: serves `add_two_ints` with a function."""
+"""The program service: a function that serves `add_two_ints`."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from edulaunch.ros.running import run
 
 
 def serve() -> None:
-    """Spin a node that adds."""
+    """Spin a node whose service adds two numbers."""
     node = rclpy.create_node('minimal_service')
 
     def add_two_ints_callback(request: AddTwoInts.Request, response: AddTwoInts.Response) -> AddTwoInts.Response:

@@ -1,4 +1,4 @@
-"""The program subscriber_lambda: its callback is one expression."""
+"""The program subscriber_lambda: its callback is a lambda expression."""
 
 from __future__ import annotations
 

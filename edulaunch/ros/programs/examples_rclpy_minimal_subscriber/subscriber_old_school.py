@@ -1,4 +1,4 @@
-"""The program subscriber_old_school: spins once for each callback."""
+"""The program subscriber_old_school: it calls spin_once for each callback."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from edulaunch.ros.running import run
 
 
 def listen() -> None:
-    """Listen until ROS 2 is shut down."""
+    """Call spin_once until ROS 2 is shut down."""
     node = rclpy.create_node('minimal_subscriber')
 
     def on_message(message: String) -> None:

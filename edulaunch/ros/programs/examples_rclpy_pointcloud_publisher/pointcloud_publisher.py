@@ -1,4 +1,4 @@
-"""The program pointcloud_publisher: a wave of 100 times 100 points, 30 times a second."""
+"""The program pointcloud_publisher: it publishes a wave of 100 times 100 points, 30 times a second."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class PointCloudPublisher(Node):
         self._timer = self.create_timer(1 / RATE_HZ, self.timer_callback)
 
     def timer_callback(self) -> None:
-        """Publish the next picture of the wave."""
+        """Publish the next state of the wave."""
         self._counter += 1
         x, y = np.meshgrid(np.linspace(-SIDE_M, SIDE_M, self._width), np.linspace(-SIDE_M, SIDE_M, self._height))
         z = 0.5 * np.sin(2 * x - self._counter / 10.0) * np.sin(2 * y)

@@ -1,4 +1,4 @@
-"""The program lifecycle_listener: logs the talker's messages, and each change of its state."""
+"""The program lifecycle_listener: it logs the talker's messages and state changes."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from edulaunch.ros.running import spin
 
 
 class LifecycleListener(Node):
-    """Has two subscriptions."""
+    """Subscribes to the talker's messages and transitions."""
 
     def __init__(self) -> None:
         super().__init__('lc_listener')
@@ -22,7 +22,7 @@ class LifecycleListener(Node):
         self.get_logger().info(f'data_callback: {msg.data}')
 
     def notification_callback(self, msg: TransitionEvent) -> None:
-        """Log a change of the state."""
+        """Log a state change."""
         self.get_logger().info(f'notify callback: Transition from state {msg.start_state.label} to {msg.goal_state.label}')
 
 

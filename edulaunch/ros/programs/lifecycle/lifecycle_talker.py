@@ -1,4 +1,4 @@
-"""The program lifecycle_talker: publishes while other nodes have activated it, which takes two seconds."""
+"""The program lifecycle_talker: it publishes while it is active. Its activation takes two seconds."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from edulaunch.ros.running import run
 
 
 class SlowTalker(LifecycleTalker):
-    """Does some work while it is activated, for which others must wait."""
+    """A lifecycle talker whose activation takes some time, for which other nodes must wait."""
 
     def on_activate(self, state: State) -> TransitionCallbackReturn:
         """Work for two seconds, and activate the node."""

@@ -1,4 +1,4 @@
-"""The program lifecycle_talker: publishes while other nodes have activated it."""
+"""The program lifecycle_talker: it publishes while it is active."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from edulaunch.ros.running import run
 
 
 class LifecycleTalker(LifecycleNode):
-    """Has its publisher and its timer from configure to cleanup, and publishes while it is active."""
+    """Creates its publisher and timer on configure, destroys them on cleanup, and publishes while it is active."""
 
     def __init__(self, node_name: str = 'lc_talker') -> None:
         super().__init__(node_name)
@@ -38,12 +38,12 @@ class LifecycleTalker(LifecycleNode):
         return TransitionCallbackReturn.SUCCESS
 
     def on_activate(self, state: State) -> TransitionCallbackReturn:
-        """Switch the publisher on, as the base class does."""
+        """Activate the publisher, as the base class does."""
         self.get_logger().info('on_activate() is called.')
         return super().on_activate(state)
 
     def on_deactivate(self, state: State) -> TransitionCallbackReturn:
-        """Switch the publisher off, as the base class does."""
+        """Deactivate the publisher, as the base class does."""
         self.get_logger().info('on_deactivate() is called.')
         return super().on_deactivate(state)
 

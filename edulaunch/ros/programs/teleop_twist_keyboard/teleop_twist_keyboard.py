@@ -67,7 +67,7 @@ LINES_BEFORE_HELP = 15
 
 
 class Teleop:
-    """The speeds (m/s and rad/s) and the direction that the keys have asked for.
+    """The speeds (m/s and rad/s) and the direction that the keys have set.
 
     Parameters: `stamped` (false) sends TwistStamped, with the frame `frame_id` ('').
     """
@@ -83,7 +83,7 @@ class Teleop:
         self._direction: tuple[float, ...] = (0, 0, 0, 0)
 
     def run(self) -> None:
-        """Follow the keys until Ctrl-C; then stop the robot."""
+        """Handle keys until Ctrl-C, and then stop the robot."""
         spinning = threading.Thread(target=self._spin)
         spinning.start()
         before = termios.tcgetattr(sys.stdin)

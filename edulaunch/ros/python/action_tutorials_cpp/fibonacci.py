@@ -1,4 +1,4 @@
-"""The programs fibonacci_action_server, which counts Fibonacci numbers, and fibonacci_action_client, which asks for ten."""
+"""The programs fibonacci_action_server, which computes Fibonacci numbers, and fibonacci_action_client, which requests ten."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ PATIENCE_S = 10.0
 
 
 class FibonacciActionServer(CppNode):
-    """Serves `fibonacci`; works on each goal in a thread of its own."""
+    """Serves `fibonacci`, and executes each goal in a separate thread."""
 
     def __init__(self) -> None:
         super().__init__('fibonacci_action_server')

@@ -1,4 +1,4 @@
-"""The `ament_index` command: list resource types, resources of a type, or show one resource."""
+"""The `ament_index` command. It lists resource types or the resources of a type, or shows one resource."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def resource_type_completer(prefix: str, **_: Any) -> Iterable[str]:
 
 
 def resource_name_completer(prefix: str, parsed_args: Any, **_: Any) -> Iterable[str]:
-    """Return the resources with this prefix, of the type in the command line; none without a type.
+    """Return the resources with this prefix and the type in the command line; none without a type.
 
     :param parsed_args: the arguments before, with `resource_type`.
     """

@@ -1,4 +1,4 @@
-"""Packages by name."""
+"""Find packages by name."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _NAME = re.compile(r'[a-zA-Z0-9][a-zA-Z0-9_-]+')
 
 
 class PackageNotFoundError(KeyError):
-    """No prefix of the search path has a package of that name."""
+    """No prefix of the search path contains a package with that name."""
 
 
 def get_package_prefix(package_name: str) -> str:
@@ -38,7 +38,7 @@ def get_package_prefix(package_name: str) -> str:
 
 
 def get_package_share_directory(package_name: str, print_warning: bool = True) -> str:
-    """Return `<prefix>/share/<package>`. If that folder is missing, only warn.
+    """Return `<prefix>/share/<package>`. Only log a warning if that folder does not exist.
 
     :raises ValueError: when this cannot be a package name.
     :raises PackageNotFoundError: when there is no such package.
@@ -47,7 +47,11 @@ def get_package_share_directory(package_name: str, print_warning: bool = True) -
 
 
 def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
-    """:func:`get_package_share_directory` as a `pathlib.Path` of the program that asks; it may have a copy of `pathlib`."""
+    """Return :func:`get_package_share_directory` as a `pathlib.Path` of the calling program, which may have its own copy of
+    `pathlib`.
+
+    :func:`get_package_share_directory` as a `pathlib.Path` of the program that asks; it may have a copy of `pathlib`.
+    """
     import pathlib  # imported here, because it takes 4 ms
 
     of_program = current_process().loader.modules.get('pathlib', pathlib)

@@ -20,12 +20,12 @@ class InvalidResourceNameError(ValueError):
 
 
 def name_is_invalid(resource_name: str) -> bool:
-    """Return whether a name could leave its folder."""
+    """Return whether a name contains a path separator, with which it could leave its folder."""
     return '/' in resource_name or '\\' in resource_name
 
 
 def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
-    """Return the content of a resource file, and the prefix it was found in.
+    """Return the content of a resource file, and the prefix that contains it.
 
     :raises LookupError: when the resource does not exist.
     :raises InvalidResourceTypeNameError, InvalidResourceNameError: for names with / or a backslash.
@@ -47,7 +47,7 @@ def has_resource(resource_type: str, resource_name: str) -> str | Literal[False]
 
 
 def get_resources(resource_type: str) -> dict[str, str]:
-    """Return the names of all resources of a type, with the first prefix that has each."""
+    """Return the names of all resources of a type, each with the first prefix that contains it."""
     _check(resource_type, None)
     found: dict[str, str] = {}
     if resource_type == 'packages':

@@ -1,4 +1,4 @@
-"""The components of this package, and its programs, which make several of them without a container."""
+"""The components of this package, and its programs, which run several of them without a container."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from std_msgs.msg import String
 
 
 class Talker(CppNode):
-    """Greets on `chatter` every second, counting from 1."""
+    """Publishes on `chatter` every second, counting from 1."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__('talker', **options)
@@ -46,7 +46,7 @@ NodeLikeListener = partial(Listener, 'node_like_listener')
 
 
 class Server(CppNode):
-    """Adds on `add_two_ints`."""
+    """Serves `add_two_ints`."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__('Server', **options)
@@ -59,7 +59,7 @@ class Server(CppNode):
 
 
 class Client(CppNode):
-    """Asks `add_two_ints` for 2 + 3 every two seconds."""
+    """Calls `add_two_ints` with 2 + 3 every two seconds."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__('Client', **options)
@@ -93,7 +93,7 @@ def _spin(makers: list[Callable[..., Any]]) -> None:
 
 
 def dlopen_composition() -> None:
-    """One node for each library on the command line, such as `$(ros2 pkg prefix composition)/lib/libtalker_component.so`."""
+    """Run one node for each library on the command line, such as `$(ros2 pkg prefix composition)/lib/libtalker_component.so`."""
     words = remove_ros_args(sys.argv)[1:]
     if not words:
         sys.exit('Requires at least one argument to be passed with the library to load')

@@ -50,7 +50,7 @@ def _described(name: str, value: Any) -> str:
 
 
 class ParameterBlackboard(CppNode):
-    """Takes undeclared parameters, and those of the command line, as declared."""
+    """Accepts undeclared parameters, and declares those of the command line."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__(

@@ -33,7 +33,7 @@ class AddTwoIntsServer(CppNode):
 
 
 def ask() -> int:
-    """Ask once; the exit code is 0, or 1 without a reply."""
+    """Send one request. Return the exit code: 0, or 1 without a reply."""
     node = CppNode('add_two_ints_client')
     client = node.create_client(AddTwoInts, 'add_two_ints')
     while not client.wait_for_service(timeout_sec=1.0):
@@ -73,7 +73,7 @@ def follow_parameter(node: CppNode, name: str, end: Any) -> None:
 
 
 class IntrospectionService(AddTwoIntsServer):
-    """Does the same, and publishes its requests as far as its parameter allows."""
+    """Serves `add_two_ints`, and publishes its requests as its parameter specifies."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__('introspection_service', **options)
@@ -81,7 +81,7 @@ class IntrospectionService(AddTwoIntsServer):
 
 
 class IntrospectionClient(CppNode):
-    """Asks for 2 + 3 twice a second, one request at a time, and publishes that as much as its parameter says."""
+    """Requests 2 + 3 twice a second, one request at a time, and publishes them as its parameter specifies."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__('introspection_client', **options)

@@ -1,4 +1,4 @@
-"""The programs one_off_timer and reuse_timer: a periodic timer that, every third time, sets going one which fires only once."""
+"""The programs one_off_timer and reuse_timer. Every third call of a periodic timer starts a timer that fires only once."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rclcpp_like import CppNode, spinning
 
 
 class TwoTimers(CppNode):
-    """Both demos of one-shot timers.
+    """The node of both demos of one-shot timers.
 
     :param reuse: reset the cancelled timer (True), or make a new one in its place (False).
     """

@@ -1,4 +1,4 @@
-"""The programs talker, listener and listener_best_effort: greetings on `chatter`."""
+"""The programs talker, listener and listener_best_effort, which use `chatter`."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from std_msgs.msg import String
 
 
 class Talker(CppNode):
-    """Counts from 1."""
+    """Publishes numbers from 1."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__('talker', **options)

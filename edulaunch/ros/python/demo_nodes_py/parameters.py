@@ -1,4 +1,4 @@
-"""The programs async_param_client, which asks another node for its parameters, and set_parameters_callback."""
+"""The programs async_param_client, which requests the parameters of another node, and set_parameters_callback."""
 
 from __future__ import annotations
 
@@ -59,7 +59,9 @@ def _say_results(node: Node, names: list[str], future: Any) -> None:
 
 
 class SetParametersCallback(Node):
-    """Setting param1 also sets param2 to 4.0 (before). Neither may be negative (on), and both are stored (after)."""
+    """Shows the three callbacks of a parameter change: the first also sets param2 to 4.0, the second refuses negative values, and
+    the third stores both.
+    """
 
     def __init__(self) -> None:
         super().__init__('set_parameters_callback')

@@ -1,4 +1,4 @@
-"""The programs add_two_ints_server, and add_two_ints_client and add_two_ints_client_async, which ask it for 2 + 3."""
+"""The programs add_two_ints_server, add_two_ints_client and add_two_ints_client_async. The clients request 2 + 3."""
 
 from __future__ import annotations
 
@@ -63,10 +63,10 @@ def add_two_ints_server() -> None:
 
 
 def add_two_ints_client() -> None:
-    """Asks, and waits for the reply."""
+    """Send a request, and wait for the reply."""
     run(_ask)
 
 
 def add_two_ints_client_async() -> None:
-    """Asks, and does other work until the reply is there."""
+    """Send a request, and do other work until the reply arrives."""
     run(_ask_async)

@@ -1,4 +1,6 @@
-"""The two ends of `chatter`: talker, listener, both with any quality of service, and listener_serialized."""
+"""Publishers and subscribers of `chatter`: talker, listener, their variants with any quality of service, and
+listener_serialized.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +19,7 @@ PERIOD_S = 1.0
 
 
 class Talker(Node):
-    """Greets every second, counting from 0."""
+    """Publishes a message every second, counting from 0."""
 
     def __init__(self, node_name: str = 'talker', qos: QoSProfile | int = 10) -> None:
         super().__init__(node_name)
@@ -84,20 +86,20 @@ def talker() -> None:
 
 
 def listener() -> None:
-    """Logs each message."""
+    """Log each message."""
     spin(Listener)
 
 
 def listener_serialized() -> None:
-    """Logs the bytes of each message."""
+    """Log the bytes of each message."""
     spin(SerializedListener)
 
 
 def talker_qos() -> None:
-    """Works as talker, best effort without --reliable, for a number of messages."""
+    """Publish a number of messages like talker, as best effort unless --reliable is given."""
     _run_with_quality('publish', 'talker', Talker)
 
 
 def listener_qos() -> None:
-    """Works as listener, best effort without --reliable, for a number of messages."""
+    """Log a number of messages like listener, as best effort unless --reliable is given."""
     _run_with_quality('listen', 'listener', Listener)

@@ -1,4 +1,4 @@
-"""The program joint_state_publisher: gives each joint of the robot description a position."""
+"""The program joint_state_publisher: it publishes a position for each joint of the robot description."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ def _middle(lower: float, upper: float) -> float:
 
 
 def work() -> None:
-    """Spin the node; a file on the command line is the robot description."""
+    """Spin the node. A file on the command line is the robot description."""
     files = remove_ros_args(sys.argv)[1:]
     description = ''
     if files:

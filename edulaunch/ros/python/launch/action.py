@@ -27,7 +27,7 @@ def _only_a_condition(entity: Entity, parser: ParserProtocol) -> tuple[type, dic
 
 
 class Action(LaunchDescriptionEntity):
-    """Something a launch file asks for: start a program, set a value, include a file.
+    """Something that a launch file requests: start a program, set a value, include a file.
 
     Making one does nothing yet; :meth:`visit` executes it when its condition holds.
 
@@ -40,7 +40,7 @@ class Action(LaunchDescriptionEntity):
 
     @property
     def origin(self) -> Origin | None:
-        """The file and line that made this action, or None when that is unknown. (edulaunch only.)"""
+        """The file and line that created this action, or None if they are unknown. (edulaunch only.)"""
         place: Any = self.__dict__.get('_Action__origin')
         if type(place) is tuple:
             place = self.__origin = origin_of(place)
@@ -48,7 +48,7 @@ class Action(LaunchDescriptionEntity):
 
     @property
     def is_made_by_launch(self) -> bool:
-        """Whether launch itself made this action while it visited another one, whose origin it has. (edulaunch only.)"""
+        """Whether launch itself created this action while it visited another one, which gives it its origin. (edulaunch only.)"""
         return type(self.__dict__.get('_Action__origin')) is Inherited
 
     def set_origin(self, file: str, line: int) -> None:
@@ -65,7 +65,7 @@ class Action(LaunchDescriptionEntity):
         return repr(self)
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the entities this action leads to, known without executing it. For subclasses to override."""
+        """Return the entities to which this action leads and that are known without executing it. Subclasses override it."""
         return []
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
@@ -79,8 +79,8 @@ class Action(LaunchDescriptionEntity):
         return [(f'Conditionally included by {self.describe()}', self.get_sub_entities())]
 
     def visit(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
-        """Execute when the condition holds; afterwards an ExecutionComplete event is emitted if anybody would
-        handle it.
+        """Execute the action if its condition holds. Afterwards, emit an ExecutionComplete event if a handler is registered for
+        it.
 
         Add the place of this action to an exception on its way out, for the message that people see.
         """
@@ -114,5 +114,5 @@ class Action(LaunchDescriptionEntity):
             future.add_done_callback(lambda _: context.emit_event_sync(event))
 
     def execute(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
-        """Execute the action; :meth:`visit` calls this method. Subclasses override it, because here it does nothing."""
+        """Execute the action. :meth:`visit` calls this method, and subclasses override it."""
         return None

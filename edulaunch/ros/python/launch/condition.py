@@ -22,7 +22,7 @@ class Condition(StableRepr):
 
     @property
     def in_words(self) -> str:
-        """The condition in words, for a plan. (edulaunch only.)"""
+        """A description of the condition for a plan. (edulaunch only.)"""
         return f'if {type(self).__name__} says so'
 
     def describe(self) -> str:
@@ -30,5 +30,5 @@ class Condition(StableRepr):
         return repr(self)
 
     def evaluate(self, context: LaunchContext) -> bool:
-        """Return the value of the condition at this moment."""
+        """Return the current value of the condition."""
         return self._predicate(context) if self._predicate is not None else False

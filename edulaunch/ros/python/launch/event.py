@@ -11,6 +11,6 @@ if TYPE_CHECKING:
 
 
 class Event(StableRepr):
-    """Something that happened, or that code requests, in a running launch."""
+    """An event of a running launch: something has happened or was requested."""
 
     name = 'launch.Event'

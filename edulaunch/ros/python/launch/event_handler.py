@@ -16,7 +16,7 @@ Matcher = Callable[[Event], bool]
 
 
 class BaseEventHandler(StableRepr):
-    """Decides by its matcher whether it handles an event.
+    """A handler whose matcher decides which events it handles.
 
     :param matcher: called with each event.
     :param handle_once: forget this handler after the first event.
@@ -45,11 +45,11 @@ class BaseEventHandler(StableRepr):
         return f'{self.__matcher}'
 
     def matches(self, event: Event) -> bool:
-        """Return whether this handles the event."""
+        """Return whether this handler handles the event."""
         return self.__matcher(event)
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
-        """Return the handler in words, and the entities it is known to lead to."""
+        """Return a description of the handler, and the entities to which it leads as far as they are known."""
         text = (
             f"{type(self).__name__}(matcher='{self.matcher_description}', "
             f"handler='{self.handler_description}', handle_once={self.__handle_once})"
@@ -57,7 +57,7 @@ class BaseEventHandler(StableRepr):
         return text, []
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
-        """Handle the event; return entities to visit, or None. Subclasses extend it."""
+        """Handle the event. Return entities to visit, or None. Subclasses extend this method."""
         context.extend_locals({'event': event})
         if self.__handle_once:
             context.unregister_event_handler(self)
@@ -65,7 +65,7 @@ class BaseEventHandler(StableRepr):
 
 
 class EventHandler(BaseEventHandler):
-    """Visits entities when an event matches.
+    """A handler that visits entities when an event matches.
 
     :param entities: an entity or several.
     """
@@ -82,7 +82,7 @@ class EventHandler(BaseEventHandler):
         return '<entities>'
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
-        """Return the handler in words, and its entities."""
+        """Return a description of the handler, and its entities."""
         text = super().describe()[0]
         if self.__entities is None:
             return text, []

@@ -30,7 +30,7 @@ class Performed(Protocol):
 
 
 class LocalsView:
-    """Reads a dictionary through attributes.
+    """Gives access to a dictionary through attributes.
 
     :raises AttributeError: for an unknown name, with a list of the known ones, and on every attempt to set one.
     """
@@ -49,7 +49,7 @@ class LocalsView:
 
 
 class LaunchContext:
-    """Launch configurations, locals, environment, event handlers and waiting events of one launch.
+    """The launch configurations, locals, environment, event handlers and waiting events of one launch.
 
     :param argv: the command line arguments, for code that reads `argv`.
     :param noninteractive: no terminal is attached, so ctrl-c does not reach the processes by itself.
@@ -130,7 +130,7 @@ class LaunchContext:
 
     @property
     def locals(self) -> LocalsView:
-        """The locals (and behind them the globals) as attributes, to read only."""
+        """The locals, and the globals that they do not hide, as read-only attributes."""
         return LocalsView(self.get_locals_as_dict())
 
     def get_locals_as_dict(self) -> dict[str, Any]:
@@ -142,11 +142,11 @@ class LaunchContext:
         return self.__locals[name] if name in self.__locals else self.__globals.get(name)
 
     def extend_globals(self, extensions: dict[str, Any]) -> None:
-        """Add globals, which no pop removes."""
+        """Add globals. No pop removes them."""
         self.__globals.update(extensions)
 
     def extend_locals(self, extensions: dict[str, Any]) -> None:
-        """Add locals, which the end of the running event handler removes."""
+        """Add locals. The end of the running event handler removes them."""
         self.__locals.update(extensions)
 
     def _push_locals(self) -> None:
@@ -184,7 +184,7 @@ class LaunchContext:
         self.__completion_futures.append(completion_future)
 
     def register_event_handler(self, event_handler: Handler, append: bool = False) -> None:
-        """Register a handler for later events: before all other handlers, or after them with `append`."""
+        """Register a handler for later events before all other handlers, or after them with `append`."""
         self.__handlers.add(event_handler, append=append)
         if self.observer is not None:
             self.observer.registered(event_handler)
@@ -199,7 +199,7 @@ class LaunchContext:
             self.observer.unregistered(event_handler)
 
     def handlers_that_match(self, event: Event) -> list[Handler]:
-        """Return the handlers to ask about the event, as registered now, first asked first."""
+        """Return the registered handlers for the event, in the order in which they are asked."""
         return self.__handlers.candidates(event)
 
     def would_handle_event(self, event: Event) -> bool:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def __getattr__(name: str) -> Any:
-    """Return a class that the real module imports: launch files import it from here, too."""
+    """Return a class that the real module imports, because launch files also import it from here."""
     if name not in ('Action', 'DeclareLaunchArgument', 'LaunchContext'):
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
     from .action import Action
@@ -49,11 +49,11 @@ class LaunchDescription(LaunchDescriptionEntity):
     deprecated_reason: ReadOnly[str | None] = ReadOnly('The reason not to use it any more, or None.')
 
     def add_entity(self, entity: LaunchDescriptionEntity) -> None:
-        """Add an entity at the end."""
+        """Append an entity."""
         self.__entities.append(entity)
 
     def add_action(self, action: Action) -> None:
-        """Add an action at the end."""
+        """Append an action."""
         self.add_entity(action)
 
     def describe(self) -> str:
@@ -65,7 +65,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         return self.__entities
 
     def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
-        """Return the entities; a deprecated description first logs a warning."""
+        """Return the entities. A deprecated description logs a warning first."""
         if self.__deprecated_reason is not None:
             from .logging import get_logger
 

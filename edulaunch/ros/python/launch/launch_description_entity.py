@@ -1,4 +1,4 @@
-"""The base class of everything that can be visited."""
+"""The base class of everything that launch can visit."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ class LaunchDescriptionEntity(StableRepr):
         raise NotImplementedError('LaunchDescriptionEntity.describe must be overridden')
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the entities that a visit certainly leads to, as far as they are known without visiting."""
+        """Return the entities to which a visit always leads, as far as they are known without visiting."""
         return []
 
     def describe_conditional_sub_entities(self) -> ConditionalEntities:
-        """Return the entities that a visit may lead to, each group with the condition in words."""
+        """Return the entities to which a visit may lead, each group with a description of the condition."""
         return []
 
     def visit(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:

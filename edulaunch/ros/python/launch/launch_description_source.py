@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class LaunchDescriptionSource:
-    """A launch description, or a launch file to load it from.
+    """A launch description, or a launch file from which to load it.
 
     :param launch_description: when it is known already.
     :param location: path of the file, as strings or substitutions. Relative paths start at the working directory.
@@ -36,14 +36,14 @@ class LaunchDescriptionSource:
 
     @property
     def location(self) -> str:
-        """The path; before it is known, the `str` of its substitutions."""
+        """The path, or the `str` of its substitutions before the path is known."""
         if self.__expanded_location is None:
             return ' + '.join(str(part) for part in self.__location)
         return self.__expanded_location
 
     @property
     def described_location(self) -> str:
-        """The path; before it is known, as people would write it. (edulaunch only.)"""
+        """The path, or a readable form of its substitutions before the path is known. (edulaunch only.)"""
         if self.__expanded_location is None:
             return ' + '.join(part.describe() for part in self.__location)
         return self.__expanded_location
@@ -51,7 +51,7 @@ class LaunchDescriptionSource:
     method: ReadOnly[str] = ReadOnly('How it is loaded, in words.')
 
     def get_launch_description(self, context: LaunchContext) -> LaunchDescription:
-        """Return the description, loaded at the first call.
+        """Return the description. The first call loads it.
 
         :raises RuntimeError: without a description, and without a way to load it.
         :raises Exception: whatever loading it raises.
@@ -63,7 +63,7 @@ class LaunchDescriptionSource:
         return self.__launch_description
 
     def try_get_launch_description_without_context(self) -> LaunchDescription | None:
-        """Return the description if its path is known without a running launch and it can be loaded; else None.
+        """Return the description if its path is known without a running launch and it can be loaded, and otherwise None.
 
         As upstream the file is executed for this, but within one visit only once.
         """

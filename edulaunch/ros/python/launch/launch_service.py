@@ -1,4 +1,4 @@
-"""Executes launch descriptions."""
+"""Execute launch descriptions."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Done(Coroutine[Any, Any, None]):
         raise StopIteration
 
     def throw(self, typ: Any, val: Any = None, tb: Any = None) -> Any:
-        """End with that exception."""
+        """End with the given exception."""
         raise typ if val is None else val
 
     def close(self) -> None:
@@ -98,18 +98,18 @@ class LaunchService:
     # -- called by other threads and by users
 
     def include_launch_description(self, launch_description: LaunchDescription) -> None:
-        """Execute a description: now, or when the service runs. Any thread may call this method."""
+        """Execute a description now, or when the service starts to run. Any thread may call this method."""
         self.emit_event(IncludeLaunchDescription(launch_description))
 
     def emit_event(self, event: Event) -> None:
-        """Emit an event. Any thread may call this method, also before the service runs."""
+        """Emit an event, even before the service runs. Any thread may call this method."""
         if self.__loop is None:
             self.__context.emit_event_sync(event)
         else:
             self.__loop.call_soon_threadsafe(self.__context.emit_event_sync, event)
 
     def shutdown(self, force_sync: bool = False) -> Awaitable[None] | None:
-        """Ask the service to end; do nothing if it does not run. Any thread may call this method.
+        """Request the end of the service, or do nothing if it is not running. Any thread may call this method.
 
         :returns: something to await, or to make a task of, when called in the thread that runs the service (unless
             `force_sync`), else None.
@@ -124,8 +124,7 @@ class LaunchService:
         return Done() if self.__thread == threading.get_ident() else None
 
     def run(self, *, shutdown_when_idle: bool = True) -> int:
-        """Run until the launch has ended; returns 0, or 1 when an exception was caught or the run was
-        cancelled.
+        """Run until the launch has ended. Return 0, or 1 if an exception was caught or the run was cancelled.
 
         :param shutdown_when_idle: end when no process, timer or event is left.
         :raises RuntimeError: when it runs already, or not in the main thread.
@@ -147,7 +146,7 @@ class LaunchService:
             loop.close()
 
     async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
-        """Do the same as :meth:`run`. On a loop without simulated time, such as a notebook's, the simulation runs in place."""
+        """Run as :meth:`run` does. On a loop without simulated time, such as a notebook's, this call runs the simulation."""
         import asyncio
 
         from edulaunch.engine.sim.aio import SimulatedEventLoop

@@ -1,4 +1,4 @@
-"""`SomeActionsType`, as ROS 2 Humble calls `SomeEntitiesType`."""
+"""`SomeActionsType`, the name of `SomeEntitiesType` in ROS 2 Humble."""
 
 from .launch_description_entity import SomeEntitiesType as SomeActionsType
 from .launch_description_entity import SomeEntitiesType_types_tuple as SomeActionsType_types_tuple

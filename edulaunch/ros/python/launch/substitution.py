@@ -22,11 +22,11 @@ class Substitution(StableRepr):
     """Class method of those that are written `$(name ...)`: the class, and its keyword arguments for a list of arguments."""
 
     def describe(self) -> str:
-        """Return what people read, without evaluating anything."""
+        """Return a description for people, without evaluating anything."""
         return repr(self)
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the text, evaluated in `context`.
+        """Return the evaluated text.
 
         :raises NotImplementedError: in this base class, as upstream.
         """

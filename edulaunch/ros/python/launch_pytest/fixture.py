@@ -1,4 +1,4 @@
-"""Fixtures that describe what to launch, and the fixtures that they add."""
+"""The fixture decorator for launch descriptions, and the fixtures that it adds."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ SCOPE = 'launch_pytest_scope'
 
 
 def finalize_launch_service(launch_service: LaunchService, eprefix: str = '', auto_shutdown: bool = True) -> None:
-    """Wait until a launch has ended; nothing happens when it has already.
+    """Wait until a launch has ended. Do nothing if it has already ended.
 
     :param eprefix: how the failure's text begins.
     :param auto_shutdown: ask it to end first.
@@ -40,11 +40,11 @@ def finalize_launch_service(launch_service: LaunchService, eprefix: str = '', au
 
 
 def companions(scope: Any) -> dict[str, Any]:
-    """Return the fixtures `event_loop`, `launch_service` and `launch_context`, of one scope."""
+    """Return the fixtures `event_loop`, `launch_service` and `launch_context`, all with the same scope."""
 
     @pytest.fixture(scope=scope)
     def event_loop() -> Iterator[asyncio.AbstractEventLoop]:
-        """The asyncio loop on which launch and coroutines run, in simulated time."""
+        """The asyncio loop in simulated time, on which launch and coroutines run."""
         from edulaunch.engine.processes.views.asyncio_view import ProcessEventLoop
 
         process = current_process()
@@ -76,7 +76,7 @@ def fixture(
     auto_shutdown: bool = True,
     **kwargs: Any,
 ) -> Any:
-    """Make a fixture whose launch description is launched before the tests that use it.
+    """Make a pytest fixture from a function that returns a launch description. It is launched before the tests that use it.
 
     The function returns (or yields) a LaunchDescription, or a sequence that begins with one. It becomes a pytest fixture. Its
     module gets the fixtures `event_loop`, `launch_service` and `launch_context` of the same scope, unless it has its own, or some

@@ -1,4 +1,4 @@
-"""The pytest plugin of launch_pytest: which functions are launch tests, what items they become, and how and when these run.
+"""The pytest plugin of launch_pytest. It decides which functions are launch tests, and how and when they run.
 
 edulaunch's own plugin registers it when a test file needs it.
 """
@@ -24,7 +24,7 @@ NODES: dict[Any, Any] = {'class': pytest.Class, 'module': pytest.Module, 'packag
 
 
 class LaunchTestWarning(pytest.PytestWarning):
-    """A launch test was skipped because its mark cannot be understood."""
+    """A launch test was skipped because its mark is invalid."""
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -38,7 +38,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_pycollect_makeitem(collector: Any, name: str, obj: object) -> Generator[None, Any, Any]:
-    """Make the tests of a function marked `launch`. What pytest itself, or pytest-asyncio, would make of it is not used."""
+    """Make the tests of a function marked `launch`, in place of the items of pytest or pytest-asyncio."""
     if not (inspect.isfunction(obj) or inspect.ismethod(obj)) or not collector.istestfunction(obj, name):
         return (yield)
     item: pytest.Function = pytest.Function.from_parent(collector, name=name, callobj=obj)
@@ -119,7 +119,7 @@ def _second_part(first: pytest.Function) -> pytest.Function:
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Sort the tests of one launch: tests after its shutdown take the places of the last ones."""
+    """Sort the tests of one launch. Tests after its shutdown come last."""
     places: dict[Any, list[int]] = {}
     for place, item in enumerate(items):
         options = _options(item)
@@ -141,7 +141,7 @@ def _shared_launch(item: pytest.Item, options: dict[str, Any]) -> tuple[Any, ...
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Generator[None, Any, Any]:
-    """Let pytest call what runs a launch test in simulated time, with the fixtures that the test asks for."""
+    """Let pytest run the test in simulated time, with the fixtures that the test requests."""
     function = pyfuncitem.obj
     if _options(pyfuncitem):
         pyfuncitem.obj = partial(_run, pyfuncitem, function)
@@ -187,7 +187,7 @@ def _run(item: pytest.Function, function: Any, **arguments: Any) -> None:
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_fixture_setup(fixturedef: Any, request: pytest.FixtureRequest) -> Generator[None, Any, Any]:
-    """Launch what a launch fixture describes, and wait until it is ready."""
+    """Launch the description of a launch fixture, and wait until it is ready."""
     options = getattr(fixturedef.func, OPTIONS, None)
     if options is None:
         return (yield)

@@ -39,7 +39,8 @@ _INSIDE = frozenset(('param',))
 
 
 def parameters_in(entity: Entity, parser: ParserProtocol, tag: str) -> list[Any]:
-    """Return the argument `parameters` of a node: one source for each element, in the order of the file, so that later ones win.
+    """Return the argument `parameters` of a node, with one source for each element. The order is that of the file, so that later
+    sources replace earlier ones.
 
     :raises RuntimeError, ValueError: for attributes that do not go together.
     """

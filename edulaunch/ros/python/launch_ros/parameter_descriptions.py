@@ -1,4 +1,4 @@
-"""Parameters with more to say than a plain value: a type, a name of their own, or a file."""
+"""Parameters that need more than a plain value: a type, a name, or a file."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _PLAIN = frozenset((str, bool, int, float))
 
 
 class ParameterValue:
-    """A value of a stated type, such as a robot description, which is always a string.
+    """A value with a given type, such as a robot description, which is always a string.
 
     :param value: a literal, a substitution, or a list.
     :param value_type: int, float, bool, str, `List[...]` of one of these; None means YAML's rules for strings of substitutions.
@@ -46,7 +46,7 @@ class ParameterValue:
 
     @property
     def value(self) -> Any:
-        """The evaluated value once there is one, until then what is to be evaluated."""
+        """The evaluated value, or the unevaluated one before the evaluation."""
         return self.__value if self.__evaluated is None else self.__evaluated
 
     value_type: ReadOnly[Any] = ReadOnly('The stated type, or None.')
@@ -76,7 +76,7 @@ class Parameter:
 
     @property
     def name(self) -> list[Substitution] | str:
-        """The evaluated name once there is one, until then what is to be evaluated."""
+        """The evaluated name, or the unevaluated one before the evaluation."""
         return self.__name if self.__evaluated_name is None else self.__evaluated_name
 
     written: ReadOnly[Any] = ReadOnly('What is to be evaluated, also afterwards.', '__value.written')
@@ -86,7 +86,7 @@ class Parameter:
     value_type: ReadOnly[Any] = ReadOnly('The stated type, or None.', '__value.value_type')
 
     def evaluate(self, context: LaunchContext) -> tuple[str, Any]:
-        """Name and value."""
+        """Return name and value."""
         self.__evaluated_name = perform_substitutions(context, self.__name)
         return self.__evaluated_name, self.__value.evaluate(context)
 
@@ -117,7 +117,7 @@ class ParameterFile:
 
     @property
     def param_file(self) -> Path | list[Substitution]:
-        """The evaluated path once there is one, until then what is to be evaluated."""
+        """The evaluated path, or the unevaluated one before the evaluation."""
         return self.__param_file if self.__evaluated is None else self.__evaluated
 
     @property
@@ -126,7 +126,8 @@ class ParameterFile:
         return self.__allow_substs if self.__evaluated_allow_substs is None else self.__evaluated_allow_substs
 
     def evaluate(self, context: LaunchContext) -> Path:
-        """The path to give to the node. A file with substituted text is on the disk until :meth:`cleanup`, or as long as this is.
+        """Return the path to give to the node. A file with substitutions is stored until :meth:`cleanup`, or until this object is
+        deleted.
 
         :raises SubstitutionFailure: when the substituted text is not YAML any more.
         """
@@ -137,7 +138,9 @@ class ParameterFile:
         return path
 
     def performed(self, context: LaunchContext) -> tuple[Path, GeneratedFile | None]:
-        """The path, and when the text was substituted, the file with the result, which is not on the disk. (edulaunch only.)"""
+        """Return the path. If the text contains substitutions, also return the file with the result, which is not on the disk.
+        (edulaunch only.)
+        """
         from pathlib import Path
 
         path = Path(perform_substitutions(context, self.__param_file))
@@ -152,7 +155,7 @@ class ParameterFile:
         return path, file
 
     def cleanup(self) -> None:
-        """Remove the file with the substituted text, if there is one; :attr:`param_file` is to be evaluated again then."""
+        """Remove the file with the substituted text, if it exists. Afterwards, :attr:`param_file` is unevaluated again."""
         if self.__file is not None:
             self.__file.remove()
             self.__file = self.__evaluated = None

@@ -1,4 +1,4 @@
-"""Launch's own ROS node, for actions that call services or listen to topics."""
+"""Launch's own ROS node, for actions that call services or subscribe to topics."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _KEY = 'ros_adapter'
 
 
 class ROSAdapter:
-    """A private rclpy context with one node, `launch_ros_<pid>`, spun in a thread.
+    """A private rclpy context with one node, `launch_ros_<pid>`, that a thread spins.
 
     :param argv: command line arguments for rclpy.
     :param autostart: call :meth:`start` at once.
@@ -32,7 +32,7 @@ class ROSAdapter:
             self.start()
 
     def start(self) -> None:
-        """Make the node and begin to spin it.
+        """Create the node and start to spin it.
 
         :raises RuntimeError: when it was started already.
         """
@@ -86,7 +86,7 @@ class ROSAdapter:
 
 
 def get_ros_adapter(context: LaunchContext) -> ROSAdapter:
-    """Return the adapter of a launch, made at first use and shut down with launch."""
+    """Return the adapter of a launch. It is created on first use, and shut down with launch."""
     if _KEY not in context.get_locals_as_dict():
         from launch.event_handlers.on_shutdown import OnShutdown
 
@@ -103,7 +103,7 @@ def get_ros_node(context: LaunchContext) -> Node:
 
 
 async def call_service(context: LaunchContext, service_type: Any, name: str, request: Any) -> Any:
-    """Wait for the service, then for its answer; None when launch shuts down before there is one."""
+    """Wait for the service, and then for its reply. Return None if launch shuts down first."""
     if context.is_shutdown:  # it was announced before this subscription existed, so no message would arrive here
         return None
     from launch.event_handlers.on_shutdown import OnShutdown

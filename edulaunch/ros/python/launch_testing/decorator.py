@@ -12,7 +12,7 @@ DEFAULT_TIMEOUT_S = 15
 
 
 def post_shutdown_test() -> Callable[[type], type]:
-    """Mark a `unittest.TestCase` class: its tests run after everything that was launched has ended."""
+    """Mark a `unittest.TestCase` class. Its tests run after all launched processes have ended."""
 
     def mark(test_class: type) -> type:
         test_class.__post_shutdown_test__ = True  # type: ignore[attr-defined]

@@ -1,4 +1,4 @@
-"""What processes of a launch test wrote: `proc_output` of the tests."""
+"""The output of the processes of a launch test, which tests receive as `proc_output`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .util.proc_lookup import CmdArgs, NoMatchingProcessException
 
 
 class IoHandler(_ByProcess[list[ProcessIO]]):
-    """Everything that was written, in order and by process."""
+    """All output, in order and by process."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -26,7 +26,7 @@ class IoHandler(_ByProcess[list[ProcessIO]]):
         self._tell()
 
     def track(self, action: Any) -> None:
-        """Record that a process has started, because it may never write anything."""
+        """Record that a process has started, even if it never writes anything."""
         self._recorded.setdefault(action, [])
 
     def __iter__(self) -> Iterator[ProcessIO]:
@@ -34,7 +34,7 @@ class IoHandler(_ByProcess[list[ProcessIO]]):
 
 
 class ActiveIoHandler(IoHandler):
-    """For tests that run while processes run: they can wait for output, in simulated time."""
+    """The output for tests that run at the same time as the processes. Tests can wait for it in simulated time."""
 
     def waitFor(
         self,
@@ -46,7 +46,7 @@ class ActiveIoHandler(IoHandler):
         stream: str = 'stderr',
         **options: Any,
     ) -> bool:
-        """Wait for output; False when it has not come after `timeout` simulated seconds.
+        """Wait for output. Return False if it does not arrive within `timeout` simulated seconds.
 
         :param expected_output: a string, a compiled regular expression, or a list of them that must come in this order.
         :param process: an action, or part of a launch name; None means any process.
@@ -74,7 +74,7 @@ class ActiveIoHandler(IoHandler):
         stream: str = 'stderr',
         **options: Any,
     ) -> None:
-        """Do the same as :meth:`waitFor`.
+        """Assert that output arrives; see :meth:`waitFor`.
 
         :raises AssertionError: when the output has not come in time.
         """

@@ -1,4 +1,4 @@
-"""Results as JUnit XML, the format that build servers read."""
+"""Write results as JUnit XML, the format that build servers read."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .test_result import TestResult
 
 
 def unittestResultsToXml(*, name: str = 'launch_test', test_results: Mapping[TestRun, TestResult]) -> Any:
-    """Return one `testsuite` for each launch, one `testcase` for each test; times are simulated seconds.
+    """Return one `testsuite` for each launch, with one `testcase` for each test. Times are simulated seconds.
 
     :returns: an `xml.etree.ElementTree.ElementTree`; write it with its `write(path)`.
     """

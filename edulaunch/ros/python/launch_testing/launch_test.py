@@ -1,4 +1,4 @@
-"""A launch test: a file with launches and their tests. It runs inside a simulated process, which other code creates."""
+"""Run a launch test: a file with launches and their tests. It runs inside a simulated process, which other code creates."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .test_result import TestResult, is_pytest_outcome
 
 
 class LaunchTest:
-    """One run of a test file. Make it anywhere; :meth:`run` belongs inside a simulated process.
+    """One run of a test file. Create it anywhere, but call :meth:`run` inside a simulated process.
 
     :param path: of the test file.
     :param arguments: launch arguments, `name:=value`.
@@ -30,14 +30,14 @@ class LaunchTest:
         self.error: BaseException | None = None
 
     def load(self) -> list[TestRun]:
-        """Execute the file with the private modules of the running process; gives its launches."""
+        """Execute the file with the private modules of the running process, and return its launches."""
         module = current_process().loader.run_file(self.path, self.name)
         if not hasattr(module, 'generate_test_description'):
             raise AttributeError(f"Test file '{self.path}' does not contain generate_test_description function")
         return runs_of(module, self.name)
 
     def run(self) -> int:
-        """Run everything in the file; returns 0 when all went well, else 1."""
+        """Run everything in the file. Return 0 if all tests passed, and otherwise 1."""
         from .test_runner import run_all
 
         try:
@@ -51,13 +51,13 @@ class LaunchTest:
         return 0 if all(result.wasSuccessful() for result in self.results.values()) else 1
 
     def error_text(self) -> str:
-        """Return what `error` says, with the student's lines of the traceback if there are any."""
+        """Return the message of `error`, with the student's lines of the traceback if there are any."""
         assert self.error is not None
         text, place = student_traceback(self.error)
         return text if place is not None else f'{type(self.error).__name__}: {self.error}\n'
 
     def show_arguments(self) -> int:
-        """Print the launch arguments of the (first) description; returns 0."""
+        """Print the launch arguments of the (first) description, and return 0."""
         from ros2launch.api.api import arguments_text
 
         description, _ = self.load()[0].description(lambda: None)

@@ -1,4 +1,4 @@
-"""ROS 2's tools of the years before launch test files: using one raises an error that names the replacement."""
+"""ROS 2's tools from before launch test files. Using one raises an error that names the replacement."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""What a launch test file contains."""
+"""Load a launch test file."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class TestRun:
         return f'{self.name}[{", ".join(map(str, self.parameters.values()))}]' if self.parameters else self.name
 
     def description(self, ready: Callable[[], None]) -> tuple[LaunchDescription, dict[str, Any]]:
-        """Make the description, and the context for the tests that came with it.
+        """Create the description, and the context for the tests that the file returned with it.
 
         :param ready: called when the tests may begin.
         :raises Exception: when there is no `ReadyToTest`, or more than one.
@@ -103,7 +103,7 @@ def _ready_actions(entities: Sequence[LaunchDescriptionEntity]) -> Iterator[Read
 
 
 def give(tests: Sequence[unittest.TestCase], attributes: Mapping[str, Any], values: Mapping[str, Any]) -> None:
-    """Set attributes on tests, and pass their methods the arguments that they name."""
+    """Set attributes of tests, and pass their methods the arguments with matching names."""
     for test in tests:
         vars(test).update(attributes)
         for name in (test.id().rpartition('.')[2], 'setUp', 'tearDown'):

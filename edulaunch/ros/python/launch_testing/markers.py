@@ -12,12 +12,12 @@ from .decorator import T
 
 
 def keep_alive(test_description: T) -> T:
-    """Let launch run on when all its processes have ended; the end of the tests shuts it down."""
+    """Let launch continue after all its processes have ended. The end of the tests shuts it down."""
     return _with_marker(test_description, 'keep_alive', True)
 
 
 def retry_on_failure(*, times: int, delay: float | None = None) -> Callable[[T], T]:
-    """Run a test method again when it fails, up to `times` times in all; the last failure counts.
+    """Run a test method again if it fails, at most `times` times in total. The last failure counts.
 
     :param delay: simulated seconds between two times; None means no pause.
     :raises ValueError: for `times` below 1.

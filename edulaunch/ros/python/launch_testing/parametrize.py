@@ -1,4 +1,4 @@
-"""Launching and testing once for each of several values."""
+"""Launch and test once for each of several values."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How processes of a launch test ended: `proc_info` of the tests."""
+"""The starts and ends of the processes of a launch test, which tests receive as `proc_info`."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class ProcInfoHandler(_ByProcess[RunningProcessEvent]):
 
 
 class ActiveProcInfoHandler(ProcInfoHandler):
-    """For tests that run while processes run: they can wait for starts and ends, in simulated time."""
+    """The events for tests that run at the same time as the processes. Tests can wait for starts and ends in simulated time."""
 
     def assertWaitForShutdown(self, process: Any, cmd_args: CmdArgs = None, *, timeout: float = 10) -> None:
         """Wait until a process has ended.
@@ -37,7 +37,7 @@ class ActiveProcInfoHandler(ProcInfoHandler):
         self._wait_for_event(ProcessExited, process, cmd_args, timeout)
 
     def assertWaitForStartup(self, process: Any, cmd_args: CmdArgs = None, *, timeout: float = 10) -> None:
-        """Wait until a process has started (it may have ended since).
+        """Wait until a process has started. It may already have ended.
 
         :raises AssertionError: when it has not started after `timeout` simulated seconds; the text is ROS 2's.
         """

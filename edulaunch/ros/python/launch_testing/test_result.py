@@ -1,4 +1,4 @@
-"""How tests went."""
+"""The results of tests."""
 
 from __future__ import annotations
 
@@ -35,11 +35,11 @@ class TestResult(unittest.TestResult):
         self.notes.append(message)
 
     def wasSuccessful(self) -> bool:
-        """Return whether nothing went wrong."""
+        """Return whether all tests passed."""
         return super().wasSuccessful() and not self.notes
 
     def append(self, other: TestResult) -> None:
-        """Add the outcome of further tests."""
+        """Add the results of further tests."""
         for name in ('failures', 'errors', 'skipped', 'expectedFailures', 'unexpectedSuccesses', 'notes'):
             getattr(self, name).extend(getattr(other, name))
         self.testsRun += other.testsRun
@@ -48,26 +48,26 @@ class TestResult(unittest.TestResult):
     # -- called by unittest
 
     def startTest(self, test: unittest.TestCase) -> None:
-        """A test begins."""
+        """Record that a test has started."""
         self.testsRun += 1
         self._began_ns = current_task().sim.now_ns
         self._write(f'{title(test)} ... ')
 
     def stopTest(self, test: unittest.TestCase) -> None:
-        """A test has ended."""
+        """Record that a test has ended."""
         self.testTimes[test] = (current_task().sim.now_ns - self._began_ns) / 1e9
 
     def addSuccess(self, test: unittest.TestCase) -> None:
-        """It passed."""
+        """Record a passed test."""
         self._write('ok\n')
 
     def addFailure(self, test: unittest.TestCase, err: ErrorInfo) -> None:
-        """What it claimed was not so."""
+        """Record a failed assertion."""
         self.failures.append((test, _text(err)))
         self._write('FAIL\n')
 
     def addError(self, test: unittest.TestCase, err: ErrorInfo) -> None:
-        """Something else broke in it. A test whose process is being ended goes no further."""
+        """Record another exception. A test whose process is being ended does not continue."""
         if issubclass(err[0], TaskKilled):
             raise err[1]
         if is_pytest_outcome(err[1]) and err[0].__name__ == 'Skipped':
@@ -77,22 +77,22 @@ class TestResult(unittest.TestResult):
         self._write('ERROR\n')
 
     def addSubTest(self, test: unittest.TestCase, subtest: unittest.TestCase, err: ErrorInfo | None) -> None:
-        """A part of it has ended."""
+        """Record the end of a subtest."""
         if err is not None:
             (self.addFailure if issubclass(err[0], test.failureException) else self.addError)(subtest, err)
 
     def addSkip(self, test: unittest.TestCase, reason: str) -> None:
-        """It was not run."""
+        """Record a skipped test."""
         self.skipped.append((test, reason))
         self._write(f'skipped {reason!r}\n')
 
     def addExpectedFailure(self, test: unittest.TestCase, err: ErrorInfo) -> None:
-        """It failed, as it should."""
+        """Record a test that failed as expected."""
         self.expectedFailures.append((test, _text(err)))
         self._write('expected failure\n')
 
     def addUnexpectedSuccess(self, test: unittest.TestCase) -> None:
-        """It passed, but should not."""
+        """Record a test that passed but should have failed."""
         self.unexpectedSuccesses.append(test)
         self._write('unexpected success\n')
 
@@ -100,7 +100,7 @@ class TestResult(unittest.TestResult):
         """Ignore real time, which is not needed here."""
 
     def problems(self) -> list[tuple[str, str, str]]:
-        """Return (what, which test, text) of everything that went wrong."""
+        """Return (kind, test, text) of every failure."""
         return [
             *(('ERROR', title(test), text) for test, text in self.errors),
             *(('FAIL', title(test), text) for test, text in self.failures),
@@ -117,14 +117,14 @@ class TestResult(unittest.TestResult):
 
 
 def is_pytest_outcome(error: BaseException) -> bool:
-    """Return whether `pytest.skip()` or `pytest.fail()` raised it; these are not Exceptions, and hide their origin."""
+    """Return whether `pytest.skip()` or `pytest.fail()` raised the exception. Such an exception is not an Exception, and hides
+    its origin.
+    """
     return any(cls.__name__ == 'OutcomeException' for cls in type(error).__mro__)
 
 
 def title(test: Any) -> str:
-    """Return a test's name in the form of unittest, `test_x (module.Class.test_x)`, which is the same on every version of
-    Python.
-    """
+    """Return a test's name in unittest's form, `test_x (module.Class.test_x)`, which is the same in every version of Python."""
     if not isinstance(test, unittest.TestCase):
         return str(test)
     name = getattr(test, 'test_case', test).id()  # a sub-test has the name of its test

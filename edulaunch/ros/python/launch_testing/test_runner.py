@@ -1,4 +1,4 @@
-"""Running launch tests."""
+"""Run launch tests."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from .test_result import TestResult
 
 
 def run_all(test_runs: Sequence[TestRun], arguments: Sequence[str], debug: bool) -> dict[TestRun, TestResult]:
-    """Run launches with their tests, one after the other, in the running process; gives how each went.
+    """Run launches with their tests, one after the other, in the running process. Return the results.
 
     :param arguments: launch arguments, `name:=value`.
     :param debug: let launch log at level DEBUG.
@@ -61,7 +61,7 @@ class RunWorker:
         self._launch_service = LaunchService(debug=debug)
 
     def run(self) -> None:
-        """Launch, test, shut down, test again."""
+        """Launch, run the tests, shut down, and run the tests after the shutdown."""
         began = self._process.sim.elapsed_s
         description, context = self._run.description(self._ready.set)
         attributes = {'proc_info': self._proc_info, 'proc_output': self._proc_output, 'test_args': dict(self._arguments)}

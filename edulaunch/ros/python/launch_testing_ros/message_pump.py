@@ -1,4 +1,4 @@
-"""Spinning a node beside a test."""
+"""Spin a node while a test runs."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class MessagePump:
-    """Spins a node in a thread of the test's process, until it is stopped; also usable in a `with` block.
+    """Spins a node in a thread of the test's process until it is stopped. It can be used in a `with` block.
 
     :param context: the node's context; None means the default one.
     """
@@ -34,13 +34,13 @@ class MessagePump:
         self.stop()
 
     def start(self) -> None:
-        """Begin to spin."""
+        """Start to spin."""
         self._executor.add_node(self._node)
         self._running = True
         self._task = current_process().start_thread(self._spin, 'message_pump', daemon=True)
 
     def stop(self) -> None:
-        """Spin no more. Callbacks that run are waited for, at most `timeout` simulated seconds.
+        """Stop spinning. Wait at most `timeout` simulated seconds for running callbacks.
 
         :raises RuntimeError: when one does not end in time.
         """

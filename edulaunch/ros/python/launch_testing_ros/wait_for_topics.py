@@ -1,4 +1,4 @@
-"""Waiting until topics have messages."""
+"""Wait until topics have messages."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .message_pump import MessagePump
 
 
 class WaitForTopics:
-    """Wait until each of some topics has had a message: `with WaitForTopics([('chatter', String)]): ...`.
+    """Waits for a message on each of several topics: `with WaitForTopics([('chatter', String)]): ...`.
 
     :param topic_tuples: (topic, message class), or (topic, message class, QoS profile).
     :param timeout: simulated seconds to wait.
@@ -56,7 +56,7 @@ class WaitForTopics:
         self.shutdown()
 
     def wait(self, *args: Any, **kwargs: Any) -> bool:
-        """Wait; False when some topic had no message in time. The arguments are the trigger's."""
+        """Wait, and return False if a topic had no message in time. The arguments are passed to the trigger."""
         if self.trigger is not None:
             self.trigger(self._node, *args, **kwargs)
         return self._all_here.wait(self.timeout)
@@ -73,11 +73,11 @@ class WaitForTopics:
         return {topic for topic, messages in self._messages.items() if messages}
 
     def topics_not_received(self) -> set[str]:
-        """Return the topics that had none yet."""
+        """Return the topics that had no message yet."""
         return set(self._messages) - self.topics_received()
 
     def shutdown(self) -> None:
-        """End the node."""
+        """Destroy the node."""
         self._pump.stop()
         self._node.destroy_node()
         if self._context.ok():

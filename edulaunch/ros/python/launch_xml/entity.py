@@ -1,4 +1,4 @@
-"""An XML element as the parse functions see it."""
+"""An XML element as the parse functions receive it."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _WORDS_WITH_A_MEANING = frozenset(('true', 'false', 'yes', 'no', 'on', 'off', 'n
 
 
 def typed(value: str | list[str], data_type: Any, can_be_str: bool) -> Any:
-    """Return the value of the data type (None: by YAML's rules) that the text stands for.
+    """Return the value of a string for a data type. Without a type, the rules of YAML apply.
 
     :param can_be_str: give the text itself when it cannot be converted; it may hold a substitution.
     :raises ValueError: when it cannot be converted.
@@ -74,7 +74,7 @@ class Entity(BaseEntity):
         return [Entity(child, parent=self) for child in self._element]
 
     def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True) -> Any:
-        """Return an attribute, converted from its text; or, for `List[Entity]`, the child elements called `name`."""
+        """Return an attribute, converted from its text. For `List[Entity]`, return the child elements called `name`."""
         if data_type is not Entities and (data_type is str or data_type is None or not check_is_list_entity(data_type)):
             self.asked.add(name)
             text = self._attributes.get(name)
@@ -94,8 +94,8 @@ class Entity(BaseEntity):
         )
 
     def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
-        """Return the strings of two attributes of each child (typed: the second one converted), and its line, if no child has
-        anything else.
+        """Return two attributes of each child (the second one converted if `typed`), and its line, if no child has any other
+        attribute.
         """
         found: list[Pair] = []
         for child in self._element:

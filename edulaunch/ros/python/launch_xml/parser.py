@@ -1,4 +1,4 @@
-"""Reading launch files in XML."""
+"""Read launch files in XML."""
 
 from __future__ import annotations
 
@@ -26,5 +26,5 @@ class Parser(BaseParser):
 
     @classmethod
     def get_file_extensions(cls) -> set[str]:
-        """Extensions of XML launch files."""
+        """Return the extensions of XML launch files."""
         return {'launch.xml', 'xml', 'launch'}

@@ -1,4 +1,4 @@
-"""From XML text to elements that know their line.
+"""Convert XML text to elements that know their lines.
 
 Launch files come from strangers. Nothing outside the text is ever read, no entity can be declared (so none can be multiplied),
 and nesting has a limit.
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Element(list['Element']):
-    """The child elements, in order, with the same attributes as `xml.etree.ElementTree.Element` and the line.
+    """An element with a list of child elements, the same attributes as `xml.etree.ElementTree.Element`, and the line.
 
     The standard library's fast element has no room for a line number; this one is as small.
     """

@@ -1,4 +1,4 @@
-"""A YAML value as the parse functions see it."""
+"""A YAML value as the parse functions receive it."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ class Entity(BaseEntity):
         return error
 
     def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True) -> Any:
-        """Return the value under the key `name`, which must have the type; or children for `List[Entity]`."""
+        """Return the value under the key `name`, converted to the data type. For `List[Entity]`, return child elements."""
         self.asked.add(name)
         element = self._element
         if not isinstance(element, dict) or name not in element:
@@ -115,7 +115,7 @@ class Entity(BaseEntity):
         return value
 
     def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
-        """Return the values of two keys of each child, and its line, when no child has anything else and they have the types."""
+        """Return the values of two keys of each child, and its line, if no child has any other key and the types match."""
         element = self._element
         children = element.get(tag) if isinstance(element, dict) else None
         if not isinstance(children, list) or not children:

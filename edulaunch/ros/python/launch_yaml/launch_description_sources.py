@@ -11,7 +11,7 @@ __all__ = ['YAMLLaunchDescriptionSource']
 
 
 class YAMLLaunchDescriptionSource(FrontendLaunchDescriptionSource):
-    """The launch description in an YAML file.
+    """The launch description in a YAML file.
 
     :param launch_file_path: path of the file; relative ones are relative to the current directory.
     """

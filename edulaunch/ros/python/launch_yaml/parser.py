@@ -1,4 +1,4 @@
-"""Reading launch files in YAML."""
+"""Read launch files in YAML."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Parser(BaseParser):
 
     @classmethod
     def get_file_extensions(cls) -> set[str]:
-        """Extensions of YAML launch files."""
+        """Return the extensions of YAML launch files."""
         return {'launch.yaml', 'launch.yml', 'yaml', 'yml', 'launch'}
 
 

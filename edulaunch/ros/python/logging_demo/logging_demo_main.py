@@ -14,7 +14,7 @@ ROUNDS_BEFORE_DEBUG = 10
 
 
 class LoggerUsage(CppNode):
-    """Logs twice a second; after ten rounds its logger is set to DEBUG, so that more is to be seen."""
+    """Logs twice a second. After ten rounds, it sets its logger to DEBUG, so that more messages appear."""
 
     def __init__(self) -> None:
         super().__init__('logger_usage_demo')

@@ -1,4 +1,6 @@
-"""Filters: the entry of messages, a cache of the last ones, and filters that pair messages of several topics by their stamps."""
+"""Filters: a subscription as the source of messages, a cache of the latest ones, and filters that match messages of several
+topics by their stamps.
+"""
 
 from __future__ import annotations
 
@@ -14,19 +16,19 @@ from edulaunch.engine.sim.sync import Lock
 
 
 class SimpleFilter:
-    """Keeps callbacks; `signalMessage` calls them in the order in which they were registered."""
+    """Stores callbacks. `signalMessage` calls them in the order of their registration."""
 
     def __init__(self) -> None:
         self.callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = {}
 
     def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:
-        """Call `cb(message ..., *args)` for what passes the filter; gives the number of the registration."""
+        """Register `cb(message ..., *args)` for messages that pass the filter. Return the number of the registration."""
         number = len(self.callbacks)
         self.callbacks[number] = (cb, args)
         return number
 
     def signalMessage(self, *msg: Any) -> None:
-        """Let messages pass: one for a filter of one topic, one of each topic for a synchronizer."""
+        """Call all callbacks: with one message for a filter of one topic, and with one of each topic for a synchronizer."""
         for callback, args in list(self.callbacks.values()):
             callback(*msg, *args)
 
@@ -38,7 +40,9 @@ NO_STAMP = (
 
 
 def stamp_of(message: Any, allow_headerless: bool, logger_name: str) -> Time | None:
-    """The stamp in the header. Without one it is now, where that is allowed; else None, after a warning in ROS 2's words."""
+    """Return the stamp in the header. Without a header, return the current time if that is allowed, and otherwise None after a
+    warning in ROS 2's words.
+    """
     stamp = getattr(getattr(message, 'header', None), 'stamp', None)
     if stamp is None:
         if allow_headerless:
@@ -62,11 +66,11 @@ class Subscriber(SimpleFilter):
         self.sub = self.node.create_subscription(*args[1:], self.callback, **kwargs)
 
     def callback(self, msg: Any) -> None:
-        """Let a message pass."""
+        """Pass a message to the callbacks."""
         self.signalMessage(msg)
 
     def getTopic(self) -> str:
-        """Return the topic as passed to the constructor."""
+        """Return the topic that was passed to the constructor."""
         return self.topic
 
     def __getattr__(self, key: str) -> Any:
@@ -77,7 +81,7 @@ class Subscriber(SimpleFilter):
 
 
 class Cache(SimpleFilter):
-    """Keeps the last `cache_size` messages of the filter `f`, in the order in which they came, and lets all of them pass.
+    """Stores the latest `cache_size` messages of the filter `f` in order of arrival, and passes all of them on.
 
     Questions are asked with rclpy Times of ROS time.
 
@@ -94,11 +98,11 @@ class Cache(SimpleFilter):
             self.connectInput(f)
 
     def connectInput(self, f: SimpleFilter) -> None:
-        """Take the messages that pass another filter."""
+        """Receive the messages of another filter."""
         self.incoming_connection = f.registerCallback(self.add)
 
     def add(self, msg: Any) -> None:
-        """Keep one message; the oldest goes when there are too many."""
+        """Store one message, and drop the oldest one if there are too many."""
         stamp = stamp_of(msg, self.allow_headerless, 'message_filters_cache')
         if stamp is None:
             return
@@ -110,36 +114,36 @@ class Cache(SimpleFilter):
         self.signalMessage(msg)
 
     def getInterval(self, from_stamp: Time, to_stamp: Time) -> list[Any]:
-        """Return the messages from one time to another, both included."""
+        """Return the messages between two times, both included."""
         assert from_stamp <= to_stamp
         return [msg for msg, time in zip(self.cache_msgs, self.cache_times, strict=True) if from_stamp <= time <= to_stamp]
 
     def getElemAfterTime(self, stamp: Time) -> Any:
-        """Return the first message not older than `stamp`, or None."""
+        """Return the first message that is not older than `stamp`, or None."""
         for msg, time in zip(self.cache_msgs, self.cache_times, strict=True):
             if time >= stamp:
                 return msg
         return None
 
     def getElemBeforeTime(self, stamp: Time) -> Any:
-        """Return the last message not newer than `stamp`, or None."""
+        """Return the last message that is not newer than `stamp`, or None."""
         older = [msg for msg, time in zip(self.cache_msgs, self.cache_times, strict=True) if time <= stamp]
         return older[-1] if older else None
 
     def getLastestTime(self) -> Time | None:
-        """Return the stamp of the message that came last (spelled as ROS 2 spells it), or None."""
+        """Return the stamp of the message that arrived last, or None. The spelling of the name is that of ROS 2."""
         return self.cache_times[-1] if self.cache_times else None
 
     def getLatestTime(self) -> Time | None:
-        """Return the same, under the name that later releases have."""
+        """Return the same time as :meth:`getLastestTime`, under the name in later releases."""
         return self.getLastestTime()
 
     def getOldestTime(self) -> Time | None:
-        """Return the stamp of the message that came first, or None."""
+        """Return the stamp of the message that arrived first, or None."""
         return self.cache_times[0] if self.cache_times else None
 
     def getLast(self) -> Any:
-        """Return the first message that is not older than the one that came last, or None."""
+        """Return the first message that is not older than the one that arrived last, or None."""
         latest = self.getLastestTime()
         return None if latest is None else self.getElemAfterTime(latest)
 
@@ -149,7 +153,7 @@ Queue = dict[int, Any]
 
 
 class TimeSynchronizer(SimpleFilter):
-    """Calls back with one message of each topic when all have exactly the same stamp.
+    """Calls its callbacks with one message of each topic if all have exactly the same stamp.
 
     :param fs: the filters (mostly Subscribers), in the order of the callback's arguments.
     :param queue_size: how many messages of each topic wait for their partners; the oldest is dropped.
@@ -162,14 +166,14 @@ class TimeSynchronizer(SimpleFilter):
         self.connectInput(fs)
 
     def connectInput(self, fs: Sequence[SimpleFilter]) -> None:
-        """Take the messages that pass these filters."""
+        """Receive the messages of these filters."""
         self.queues: list[Queue] = [{} for _ in fs]
         self.input_connections = [
             f.registerCallback(self.add, queue, index) for index, (f, queue) in enumerate(zip(fs, self.queues, strict=True))
         ]
 
     def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:
-        """Let one message wait, and let pass what is complete."""
+        """Store one message, and pass on complete sets."""
         with self.lock:
             self._keep(msg, Time.from_msg(msg.header.stamp).nanoseconds, my_queue)
             complete = [stamp for stamp in self.queues[0] if all(stamp in queue for queue in self.queues)]
@@ -190,7 +194,7 @@ class TimeSynchronizer(SimpleFilter):
 
 
 class ApproximateTimeSynchronizer(TimeSynchronizer):
-    """Calls back with one message of each topic when their stamps differ by less than `slop`.
+    """Calls its callbacks with one message of each topic if their stamps differ by less than `slop`.
 
     :param slop: seconds.
     :param allow_headerless: messages without a header count as made when they come; else they are dropped.
@@ -202,7 +206,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         self.allow_headerless = allow_headerless
 
     def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:
-        """Let one message wait, or pass with the best partners that there are."""
+        """Store one message, or pass it on with the messages that match best."""
         stamp = stamp_of(msg, self.allow_headerless, 'message_filters_approximate')
         if stamp is None:
             return

@@ -1,4 +1,4 @@
-"""Messages that wait until tf knows where their frame was."""
+"""A filter that delays messages until tf has a transform for their frame."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class FilterFailureReason(IntEnum):
-    """Why a message did not pass, numbered as in tf2_ros."""
+    """The reasons why a message did not pass, with the numbers of tf2_ros."""
 
     Unknown = 0
     OutTheBack = 1
@@ -33,7 +33,7 @@ _WORDS = {
 
 
 class MessageFilter(SimpleFilter):
-    """Lets a stamped message pass once it can be transformed; what `tf2_ros::MessageFilter` is in C++.
+    """Passes a stamped message on as soon as it can be transformed, like `tf2_ros::MessageFilter` in C++.
 
     :param buffer: a `tf2_ros.Buffer` that a listener fills.
     :param target_frame: one frame or several; all must be reachable.
@@ -58,15 +58,15 @@ class MessageFilter(SimpleFilter):
             self.connectInput(f)
 
     def connectInput(self, f: SimpleFilter) -> None:
-        """Take the messages that pass another filter."""
+        """Receive the messages of another filter."""
         f.registerCallback(self.add)
 
     def setTargetFrame(self, target_frame: str | Sequence[str]) -> None:
-        """Say which frames must be reachable."""
+        """Set the frames to which a transform must exist."""
         self.target_frames = [target_frame] if isinstance(target_frame, str) else list(target_frame)
 
     def setTolerance(self, tolerance: Duration) -> None:
-        """Ask for transforms at the stamp and also this much later."""
+        """Require transforms at the stamp, and also this much later."""
         self._tolerance_ns = tolerance.nanoseconds
 
     def registerFailureCallback(self, cb: Callable[[Any, FilterFailureReason], Any]) -> None:
@@ -74,7 +74,7 @@ class MessageFilter(SimpleFilter):
         self._failure_callbacks.append(cb)
 
     def add(self, msg: Any) -> None:
-        """Let a message pass, or wait."""
+        """Pass a message on, or store it."""
         if not msg.header.frame_id:
             self._drop(msg, FilterFailureReason.EmptyFrameID)
         else:
@@ -83,7 +83,7 @@ class MessageFilter(SimpleFilter):
                 self._drop(self._waiting.pop(0), FilterFailureReason.QueueFull)
 
     def clear(self) -> None:
-        """Forget what waits."""
+        """Drop all stored messages."""
         self._waiting.clear()
 
     def _look_again(self) -> None:

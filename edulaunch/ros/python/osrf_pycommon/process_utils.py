@@ -1,4 +1,4 @@
-"""Event loops and where programs are."""
+"""Find event loops and programs."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _ABSENT = ('AsyncSubprocessProtocol', 'async_execute_process', 'execute_process'
 
 
 def get_loop() -> AbstractEventLoop:
-    """Return the asyncio loop of the running task; it is created, on simulated time, if it is missing or closed."""
+    """Return the asyncio loop of the running task. If it is missing or closed, create one on simulated time."""
     from edulaunch.engine.processes import current_process
     from edulaunch.engine.sim.aio import new_event_loop
 

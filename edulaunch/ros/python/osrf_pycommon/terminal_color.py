@@ -1,4 +1,4 @@
-"""Strings without the colours of terminals."""
+"""Remove the colours of terminals from strings."""
 
 from __future__ import annotations
 

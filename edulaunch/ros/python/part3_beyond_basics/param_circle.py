@@ -1,4 +1,4 @@
-"""The program param_circle.py: drives a robot in a circle whose radius is a parameter."""
+"""The program param_circle.py: it drives a robot in a circle whose radius is a parameter."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The programs component_container*: one process for many nodes, which come and go by service calls."""
+"""The programs component_container*: one process for many nodes, which service calls load and unload."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def components_of(index: Index, package: str) -> dict[str, str]:
-    """Return the names of a package's components (`demo_nodes_cpp::Talker`), in order, with `module:name` of what makes each."""
+    """Return the names of a package's components (`demo_nodes_cpp::Talker`), in order, with `module:name` of each factory."""
     try:
         with open(os.path.join(index.share(package) or '', 'components.txt'), encoding='utf-8') as file:
             pairs = [line.partition(' = ') for line in file.read().splitlines()]
@@ -31,12 +31,12 @@ def components_of(index: Index, package: str) -> dict[str, str]:
 
 
 def packages_with_components(index: Index) -> list[str]:
-    """Return the names of the packages that have some, sorted."""
+    """Return the names of the packages that have components, sorted."""
     return [package for package in index.packages() if components_of(index, package)]
 
 
 def factory_of(target: str) -> Callable[..., Any]:
-    """Return what makes a node, called with the options of a Node."""
+    """Return the function that creates a node from the options of a Node."""
     module, _, name = target.partition(':')
     found: Callable[..., Any] = getattr(import_module(module), name)
     return found
@@ -46,7 +46,7 @@ FACTORY = 'rclcpp_components::NodeFactoryTemplate<{}>'
 
 
 class ComponentManager(CppNode):
-    """Makes nodes in its own process, numbers them from 1, and lets its executor spin them."""
+    """Creates nodes in its own process, numbers them from 1, and lets its executor spin them."""
 
     def __init__(self, executor: Executor) -> None:
         super().__init__('ComponentManager')
@@ -134,12 +134,14 @@ def _contain(executor_class: type[Executor]) -> None:
 
 
 def main() -> None:
-    """The containers with one thread. That each node of the isolated one has an executor makes no difference here."""
+    """Run a container with one thread. The isolated container also uses this program, although its nodes have
+    separate executors.
+    """
     sys.exit(run_program(lambda: _contain(SingleThreadedExecutor)))
 
 
 def main_mt() -> None:
-    """The container with several threads."""
+    """Run the container with several threads."""
     sys.exit(run_program(lambda: _contain(MultiThreadedExecutor)))
 
 

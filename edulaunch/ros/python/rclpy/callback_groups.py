@@ -1,4 +1,4 @@
-"""Which callbacks of a node may run at the same time."""
+"""Groups that decide which callbacks of a node may run at the same time."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any
 
 
 class CallbackGroup:
-    """Base of callback groups: decides whether the callback of an entity may begin.
+    """The base class of callback groups. It decides whether the callback of an entity may start.
 
     `busy_with` is the entity whose callback runs now, where that shuts out others.
     """
@@ -16,38 +16,38 @@ class CallbackGroup:
         self.busy_with: Any = None
 
     def add_entity(self, entity: Any) -> None:
-        """Count an entity as a member."""
+        """Add an entity to the group."""
         self.entities.append(entity)
 
     def has_entity(self, entity: Any) -> bool:
-        """Return whether an entity is a member."""
+        """Return whether an entity belongs to the group."""
         return entity in self.entities
 
     def can_execute(self, entity: Any) -> bool:
-        """Return whether the entity's callback could begin now."""
+        """Return whether the entity's callback could start now."""
         raise TypeError('CallbackGroup is abstract; use MutuallyExclusiveCallbackGroup or ReentrantCallbackGroup')
 
     def beginning_execution(self, entity: Any) -> bool:
-        """Let the entity's callback begin; False when it may not."""
+        """Start the entity's callback. Return False if it may not start."""
         return self.can_execute(entity)
 
     def ending_execution(self, entity: Any) -> None:
-        """The entity's callback has ended."""
+        """Record that the entity's callback has ended."""
 
 
 class ReentrantCallbackGroup(CallbackGroup):
-    """Callbacks run in any number at the same time."""
+    """A group whose callbacks may all run at the same time."""
 
     def can_execute(self, entity: Any) -> bool:
-        """True: nothing keeps its callbacks apart."""
+        """Return True, because the callbacks may run at the same time."""
         return True
 
 
 class MutuallyExclusiveCallbackGroup(CallbackGroup):
-    """One callback at a time. The default group of a node is one of these."""
+    """A group in which only one callback runs at a time. The default group of a node is such a group."""
 
     def can_execute(self, entity: Any) -> bool:
-        """When no other callback of the group runs."""
+        """Return whether no other callback of the group is running."""
         return self.busy_with is None
 
     def beginning_execution(self, entity: Any) -> bool:

@@ -1,4 +1,4 @@
-"""Calling services."""
+"""Call services."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ class Asker(Entity):
     _waited_ns = 0
 
     def asked(self) -> tuple[ServiceClient, str, str]:
-        """Return the endpoint whose server is awaited, its name, and whether that is a 'service' or an 'action'."""
+        """Return the endpoint whose server is expected, its name, and 'service' or 'action'."""
         raise NotImplementedError
 
     def awaited(self) -> dict[str, str]:
-        """Return what it waits for, for a fact."""
+        """Return a description of what it waits for, for a fact."""
         _, name, kind = self.asked()
         return {'name': name, 'kind': kind}
 
@@ -44,7 +44,7 @@ class Asker(Entity):
         return self.asked()[0].node.fully_qualified_name
 
     def note_deadlock(self) -> None:
-        """Record a deadlock if the current code waits for a response that cannot arrive during this wait."""
+        """Record a deadlock if the running callback waits for a response that cannot arrive during this wait."""
         executor = self.ready_list.executor
         if executor is not None and executor.cannot_serve(self):
             from rclpy.impl.facts import note_wait
@@ -52,7 +52,7 @@ class Asker(Entity):
             note_wait('call', self)
 
     def await_server(self, context: Context, is_ready: Callable[[], bool], timeout_sec: float | None) -> None:
-        """Check every 0.25 s whether a server exists, as rclpy does. A long wait is recorded until it succeeds."""
+        """Check every 0.25 s whether a server exists, as rclpy does. Record a long wait."""
         while_looking(context, is_ready, timeout_sec, lambda: self._watch_wait(is_ready))
 
     def _watch_wait(self, is_ready: Callable[[], bool]) -> None:
@@ -69,7 +69,7 @@ class Asker(Entity):
 def while_looking(
     context: Context, is_ready: Callable[[], bool], timeout_sec: float | None, looked: Callable[[], object] = lambda: None
 ) -> None:
-    """Check every 0.25 s until it is ready, the time is over (None means never) or the context ends; call `looked()` after
+    """Check every 0.25 s until the condition is true, the timeout ends (None: never) or the context ends. Call `looked()` after
     each wait.
     """
     left = float('inf') if timeout_sec is None or timeout_sec < 0 else timeout_sec
@@ -81,7 +81,7 @@ def while_looking(
 
 
 def parked_until_done(future: Future, timeout_sec: float | None = None) -> bool:
-    """Park until a future is done or the time is over (None means never); return whether it is done. Another thread must spin."""
+    """Wait until a future is done or the timeout ends (None: never). Return whether it is done. Another thread must spin."""
     task = current_task()
     future.add_done_callback(lambda _: task.wake())
     deadline = None if timeout_sec is None else task.sim.now_ns + int(timeout_sec * 1e9)
@@ -116,7 +116,7 @@ class Client(ServiceEnd, Asker):
         self._lost_recorded = False
 
     def call(self, request: Any, timeout_sec: float | None = None) -> Any:
-        """Send a request and wait for the reply. Another thread must spin; inside a callback, it waits forever.
+        """Send a request and wait for the reply. Another thread must spin. Inside a callback, it waits forever.
 
         :param timeout_sec: give up after this many simulated seconds and return None, as Jazzy does.
         :raises TypeError: for a request of another class.
@@ -131,11 +131,11 @@ class Client(ServiceEnd, Asker):
         return future.result()
 
     def asked(self) -> tuple[ServiceClient, str, str]:
-        """Return its endpoint, service name and kind."""
+        """Return its endpoint, the service name, and 'service'."""
         return self.endpoint, self.endpoint.service_name, 'service'
 
     def call_async(self, request: Any) -> Future:
-        """Send a request; the future gets the reply. Without a server the request is lost.
+        """Send a request. The result of the future is the reply. Without a server, the request is lost.
 
         :raises TypeError: for a request of another class.
         """
@@ -181,24 +181,26 @@ class Client(ServiceEnd, Asker):
         return None
 
     def get_pending_request(self, sequence_number: int) -> Future:
-        """The future of a request that waits for its reply; requests are numbered from 1. Raises KeyError when none waits."""
+        """Return the future of a request that waits for its reply. Requests are numbered from 1. Raise KeyError if no such
+        request waits.
+        """
         return self._pending_requests[sequence_number]
 
     def remove_pending_request(self, future: Future) -> None:
-        """Remove a request, and drop a later reply to it."""
+        """Remove a request, and ignore a later reply to it."""
         for sequence, pending in self._pending_requests.items():
             if pending is future:
                 del self._pending_requests[sequence]
                 break
 
     def service_is_ready(self) -> bool:
-        """Return whether a server exists at the moment. Raises InvalidHandle when destroyed, RCLError after shutdown."""
+        """Return whether a server exists. Raise InvalidHandle after destroy, and RCLError after shutdown."""
         check_endpoint(self.endpoint, self.context, 'failed to check service availability: rcl node')
         current_task().poll()
         return self.endpoint.server_is_ready()
 
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:
-        """Wait for a server, checking every 0.25 s as rclpy does; None waits forever. Return whether one exists."""
+        """Wait for a server, checking every 0.25 s as rclpy does. None waits forever. Return whether a server exists."""
         check_alive(self.endpoint)
         self.await_server(self.context, self.endpoint.server_is_ready, timeout_sec)
         return self.service_is_ready()

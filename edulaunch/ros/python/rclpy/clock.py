@@ -1,4 +1,4 @@
-"""Clocks. All of them have simulated time; /clock can control ROS time (`use_sim_time`)."""
+"""Clocks. All of them use simulated time, and /clock can control ROS time (`use_sim_time`)."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ __all__ = ['Clock', 'ClockChange', 'ClockType', 'Duration', 'JumpHandle', 'JumpT
 
 
 class ClockChange(IntEnum):
-    """How a clock's source changed in a time jump."""
+    """The change of a clock's source in a time jump."""
 
     ROS_TIME_NO_CHANGE = 1
     ROS_TIME_ACTIVATED = 2
@@ -33,7 +33,7 @@ class ClockChange(IntEnum):
 
 
 class JumpThreshold:
-    """Which time jumps a callback is for.
+    """The time jumps for which a callback is called.
 
     :param min_forward: smallest forward jump (a positive Duration), or None.
     :param min_backward: smallest backward jump (a negative Duration), or None.
@@ -53,7 +53,7 @@ class JumpThreshold:
             raise ValueError('min_backward must be a negative non-zero duration')
 
     def reached(self, change: ClockChange, delta_ns: int) -> bool:
-        """Return whether a jump of `delta_ns` is one of those."""
+        """Return whether a jump of `delta_ns` reaches the threshold."""
         if change in (ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED):
             return self.on_clock_change
         forward, backward = self.min_forward, self.min_backward
@@ -78,7 +78,7 @@ class TimeJump:
 
 
 class JumpHandle:
-    """A registered pair of jump callbacks. Keep it: the callbacks end with it."""
+    """A registered pair of jump callbacks. Store it, because its deletion unregisters the callbacks."""
 
     def __init__(
         self,
@@ -101,7 +101,7 @@ class JumpHandle:
         clock.jump_handles.append(self)
 
     def unregister(self) -> None:
-        """Call the callbacks no more."""
+        """Unregister the callbacks."""
         if self._clock is not None:
             self._clock.jump_handles.remove(self)
             self._clock = None
@@ -140,20 +140,20 @@ class Clock:
 
     @property
     def handle(self) -> Handle:
-        """What holds the clock."""
+        """The object that owns the clock."""
         return Handle(self)
 
     def __repr__(self) -> str:
         return f'Clock(clock_type={self._clock_type.name})'
 
     def now(self) -> Time:
-        """Return the present time."""
+        """Return the current time."""
         current_task().poll()
         override = self.override_ns
         return time_of_clock(self.sim.now_ns if override is None else override, self._clock_type)
 
     def now_ns(self) -> int:
-        """Return the present time in nanoseconds, without counting as a look at the clock."""
+        """Return the current time in nanoseconds. This does not count as a check of the clock in a busy loop."""
         override: int | None = self.override_ns
         if override is not None:
             return override
@@ -207,12 +207,12 @@ class Clock:
         return context.alive and self.now_ns() >= until.nanoseconds and (self.override_ns is not None) is active
 
     def sleep_for(self, rel_time: Duration, context: Context | None = None) -> bool:
-        """Wait for a duration, as :meth:`sleep_until` does."""
+        """Wait for a duration; see :meth:`sleep_until`."""
         return self.sleep_until(self.now() + rel_time, context)
 
 
 class ROSClock(Clock):
-    """The clock of nodes: simulated time, or what /clock says while `use_sim_time` is true."""
+    """The clock of nodes: simulated time, or the time of /clock while `use_sim_time` is true."""
 
     def __new__(cls) -> ROSClock:
         clock = super().__new__(cls, clock_type=ClockType.ROS_TIME)
@@ -221,7 +221,7 @@ class ROSClock(Clock):
 
     @property
     def ros_time_is_active(self) -> bool:
-        """Whether /clock rules."""
+        """Whether /clock controls the clock."""
         return self.override_ns is not None
 
     def _set_ros_time_is_active(self, enabled: bool) -> None:
@@ -232,7 +232,7 @@ class ROSClock(Clock):
         self._jump(change, self._told_ns if enabled else None)
 
     def set_ros_time_override(self, time: Time) -> None:
-        """Set the time to `time`, immediately or when /clock takes control. Raise TypeError for another type."""
+        """Set the time to `time`, which counts while /clock controls the clock. Raise TypeError for another type."""
         if not isinstance(time, Time):
             raise TypeError(f'Time must be specified as rclpy.time.Time. Received type: {type(time)}')
         self._told_ns = time.nanoseconds

@@ -1,4 +1,4 @@
-"""Numbers."""
+"""Constants of rclpy."""
 
 from __future__ import annotations
 

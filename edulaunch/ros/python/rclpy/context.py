@@ -1,4 +1,4 @@
-"""The life of ROS 2 in a program: between init and shutdown."""
+"""The state of ROS 2 in a program, from init to shutdown."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Context:
-    """Arguments and life time shared by nodes, as `rclpy.context.Context`. Use it once: init, then shutdown.
+    """The arguments and the state that nodes share, as `rclpy.context.Context`. Use it once: init, then shutdown.
 
     A context can be used as a context manager, which initialises it and shuts it down.
     """
@@ -36,11 +36,11 @@ class Context:
 
     @property
     def handle(self) -> Handle:
-        """What holds the context."""
+        """The object that owns the context."""
         return Handle(self)
 
     def init(self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None) -> None:
-        """Begin, reading `args` (None: the program's own command line).
+        """Initialize the context with `args` (None: the program's own command line).
 
         :raises RuntimeError: when called a second time.
         :raises UnknownROSArgsError: for arguments after `--ros-args` that mean nothing.
@@ -65,7 +65,7 @@ class Context:
         return self.alive
 
     def shutdown(self) -> None:
-        """End: everything that waits is woken, and the `on_shutdown` callbacks run.
+        """Shut the context down: wake everything that waits, and call the `on_shutdown` callbacks.
 
         :raises RuntimeError: when the context was never initialised.
         :raises RCLError: when it was shut down already, for instance by Ctrl-C.
@@ -80,13 +80,13 @@ class Context:
         self._end()
 
     def try_shutdown(self) -> None:
-        """End if not ended yet; never raises."""
+        """Shut the context down if that was not done yet. Never raise an exception."""
         self.ended_by_signal = False
         if self.alive:
             self._end()
 
     def end_by_signal(self) -> None:
-        """End as Ctrl-C does it: what needs a context fails from now on with other words than after `shutdown()`."""
+        """Shut the context down as Ctrl-C does. Later calls fail with a different message than after `shutdown()`."""
         if self.alive:
             self.ended_by_signal = True
             self._end()
@@ -109,7 +109,7 @@ class Context:
             task.wake()
 
     def on_shutdown(self, callback: Callable[[], object]) -> None:
-        """Call `callback()` when the context ends, at once when it has ended. Raises TypeError when it is not callable."""
+        """Call `callback()` when the context ends, or at once if it has ended. Raise TypeError if it is not callable."""
         if not callable(callback):
             raise TypeError('callback should be a callable, got {}', type(callback))  # rclpy's message has the same gap
         if self.used and not self.alive:
@@ -118,21 +118,21 @@ class Context:
             self._callbacks.append(callback)
 
     def get_domain_id(self) -> int:
-        """Return the domain. Raises RuntimeError before init."""
+        """Return the domain. Raise RuntimeError before init."""
         if not self.used:
             raise RuntimeError('Context must be initialized before it can have a domain id')
         return self._domain_id
 
     def destroy(self) -> None:
-        """End if not ended yet."""
+        """Shut the context down if that was not done yet."""
         self.try_shutdown()
 
     def track_node(self, node: NodeProtocol) -> None:
-        """Remember a node of this context."""
+        """Register a node of this context."""
         self._nodes.append(node)
 
     def untrack_node(self, node: NodeProtocol) -> None:
-        """Stop tracking a node."""
+        """Unregister a node of this context."""
         if node in self._nodes:
             self._nodes.remove(node)
 
@@ -169,7 +169,7 @@ _REFUSED = 'Failed to parse ROS arguments: '
 
 
 def parse_or_raise(arguments: Iterable[str]) -> RosArguments:
-    """Read command-line arguments, raising the C layer's errors for what cannot be understood."""
+    """Parse command-line arguments. Raise the C layer's errors for invalid ones."""
     given = list(arguments)
     if not all(isinstance(argument, str) for argument in given):
         raise TypeError('bad argument type for built-in operation')

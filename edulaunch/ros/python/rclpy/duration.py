@@ -1,4 +1,4 @@
-"""Lengths of time."""
+"""Durations."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _INT64 = range(-(1 << 63), 1 << 63)
 
 
 class Duration:
-    """A length of time, in nanoseconds; may be negative. As rclpy's: it can be compared, but not added to another.
+    """A duration in nanoseconds, which may be negative. As in rclpy, durations can be compared, but not added.
 
     :raises OverflowError: when it does not fit 64 bits.
     """
@@ -65,7 +65,7 @@ class Duration:
 
     @classmethod
     def from_msg(cls, msg: Any) -> Duration:
-        """From builtin_interfaces/Duration. Raises TypeError for anything else."""
+        """Convert a builtin_interfaces/Duration. Raise TypeError for anything else."""
         from builtin_interfaces.msg import Duration as DurationMessage
 
         if not isinstance(msg, DurationMessage):
@@ -73,7 +73,7 @@ class Duration:
         return cls(seconds=msg.sec, nanoseconds=msg.nanosec)
 
     def get_c_duration(self) -> int:
-        """Return the nanoseconds, as the C layer wants them."""
+        """Return the duration in nanoseconds, as in the C layer."""
         return self._nanoseconds
 
 

@@ -1,4 +1,4 @@
-"""Callbacks for what happens to an endpoint: incompatible quality of service, matches, deadlines, liveliness, losses."""
+"""Callbacks for events of an endpoint: incompatible quality of service, matches, deadlines, liveliness, lost messages."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ EventCallback = Callable[[Any], object]
 
 
 class QoSPublisherEventType(CEnum):
-    """What can happen to a publisher."""
+    """The events of a publisher."""
 
     RCL_PUBLISHER_OFFERED_DEADLINE_MISSED = 0
     RCL_PUBLISHER_LIVELINESS_LOST = 1
@@ -30,7 +30,7 @@ class QoSPublisherEventType(CEnum):
 
 
 class QoSSubscriptionEventType(CEnum):
-    """What can happen to a subscription."""
+    """The events of a subscription."""
 
     RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED = 0
     RCL_SUBSCRIPTION_LIVELINESS_CHANGED = 1
@@ -41,7 +41,7 @@ class QoSSubscriptionEventType(CEnum):
 
 
 class CountInfo(NamedTuple):
-    """How often something has happened, in all and since the last call."""
+    """The number of occurrences of an event, in total and since the last call."""
 
     total_count: int
     total_count_change: int
@@ -52,7 +52,7 @@ QoSMessageLostInfo = IncompatibleTypeInfo = CountInfo  # for events that do not 
 
 
 class QoSLivelinessChangedInfo(NamedTuple):
-    """How many of a subscription's publishers are alive and how many are not."""
+    """The numbers of a subscription's publishers that are alive and not alive."""
 
     alive_count: int
     not_alive_count: int
@@ -61,7 +61,9 @@ class QoSLivelinessChangedInfo(NamedTuple):
 
 
 class IncompatibleInfo(NamedTuple):
-    """How many partners want more than this publisher offers, or offer less than this subscription wants."""
+    """The number of subscriptions that require more than this publisher offers, or of publishers that offer less than this
+    subscription requires.
+    """
 
     total_count: int
     total_count_change: int
@@ -72,7 +74,7 @@ QoSOfferedIncompatibleQoSInfo = QoSRequestedIncompatibleQoSInfo = IncompatibleIn
 
 
 class MatchedInfo(NamedTuple):
-    """Endpoints came or went that this one is connected to."""
+    """The number of endpoints with which this one is connected, and its changes."""
 
     total_count: int
     total_count_change: int
@@ -85,7 +87,7 @@ QoSSubscriptionMatchedInfo = MatchedInfo
 
 
 class EventHandler(Waitable):
-    """Calls back, on the executor's turn, with what has happened since the last time."""
+    """Calls its callback, on the executor's turn, with what has happened since the last call."""
 
     def __init__(self, callback_group: CallbackGroup, callback: EventCallback, take: Callable[[], Any]) -> None:
         super().__init__(callback_group)
@@ -102,12 +104,12 @@ class EventHandler(Waitable):
     is_async = False
 
     def ready_changed(self) -> None:
-        """Something happened: let the executor call back."""
+        """Record an event, so that the executor calls the callback."""
         if not self.destroyed:
             self.signal()
 
     def destroy(self) -> None:
-        """Call back no more."""
+        """Stop calling the callback."""
         self.destroyed = True
 
 
@@ -242,7 +244,7 @@ def _incompatible_partners(impl: Any) -> list[str]:
 
 
 class PublisherEventCallbacks(_EventCallbacks):
-    """Callbacks of a publisher, each called with one of the infos of this module.
+    """The event callbacks of a publisher. Each one is called with one of the infos of this module.
 
     :param deadline: nothing was published for as long as the publisher's deadline.
     :param liveliness: a publisher that must show itself (MANUAL_BY_TOPIC) did not do so for its lease.
@@ -260,7 +262,7 @@ class PublisherEventCallbacks(_EventCallbacks):
 
 
 class SubscriptionEventCallbacks(_EventCallbacks):
-    """Callbacks of a subscription, each called with one of the infos of this module.
+    """The event callbacks of a subscription. Each one is called with one of the infos of this module.
 
     :param deadline: nothing was heard for as long as the subscription's deadline, counted from the first message on.
     :param liveliness: a publisher came to life or ended, or did not show itself for the lease; never without a lease.

@@ -24,7 +24,7 @@ class NoTypeSupportImportedException(Exception):
 
 
 class NameValidationException(Exception):
-    """A name breaks ROS 2's rules. The text shows the reason, the name, and a caret under the offending character."""
+    """A name breaks ROS 2's rules. The message contains the reason, the name, and a caret under the invalid character."""
 
     def __init__(self, name_type: str, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__(caret_text(name_type, name, (error_msg, invalid_index)))
@@ -66,7 +66,7 @@ class ParameterException(Exception):
 
 
 class ParameterNotDeclaredException(ParameterException):
-    """A parameter is used that was never declared."""
+    """A program uses a parameter that was never declared."""
 
     def __init__(self, parameters: Any) -> None:
         super().__init__('Invalid access to undeclared parameter(s)', parameters)

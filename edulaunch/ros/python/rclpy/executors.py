@@ -1,4 +1,4 @@
-"""Executors: they wait until something is ready, and call the callbacks."""
+"""Executors, which wait until something is ready and call the callbacks."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class SingleThreadedExecutor(Executor):
 
 
 class MultiThreadedExecutor(Executor):
-    """Executes callbacks in up to `num_threads` threads: one that blocks lets callbacks of other groups continue.
+    """Executes callbacks in up to `num_threads` threads. While one of them blocks, callbacks of other groups continue.
 
     Threads are simulated: nothing is preempted, and the order is the same in every run.
     """

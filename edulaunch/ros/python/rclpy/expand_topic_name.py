@@ -1,4 +1,4 @@
-"""From a name as a program writes it to its absolute form."""
+"""Convert a name in a program to its absolute form."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from edulaunch.engine.graph.names import expand_name, namespace_problem, node_na
 
 
 def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
-    """Return the absolute form of a topic or service name in a node; remap rules are not applied.
+    """Return the absolute form of a topic or service name of a node, without remapping.
 
     :raises ValueError: when one of the three breaks its rules.
     """

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class GuardCondition(Entity):
-    """A guard condition, created by `Node.create_guard_condition`; `trigger()` lets the executor call the callback once."""
+    """A guard condition, created by `Node.create_guard_condition`. After `trigger()`, the executor calls the callback once."""
 
     category = GUARD
 
@@ -36,11 +36,13 @@ class GuardCondition(Entity):
 
     @property
     def handle(self) -> Handle:
-        """The guard condition itself, which has no other handle."""
+        """The guard condition itself, because it has no separate handle."""
         return Handle(self, lambda: self.destroyed)
 
     def trigger(self) -> None:
-        """Let the callback be called. Triggering twice before that is triggering once. Raises InvalidHandle after destroy."""
+        """Let the executor call the callback. Several triggers before the call count as one. Raise InvalidHandle
+        after destroy.
+        """
         if self.destroyed:
             raise invalid_handle()
         self.signal()
@@ -50,7 +52,7 @@ class GuardCondition(Entity):
         return self.callback() if self.callback is not None and not self.destroyed else None
 
     def destroy(self) -> None:
-        """Trigger no more."""
+        """Stop reacting to triggers."""
         self.destroyed = True
 
 

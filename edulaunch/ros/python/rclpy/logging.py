@@ -17,19 +17,19 @@ _root_logger = RcutilsLogger()  # programs use this as the root logger, because 
 
 
 def get_logger(name: str) -> RcutilsLogger:
-    """Return the logger of that name. Raises ValueError for an empty name."""
+    """Return the logger with that name. Raise ValueError for an empty name."""
     if not name:
         raise ValueError('Logger name must not be empty.')
     return RcutilsLogger(name)
 
 
 def initialize() -> None:
-    """Set logging up; happens by itself."""
+    """Initialize logging. rclpy calls it automatically."""
     logging_state()
 
 
 def shutdown() -> None:
-    """End logging; nothing is held back."""
+    """Shut logging down. Nothing was buffered."""
 
 
 def clear_config() -> None:
@@ -41,23 +41,23 @@ def clear_config() -> None:
 
 
 def set_logger_level(name: str, level: LoggingSeverity | int, detailed_error: bool = False) -> None:
-    """Set a logger's level; the empty name is the default of all."""
+    """Set a logger's level. The empty name sets the default level."""
     logging_state().set_level(name, LoggingSeverity(level))
 
 
 def get_logger_effective_level(name: str) -> LoggingSeverity:
-    """Return the level that counts for a logger."""
+    """Return the level that applies to a logger."""
     return LoggingSeverity(logging_state().effective_level(name))
 
 
 def get_logger_level(name: str) -> LoggingSeverity:
-    """Return the level that was set for a logger itself, UNSET when none was."""
+    """Return the level that was set for a logger itself, or UNSET."""
     state = logging_state()
     return LoggingSeverity(state.default_level if name == '' else state.levels.get(name, 0))
 
 
 def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
-    """Return the severity of a name such as 'WARN', in any case. Raises RuntimeError for an unknown one."""
+    """Return the severity of a name such as 'WARN', in upper or lower case. Raise RuntimeError for an unknown name."""
     try:
         return LoggingSeverity[log_severity.upper()]
     except KeyError:
@@ -65,7 +65,7 @@ def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
 
 
 def get_logging_directory() -> Path:
-    """Return where log files would be written."""
+    """Return the folder for log files."""
     env: dict[str, str] = logging_state().process.env
     from pathlib import Path
 

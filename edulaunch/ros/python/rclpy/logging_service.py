@@ -1,4 +1,4 @@
-"""The two services by which others read and change a node's log levels (`enable_logger_service`)."""
+"""The two services with which other nodes read and change a node's log levels (`enable_logger_service`)."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class LoggingService:
-    """Makes the services `<node>/get_logger_levels` and `<node>/set_logger_levels`."""
+    """Creates the services `<node>/get_logger_levels` and `<node>/set_logger_levels`."""
 
     def __init__(self, node: NodeProtocol) -> None:
         from rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels

@@ -125,7 +125,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
 
     @property
     def executor(self) -> Executor | None:
-        """The executor that calls the callbacks; setting it moves the node there."""
+        """The executor that calls the callbacks. Setting it moves the node to that executor."""
         # the core knows executors only by a protocol
         executor: Executor | None = self._rclpy.executor  # type: ignore[assignment]
         return executor
@@ -149,12 +149,12 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
 
     @property
     def default_callback_group(self) -> CallbackGroup:
-        """The group of entities that name none: one callback at a time."""
+        """The default group of new entities, in which only one callback runs at a time."""
         return self._rclpy.default_callback_group
 
     @property
     def handle(self) -> Handle:
-        """What holds the node in the graph."""
+        """The object that owns the node in the graph."""
         return Handle(self._rclpy.entry, lambda: self._rclpy.destroyed)
 
     def get_clock(self) -> ROSClock:
@@ -168,7 +168,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
         return logger
 
     def destroy_node(self) -> None:
-        """Destroy the node with everything it has. Doing it twice is doing it once."""
+        """Destroy the node and all its entities. A second call has no effect."""
         core = self._rclpy
         if core.destroyed:
             return

@@ -60,7 +60,7 @@ ParameterType.__name__, ParameterType.__qualname__ = 'Type', 'Parameter.Type'  #
 
 
 class Parameter:
-    """One parameter.
+    """A parameter with its name, type and value.
 
     :param name: its name.
     :param type_: its type; taken from the value when None.
@@ -85,7 +85,7 @@ class Parameter:
 
     @classmethod
     def from_parameter_msg(cls, param_msg: Any) -> Parameter:
-        """From rcl_interfaces/Parameter."""
+        """Convert a rcl_interfaces/Parameter."""
         value = param_msg.value
         return cls(param_msg.name, ParameterType(value.type), getattr(value, _VALUE_FIELDS[value.type]) if value.type else None)
 
@@ -96,7 +96,7 @@ class Parameter:
     value: ReadOnly[Any] = ReadOnly('The value; None when not set.', '_value')
 
     def get_parameter_value(self) -> ParameterValue:
-        """Return it as rcl_interfaces/ParameterValue, with the value in the field of its type (`string_value` ...)."""
+        """Return the value as rcl_interfaces/ParameterValue, in the field of its type (`string_value` ...)."""
         from rcl_interfaces.msg import ParameterValue
 
         number = self._type_.value
@@ -115,7 +115,9 @@ class Parameter:
 
 
 def parameter_value_to_python(parameter_value: Any) -> Any:
-    """The Python value of rcl_interfaces/ParameterValue, arrays of numbers as lists. Raises RuntimeError for an unknown type."""
+    """Return the Python value of a rcl_interfaces/ParameterValue, with arrays of numbers as lists. Raise RuntimeError for an
+    unknown type.
+    """
     number = parameter_value.type
     if number == rules.NOT_SET:
         return None
@@ -152,7 +154,8 @@ def get_parameter_value(string_value: str) -> ParameterValue:
 def parameter_dict_from_yaml_file(
     parameter_file: str, use_wildcard: bool = False, target_nodes: list[str] | None = None, namespace: str = ''
 ) -> dict[str, ParameterMsg]:
-    """The parameters of a parameter file as messages, by name with `namespace` before it (write its dot, too, as in ROS 2).
+    """Return the parameters of a parameter file as messages, by name with the prefix `namespace`. As in ROS 2, `namespace` must
+    end with a dot.
 
     Of a parameter that is there for several nodes the last value counts. One without a value is the text 'None', as in ROS 2.
 

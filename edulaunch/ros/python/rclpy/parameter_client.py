@@ -1,4 +1,4 @@
-"""Reading and changing the parameters of another node."""
+"""Read and change the parameters of another node."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Done = Callable[[Future], None]
 
 
 class AsyncParameterClient:
-    """Calls the parameter services of a node; each method gives the future of a service's response.
+    """Calls the parameter services of a node. Each method returns the future of a service's response.
 
     :param remote_node_name: the other node's name, relative to this node's namespace or absolute.
     """
@@ -82,7 +82,7 @@ class AsyncParameterClient:
         return self._call(self._get, callback, names=names)
 
     def set_parameters(self, parameters: Sequence[Any], callback: Done | None = None) -> Future:
-        """Set each of some Parameters, or messages of them."""
+        """Set Parameters, or messages of them, each separately."""
         return self._call(self._set, callback, parameters=_messages(parameters))
 
     def describe_parameters(self, names: list[str], callback: Done | None = None) -> Future:
@@ -94,7 +94,7 @@ class AsyncParameterClient:
         return self._call(self._get_types, callback, names=names)
 
     def set_parameters_atomically(self, parameters: Sequence[Any], callback: Done | None = None) -> Future:
-        """Set all of some Parameters, or none of them."""
+        """Set all of the Parameters, or none of them."""
         return self._call(self._set_atomically, callback, parameters=_messages(parameters))
 
     def delete_parameters(self, names: list[str], callback: Done | None = None) -> Future:
@@ -111,7 +111,7 @@ class AsyncParameterClient:
         qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool = False,
     ) -> Subscription:
-        """Call `callback(event)` at each rcl_interfaces/ParameterEvent of any node; gives the subscription."""
+        """Call `callback(event)` for each rcl_interfaces/ParameterEvent of any node. Return the subscription."""
         from rcl_interfaces.msg import ParameterEvent
 
         return self.node.create_subscription(
@@ -126,14 +126,14 @@ class AsyncParameterClient:
         )
 
     def load_parameter_file(self, parameter_file: str, use_wildcard: bool = False, callback: Done | None = None) -> Future:
-        """Set all parameters of a file on the other node, whichever node they are for (`/**` only with `use_wildcard`)."""
+        """Set all parameters of a file on the other node, for whichever node they are (`/**` only with `use_wildcard`)."""
         found = parameter_dict_from_yaml_file(parameter_file, use_wildcard)
         return self.set_parameters(list(found.values()), callback)
 
     def load_parameter_file_atomically(
         self, parameter_file: str, use_wildcard: bool = False, callback: Done | None = None
     ) -> Future:
-        """Do the same as :meth:`load_parameter_file`, all or none."""
+        """Set all parameters of a file, or none; see :meth:`load_parameter_file`."""
         found = parameter_dict_from_yaml_file(parameter_file, use_wildcard)
         return self.set_parameters_atomically(list(found.values()), callback)
 

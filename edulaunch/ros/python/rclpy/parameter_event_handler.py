@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class ParameterCallbackHandle:
-    """A callback for one parameter of one node; keep it to remove the callback."""
+    """A callback for one parameter of one node. Store it, because it is needed to remove the callback."""
 
     def __init__(self, parameter_name: str, node_name: str, callback: Callable[[Any], None]) -> None:
         self.parameter_name = parameter_name
@@ -25,14 +25,14 @@ class ParameterCallbackHandle:
 
 
 class ParameterEventCallbackHandle:
-    """A callback for all parameter events; keep it to remove the callback."""
+    """A callback for all parameter events. Store it, because it is needed to remove the callback."""
 
     def __init__(self, callback: Callable[[Any], None]) -> None:
         self.callback = callback
 
 
 class ParameterEventHandler:
-    """Listens to /parameter_events.
+    """Subscribes to /parameter_events.
 
     Parameters are looked at in the order in which they got their first callback; of several callbacks the newest is called first.
     """
@@ -64,7 +64,7 @@ class ParameterEventHandler:
         )
 
     def destroy(self) -> None:
-        """Listen no more."""
+        """Destroy the subscription."""
         self.node.destroy_subscription(self.parameter_event_subscription)
 
     def _on_event(self, event: Any) -> None:
@@ -78,7 +78,7 @@ class ParameterEventHandler:
 
     @staticmethod
     def get_parameter_from_event(event: Any, parameter_name: str, node_name: str) -> Any:
-        """Return the rcl_interfaces/Parameter of that name among the new and changed ones of an event, or None."""
+        """Return the rcl_interfaces/Parameter with that name among the new and changed ones of an event, or None."""
         if event.node != node_name:
             return None
         return next(
@@ -93,25 +93,25 @@ class ParameterEventHandler:
         yield from event.changed_parameters
 
     def add_parameter_event_callback(self, callback: Callable[[Any], None]) -> ParameterEventCallbackHandle:
-        """Call `callback(event)` at each event of any node."""
+        """Call `callback(event)` for each event of any node."""
         handle = ParameterEventCallbackHandle(callback)
         self._event_callbacks.insert(0, handle)
         return handle
 
     def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:
-        """Undo `add_parameter_event_callback`. Raises RuntimeError when it is not there."""
+        """Undo `add_parameter_event_callback`. Raise RuntimeError if it was not added."""
         _remove(self._event_callbacks, handle)
 
     def add_parameter_callback(
         self, parameter_name: str, node_name: str, callback: Callable[[Any], None]
     ) -> ParameterCallbackHandle:
-        """Call `callback(parameter)` when that parameter of that node changes; a relative node name is resolved here."""
+        """Call `callback(parameter)` when that parameter of that node changes. A relative node name is resolved here."""
         handle = ParameterCallbackHandle(parameter_name, self._resolved(node_name), callback)
         self._parameter_callbacks.setdefault((parameter_name, handle.node_name), []).insert(0, handle)
         return handle
 
     def remove_parameter_callback(self, handle: ParameterCallbackHandle) -> None:
-        """Undo `add_parameter_callback`. Raises RuntimeError when it is not there."""
+        """Undo `add_parameter_callback`. Raise RuntimeError if it was not added."""
         key = handle.parameter_name, handle.node_name
         _remove(self._parameter_callbacks.get(key, []), handle)
         if not self._parameter_callbacks[key]:

@@ -1,4 +1,4 @@
-"""The six services by which others read and change a node's parameters."""
+"""The six services with which other nodes read and change a node's parameters."""
 
 from __future__ import annotations
 

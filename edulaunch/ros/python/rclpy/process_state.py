@@ -1,4 +1,6 @@
-"""What would be global variables of rclpy: kept with the running process, so that simulations and programs never meet."""
+"""The state that rclpy stores in global variables. Here it belongs to the running process, so that simulations and programs are
+separate.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class ProcessState:
-    """rclpy's side of one running program.
+    """The state of rclpy in one running program.
 
     :ivar contexts: all initialised contexts, in order; signals shut them down.
     :ivar previous_handlers: signal number -> (our handler, the one before it), while signals are handled.
@@ -31,7 +33,7 @@ class ProcessState:
 
 
 def process_state() -> ProcessState:
-    """Return the state of the program that runs now; made at first use."""
+    """Return the state of the running program. It is created on first use."""
     process = current_process()
     state: ProcessState | None = process.state.get('rclpy')
     if state is None:

@@ -1,4 +1,4 @@
-"""Publishing messages."""
+"""Publish messages."""
 
 from __future__ import annotations
 
@@ -71,13 +71,13 @@ class Publisher(TopicEnd):
             self.send_wire(self._to_wire(msg))
 
     def get_subscription_count(self) -> int:
-        """Return how many subscriptions get the messages. Raises InvalidHandle when destroyed, RCLError after shutdown."""
+        """Return how many subscriptions receive the messages. Raise InvalidHandle after destroy, and RCLError after shutdown."""
         check_endpoint(self.endpoint, self.context, 'failed to get subscription count: publisher')
         current_task().poll()
         return self.endpoint.subscription_count
 
     def assert_liveliness(self) -> None:
-        """Show that the publisher is alive; needed with the liveliness MANUAL_BY_TOPIC when it does not publish.
+        """Assert that the publisher is alive. This is needed with the liveliness MANUAL_BY_TOPIC while it publishes nothing.
 
         :raises RCLError: after shutdown.
         """
@@ -87,7 +87,7 @@ class Publisher(TopicEnd):
             show_life()
 
     def wait_for_all_acked(self, timeout: Duration = FOR_EVER) -> bool:
-        """Return whether all messages were received: delivery takes no time, so always True.
+        """Return True, because delivery takes no time and all messages have arrived.
 
         :param timeout: how long to wait; a negative value means forever.
         :raises AttributeError: when it is not a Duration.

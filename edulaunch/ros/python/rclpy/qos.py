@@ -19,14 +19,14 @@ DURATION_INFINITE = Duration(nanoseconds=_INFINITE_NS)
 
 
 class InvalidQoSProfileException(Exception):
-    """A profile is made without what it needs."""
+    """The arguments of a profile are incomplete."""
 
     def __init__(self, *args: object) -> None:
         super().__init__('Invalid QoSProfile', *args)
 
 
 class QoSPolicyEnum(IntEnum):
-    """A policy with named values; each also has a short key such as 'keep_last'."""
+    """A policy with named values, each of which also has a short key such as 'keep_last'."""
 
     def __str__(self) -> str:
         return str(int(self))
@@ -38,7 +38,7 @@ class QoSPolicyEnum(IntEnum):
 
     @classmethod
     def get_from_short_key(cls, name: str) -> int:
-        """Return the number of a short key's value. Raises KeyError for an unknown one."""
+        """Return the number of a short key's value. Raise KeyError for an unknown key."""
         return cls[name.upper()].value
 
     @property
@@ -48,7 +48,7 @@ class QoSPolicyEnum(IntEnum):
 
 
 class HistoryPolicy(QoSPolicyEnum):
-    """How many samples a queue keeps."""
+    """How many messages a queue stores."""
 
     SYSTEM_DEFAULT = 0
     KEEP_LAST = 1
@@ -57,7 +57,7 @@ class HistoryPolicy(QoSPolicyEnum):
 
 
 class ReliabilityPolicy(QoSPolicyEnum):
-    """Whether samples may be lost."""
+    """Whether messages may be lost."""
 
     SYSTEM_DEFAULT = 0
     RELIABLE = 1
@@ -67,7 +67,7 @@ class ReliabilityPolicy(QoSPolicyEnum):
 
 
 class DurabilityPolicy(QoSPolicyEnum):
-    """Whether late subscriptions get old samples."""
+    """Whether late subscriptions receive old messages."""
 
     SYSTEM_DEFAULT = 0
     TRANSIENT_LOCAL = 1
@@ -77,7 +77,7 @@ class DurabilityPolicy(QoSPolicyEnum):
 
 
 class LivelinessPolicy(QoSPolicyEnum):
-    """How a publisher shows that it is alive."""
+    """How a publisher asserts that it is alive."""
 
     SYSTEM_DEFAULT = 0
     AUTOMATIC = 1
@@ -112,7 +112,7 @@ _DURATIONS = ('lifespan', 'deadline', 'liveliness_lease_duration')
 
 
 class QoSProfile:
-    """Quality of service of one endpoint.
+    """The quality of service of one endpoint.
 
     Give `depth`, `history`, or both. `lifespan`, `deadline` and `liveliness_lease_duration` are Durations (0 means none).
 
@@ -156,7 +156,7 @@ class QoSProfile:
         return '{}({})'.format(type(self).__name__, ', '.join(f'{slot[1:]}={getattr(self, slot)}' for slot in self.__slots__))
 
     def get_c_qos_profile(self) -> QoS:
-        """Return the profile as the graph wants it."""
+        """Return the profile in the form of the graph."""
         return engine_qos(self)
 
 
@@ -246,7 +246,7 @@ def profile_from_engine(qos: QoS) -> QoSProfile:
 
 
 def validate_qos(qos: QoSProfile | int) -> QoSProfile:
-    """Return the profile that a `qos_profile` argument means: an int is the depth.
+    """Return the profile of a `qos_profile` argument. An int is the depth.
 
     :raises ValueError: for a negative depth.
     :raises TypeError: for anything that is neither int nor QoSProfile.
@@ -293,7 +293,7 @@ qos_profile_rosout_default = QoSProfile(
 
 
 class QoSPresetProfiles(Enum):
-    """The profiles that ROS 2 brings along."""
+    """The preset profiles of ROS 2."""
 
     UNKNOWN = qos_profile_unknown
     DEFAULT = qos_profile_default
@@ -312,7 +312,7 @@ class QoSPresetProfiles(Enum):
 
     @classmethod
     def get_from_short_key(cls, name: str) -> QoSProfile:
-        """Return the profile of a short key. Raises KeyError for an unknown one."""
+        """Return the profile of a short key. Raise KeyError for an unknown key."""
         profile: QoSProfile = cls[name.upper()].value
         return profile
 
@@ -322,7 +322,7 @@ __all__ = [*[_name for _name in list(globals()) if not _name.startswith('_')], *
 
 
 def __getattr__(name: str) -> Any:
-    """Return what few programs need is loaded when it is asked for."""
+    """Import a name that few programs need when it is first used."""
     if name not in _LATE:
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
     from rclpy import qos_compatibility

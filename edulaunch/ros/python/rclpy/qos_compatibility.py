@@ -1,4 +1,4 @@
-"""The numbers of policies, and whether two profiles suit each other. Programs find it all in `rclpy.qos`."""
+"""The numbers of policies, and the check whether two profiles are compatible. Programs import all of this from `rclpy.qos`."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class QoSPolicyKind(IntEnum):
-    """The policies, as incompatibility events number them."""
+    """The policies, with the numbers of incompatibility events."""
 
     INVALID = 1 << 0
     DURABILITY = 1 << 1
@@ -38,7 +38,7 @@ def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
 
 
 class QoSCompatibility(CEnum):
-    """Whether two profiles suit each other."""
+    """Whether two profiles are compatible."""
 
     OK = 0
     WARNING = 1
@@ -77,7 +77,7 @@ _OPEN = ('SYSTEM_DEFAULT', 'UNKNOWN')
 
 
 def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> tuple[QoSCompatibility, str]:
-    """Return whether a publisher and a subscription with these profiles can talk, and the reasons why not.
+    """Return whether a publisher and a subscription with these profiles can communicate, and the reasons if not.
 
     A policy that one side leaves open (system default, unknown) makes a warning where the choice matters.
     """

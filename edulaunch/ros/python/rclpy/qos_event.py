@@ -1,4 +1,4 @@
-"""The older name of `rclpy.event_handler`; ROS 2 warns of it, once in each process, and modules are shared by processes here."""
+"""The old name of `rclpy.event_handler`. ROS 2 warns about it once in each process, but processes share modules here."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Letting parameters override an endpoint's quality of service."""
+"""Let parameters override an endpoint's quality of service."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class InvalidQosOverridesError(Exception):
 
 
 class QoSOverridingOptions:
-    """Which policies parameters may override.
+    """The policies that parameters may override.
 
     :param policy_kinds: the policies.
     :param callback: may refuse the resulting profile.
@@ -49,14 +49,14 @@ class QoSOverridingOptions:
     def with_default_policies(
         cls, *, callback: QosCallbackType | None = None, entity_id: str | None = None
     ) -> QoSOverridingOptions:
-        """Options for history, depth and reliability."""
+        """Return options for history, depth and reliability."""
         return cls(
             (QoSPolicyKind.HISTORY, QoSPolicyKind.DEPTH, QoSPolicyKind.RELIABILITY), callback=callback, entity_id=entity_id
         )
 
 
 def declare_qos_parameters(node: Any, side: str, topic_name: str, qos: QoSProfile, options: QoSOverridingOptions) -> QoSProfile:
-    """Declare the read-only parameters `qos_overrides.<topic>.<side>[_<id>].<policy>`; the profile with their values.
+    """Declare the read-only parameters `qos_overrides.<topic>.<side>[_<id>].<policy>`. Return the profile with their values.
 
     :param side: 'publisher' or 'subscription'.
     :raises InvalidQosOverridesError: when the callback of the options refuses the profile.

@@ -1,4 +1,4 @@
-"""Answering service calls."""
+"""Serve service calls."""
 
 from __future__ import annotations
 
@@ -18,7 +18,9 @@ if TYPE_CHECKING:
 
 
 class Service(ServiceEnd, Entity):
-    """A service of a node, created by `Node.create_service`. The callback gets (request, response) and returns the response."""
+    """A service of a node, created by `Node.create_service`. The callback receives (request, response) and returns
+    the response.
+    """
 
     category = SERVICE
     endpoint: ServiceServer
@@ -61,7 +63,7 @@ class Service(ServiceEnd, Entity):
         self.send_response(await coroutine, request_id)
 
     def send_response(self, response: Any, header: RequestId) -> None:
-        """Answer one request.
+        """Reply to one request.
 
         :raises TypeError: when `response` is not a response of this service (a callback without `return response`).
         """
@@ -73,7 +75,7 @@ class Service(ServiceEnd, Entity):
             self._introspection.response_sent(header, response)
 
     def destroy(self) -> None:
-        """Stop answering. `Node.destroy_service` is the better way."""
+        """Destroy the service. Prefer `Node.destroy_service`."""
         self.destroyed = True
         self.endpoint.destroy()
 

@@ -1,4 +1,4 @@
-"""Publishing what services and clients send and receive."""
+"""Publish the requests and replies of services and clients."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ REQUEST_SENT, REQUEST_RECEIVED, RESPONSE_SENT, RESPONSE_RECEIVED = range(4)
 
 
 class ServiceIntrospectionState(CEnum):
-    """How much is published."""
+    """How much of a call is published."""
 
     OFF = 0
     METADATA = 1
@@ -37,23 +37,23 @@ class Introspection:
         )
 
     def stop(self) -> None:
-        """Publish no more."""
+        """Stop publishing."""
         self._publisher.destroy()
 
     def request_sent(self, sequence: int, request: Any) -> None:
-        """A client has sent a request."""
+        """Publish that a client has sent a request."""
         self._publish(REQUEST_SENT, self._client, sequence, 'request', request)
 
     def response_received(self, sequence: int, response: Any) -> None:
-        """A client has received a reply."""
+        """Publish that a client has received a reply."""
         self._publish(RESPONSE_RECEIVED, self._client, sequence, 'response', response)
 
     def request_received(self, request_id: RequestId, request: Any) -> None:
-        """A service has received a request."""
+        """Publish that a service has received a request."""
         self._publish(REQUEST_RECEIVED, *request_id, 'request', request)
 
     def response_sent(self, request_id: RequestId, response: Any) -> None:
-        """A service has answered."""
+        """Publish that a service has sent a reply."""
         self._publish(RESPONSE_SENT, *request_id, 'response', response)
 
     def _publish(self, kind: int, client: Any, sequence: int, field: str, content: Any) -> None:

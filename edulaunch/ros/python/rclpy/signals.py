@@ -1,4 +1,4 @@
-"""What Ctrl-C and a request to terminate do to ROS 2."""
+"""The effect of Ctrl-C and of a request to terminate on ROS 2."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class SignalHandlerOptions(Enum, metaclass=_Pybind11Type):
 
 
 def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
-    """From now on SIGINT shuts all contexts down and raises KeyboardInterrupt; SIGTERM shuts them down and nothing more.
+    """Handle signals from now on: SIGINT shuts all contexts down and raises KeyboardInterrupt, and SIGTERM only shuts them down.
 
     A handler that the program has set before is called after that (in place of the KeyboardInterrupt).
     """
@@ -82,7 +82,7 @@ def uninstall_signal_handlers() -> None:
 
 
 def get_current_signal_handlers_options() -> SignalHandlerOptions:
-    """Return which signals are handled now."""
+    """Return which signals are handled."""
     options = process_state().signal_options
     return SignalHandlerOptions.NO if options is None else SignalHandlerOptions(options)
 
@@ -92,13 +92,15 @@ def _raise_keyboard_interrupt(_: int) -> None:
 
 
 class SignalHandlerGuardCondition:
-    """A guard condition that SIGINT triggers. Waiting ends by itself here, so nothing needs it; kept for code that makes one."""
+    """A guard condition that SIGINT triggers. Nothing here needs it, because waits end without it. It remains for code that
+    creates one.
+    """
 
     def __init__(self, context: object = None) -> None:
         self.context = context
 
     def destroy(self) -> None:
-        """Remove it."""
+        """Remove the guard condition."""
 
 
 __getattr__ = passed_on(__name__)

@@ -1,4 +1,4 @@
-"""Receiving messages."""
+"""Receive messages."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Subscription(TopicEnd, Entity):
     endpoint: GraphSubscription
 
     class CallbackType(Enum):
-        """What the callback takes."""
+        """The arguments of the callback."""
 
         MessageOnly = 0
         WithMessageInfo = 1
@@ -52,13 +52,13 @@ class Subscription(TopicEnd, Entity):
         self._from_wire = self._to_bytes if raw else msg_type.from_wire
 
     def connect(self, impl: GraphSubscription) -> None:
-        """Stand for this endpoint of the graph."""
+        """Set the endpoint of the graph to which this subscription belongs."""
         self.endpoint = impl
         self._queue = impl.queue
 
     @property
     def callback(self) -> Callable[..., Any]:
-        """What is called with each message."""
+        """The function that is called with each message."""
         return self._callback
 
     @callback.setter
@@ -86,7 +86,8 @@ class Subscription(TopicEnd, Entity):
         return self._callback(self._from_wire(taken[0]), self._info(taken))
 
     def take_wires(self, callback: Callable[[Any], object]) -> None:
-        """Call `callback` with the wire of each message in place of the present callback, which must do the same with messages.
+        """Call `callback` with the wire tuple of each message in place of the current callback, which must do the same with
+        messages.
 
         For listeners of our own that only put the values elsewhere: no message is made. Another callback ends it.
         """
@@ -107,12 +108,12 @@ class Subscription(TopicEnd, Entity):
         return encode(self.msg_type, wire)
 
     def get_publisher_count(self) -> int:
-        """Return how many publishers are heard. Raises InvalidHandle when destroyed."""
+        """Return the number of publishers. Raise InvalidHandle after destroy."""
         check_alive(self.endpoint)
         return self.endpoint.publisher_count
 
     def destroy(self) -> None:
-        """Leave the topic. `Node.destroy_subscription` is the better way."""
+        """Destroy the subscription. Prefer `Node.destroy_subscription`."""
         self.destroyed = True
         for handler in self.event_handlers:
             handler.destroy()
@@ -120,7 +121,7 @@ class Subscription(TopicEnd, Entity):
 
 
 def callback_type(callback: Any) -> Subscription.CallbackType:
-    """Return whether a callback takes the message only, or the message and its info.
+    """Return whether a callback accepts only the message, or the message and its info.
 
     :raises RuntimeError: when it takes neither.
     """

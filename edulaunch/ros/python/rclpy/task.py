@@ -34,7 +34,7 @@ class _UnfetchedException:
 
 
 class Future:
-    """The outcome of running work: a service call, a goal, a task.
+    """The result of running work: a service call, a goal, a task.
 
     Callbacks are run by the executor that the future belongs to; a future that belongs to none calls them itself, at once.
     """
@@ -66,23 +66,23 @@ class Future:
     """What asyncio's tasks ask of a thing that they await: so a coroutine of an asyncio loop may await this, too."""
 
     def get_loop(self) -> Any:
-        """Return the asyncio loop that runs, whose task awaits this."""
+        """Return the running asyncio loop whose task awaits this future."""
         from asyncio import get_running_loop
 
         return get_running_loop()
 
     def cancel(self, msg: object = None) -> None:
-        """Request the end, if it is not done. This does not make it done, but ends all waits for it: `await` returns None."""
+        """Cancel the future if it is not done. It does not become done, but all waits for it end, and `await` returns None."""
         if not self._done:
             self._cancelled = self.ended = True
             self._over()
 
     def cancelled(self) -> bool:
-        """Return whether it was cancelled."""
+        """Return whether the future was cancelled."""
         return self._cancelled
 
     def done(self) -> bool:
-        """Return whether there is a result or an exception. Looking again and again lets simulated time pass."""
+        """Return whether there is a result or an exception. Repeated calls let simulated time pass."""
         if not self._done:
             current_task().poll()
             if self._source is not None:
@@ -105,7 +105,7 @@ class Future:
             note_wait('look', source)
 
     def result(self) -> Any:
-        """Return the result, or None before it is done; raise the exception if it ended with one."""
+        """Return the result, or None before the future is done. Raise the exception if there is one."""
         if self._exception is not None:
             raise self._fetched(self._exception)
         if not self._done:
@@ -113,7 +113,7 @@ class Future:
         return self._result
 
     def exception(self) -> BaseException | None:
-        """Return the exception that it ended with, or None."""
+        """Return the exception, or None."""
         return None if self._exception is None else self._fetched(self._exception)
 
     def _fetched(self, exception: BaseException) -> BaseException:
@@ -123,12 +123,12 @@ class Future:
         return exception
 
     def set_result(self, result: Any) -> None:
-        """End with a result."""
+        """Set the result, which makes the future done."""
         self._result = result
         self._end()
 
     def set_exception(self, exception: BaseException) -> None:
-        """End with an exception."""
+        """Set the exception, which makes the future done."""
         self._exception = exception
         self._unfetched = _UnfetchedException(exception)
         self._end()
@@ -148,7 +148,7 @@ class Future:
                 executor.wake()
 
     def wake_when_done(self, executor: ExecutorProtocol) -> None:
-        """Let an executor look again when this is done."""
+        """Wake an executor when the future is done."""
         if executor not in self._awaiting:
             self._awaiting += (executor,)
 
@@ -172,7 +172,7 @@ class Future:
         self._executor = executor
 
     def add_done_callback(self, callback: Callable[[Any], object], *, context: Any = None) -> None:
-        """Call `callback(future)` when it is done or cancelled, or soon if it is that already.
+        """Call `callback(future)` when the future is done or cancelled, or soon if it already is.
 
         :param context: given by an asyncio task that awaits this; its loop is notified then.
         """
@@ -187,7 +187,7 @@ class Future:
             callback(self)
 
     def remove_done_callback(self, callback: Callable[[Any], object]) -> bool:
-        """Do not call `callback`, or once less if it was added more than once; whether it was there."""
+        """Remove `callback` once, if it was added. Return whether it was there."""
         if callback not in self._callbacks:
             return False
         self._callbacks.remove(callback)
@@ -195,7 +195,7 @@ class Future:
 
 
 class Task(Future):
-    """A function or coroutine that an executor runs; a coroutine that waits is taken up again at each turn.
+    """A function or coroutine that an executor runs. A coroutine that waits continues at each turn.
 
     Calling the task runs it until it waits or ends; its outcome is the future's.
 
@@ -225,7 +225,7 @@ class Task(Future):
             self._running = handler
 
     def __call__(self) -> None:
-        """Run it, or run it on."""
+        """Start or continue the task."""
         if self.ended or self._executing:
             return
         self._executing = True
@@ -259,16 +259,16 @@ class Task(Future):
             note_wait('await', source, coroutine_line(self._running))
 
     def raise_if_failed(self) -> None:
-        """Raise the exception that it ended with, if any."""
+        """Raise the exception of the task, if there is one."""
         if self._exception is not None:
             self.result()
 
     def executing(self) -> bool:
-        """Return whether it is being run just now."""
+        """Return whether the task is running now."""
         return self._executing
 
     def cancel(self, msg: object = None) -> None:
-        """Cancel the task; a waiting coroutine ends."""
+        """Cancel the task. A waiting coroutine ends."""
         super().cancel()
         if self._running is not None and not self._executing:
             self._running.close()
@@ -285,7 +285,7 @@ def future_answer(source: Any) -> Future:
 
 
 def source_of(future: Any) -> Any:
-    """Return the client whose answer a future waits for, None when it waits for something else."""
+    """Return the client for whose reply a future waits; None if it waits for something else."""
     return getattr(future, '_source', None)
 
 

@@ -51,7 +51,7 @@ class Time:
     clock_type: ReadOnly[ClockType] = ReadOnly('The kind of clock that this time belongs to.', '_clock_type')
 
     def seconds_nanoseconds(self) -> tuple[int, int]:
-        """Whole seconds, and the nanoseconds beyond them."""
+        """Return the whole seconds and the remaining nanoseconds."""
         return divmod(self._nanoseconds, S_TO_NS)
 
     def __repr__(self) -> str:
@@ -134,7 +134,7 @@ def _time_message_class() -> Any:
 
 
 def time_of_clock(nanoseconds: int, clock_type: ClockType) -> Time:
-    """Return a time without the checks of the constructor, for clocks: they are asked often."""
+    """Return a time without the checks of the constructor. Clocks use it, because they are read often."""
     time = Time.__new__(Time)
     time._nanoseconds = nanoseconds
     time._clock_type = clock_type

@@ -1,4 +1,4 @@
-"""`use_sim_time`: letting /clock rule clocks."""
+"""Let /clock control clocks (`use_sim_time`)."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ NOT_BOOL = f'{USE_SIM_TIME_NAME} parameter set to something besides a bool'
 
 
 class TimeSource:
-    """Passes /clock on to the clocks that are attached, while it is active: a node's parameter use_sim_time says when that is.
+    """Passes /clock on to the attached clocks while it is active. A node's parameter use_sim_time activates it.
 
     :param node: whose parameter it watches and which subscribes to /clock; it may be attached later.
     """
@@ -38,7 +38,7 @@ class TimeSource:
 
     @property
     def ros_time_is_active(self) -> bool:
-        """Whether /clock rules; can be set."""
+        """Whether /clock controls the clocks. The property can be set."""
         return self._active
 
     @ros_time_is_active.setter
@@ -54,7 +54,7 @@ class TimeSource:
             self._unsubscribe()
 
     def attach_node(self, node: NodeProtocol) -> None:
-        """Subscribe to /clock through this node and follow its parameter use_sim_time, which is declared if necessary.
+        """Subscribe to /clock through this node, and follow its parameter use_sim_time, which is declared if necessary.
 
         :raises TypeError: when it is not a node.
         """
@@ -82,7 +82,7 @@ class TimeSource:
         self._node = None
 
     def attach_clock(self, clock: Any) -> None:
-        """Rule this clock too, from the last time of /clock on. Raises ValueError unless it is a ROS clock."""
+        """Control this clock too, starting at the last time of /clock. Raise ValueError unless it is a ROS clock."""
         if not isinstance(clock, ROSClock):
             raise ValueError('Only clocks with type ROS_TIME can be attached.')
         if self._last_time is not None:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Timer(TimedEntity):
-    """Calls back on an exact grid of nanoseconds: the first time one period after its creation.
+    """Calls its callback on an exact grid of nanoseconds. The first call is one period after its creation.
 
     A grid point that is over when the executor comes to it is skipped, never made up for. Made by `Node.create_timer`.
 
@@ -61,12 +61,12 @@ class Timer(TimedEntity):
 
     @property
     def handle(self) -> Handle:
-        """What holds the timer."""
+        """The object that owns the timer."""
         return Handle(self, lambda: self.destroyed)
 
     @property
     def timer_period_ns(self) -> int:
-        """The period in nanoseconds. A new one counts from the next call on."""
+        """The period in nanoseconds. A new period applies from the next call on."""
         self._check()
         return self._period_ns
 
@@ -86,7 +86,8 @@ class Timer(TimedEntity):
         self.ready_list.notify()
 
     def clock_jumped(self, before_ns: int, source_changed: bool) -> None:
-        """As in rcl, a forward jump past the grid point makes it ready once, and a backward jump starts it again.
+        """Handle a time jump as rcl does: a forward jump past the grid point makes the timer ready once, and a backward jump
+        restarts it.
 
         A new source takes over what was left to wait as if it were what had passed (rcl's way); time 0 counts as unknown.
         """
@@ -134,13 +135,13 @@ class Timer(TimedEntity):
         process_state().process.fact('timer skipped', self.order, data)
 
     def cancel(self) -> None:
-        """Call back no more, until `reset`."""
+        """Stop calling the callback, until `reset`."""
         self._check()
         self._canceled = True
         self._plan()
 
     def reset(self) -> None:
-        """Start again: the next call is one period from now."""
+        """Restart the timer. Its next call is one period from now."""
         self._check()
         self._canceled = False
         self._next_ns = self._clock.now_ns() + self._period_ns
@@ -157,12 +158,12 @@ class Timer(TimedEntity):
         return self._canceled
 
     def time_until_next_call(self) -> int | None:
-        """Return the nanoseconds until the next call is due, negative when it is overdue, None while cancelled."""
+        """Return the nanoseconds until the next call, negative if it is overdue, and None while the timer is cancelled."""
         self._check()
         return None if self._canceled else self._next_ns - self._clock.now_ns()
 
     def time_since_last_call(self) -> int:
-        """Return the nanoseconds since the last call (since creation before the first)."""
+        """Return the nanoseconds since the last call, or since the creation before the first call."""
         self._check()
         return self._clock.now_ns() - self._last_ns
 
@@ -171,7 +172,7 @@ class Timer(TimedEntity):
             raise invalid_handle()
 
     def destroy(self) -> None:
-        """End for good. `Node.destroy_timer` is the better way."""
+        """Destroy the timer. Prefer `Node.destroy_timer`."""
         if not self.destroyed:
             self.destroyed = True
             self.due_ns = NEVER_NS
@@ -198,7 +199,7 @@ class Rate:
             task.wake()
 
     def destroy(self) -> None:
-        """End, and wake the sleeping threads."""
+        """Destroy the rate, and wake the sleeping threads."""
         self._is_destroyed = True
         self._on_call()
         self.timer.destroy()

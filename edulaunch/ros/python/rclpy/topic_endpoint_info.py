@@ -1,4 +1,4 @@
-"""The information of graph queries about one publisher or subscription."""
+"""The information about one publisher or subscription that graph queries return."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from rclpy.type_hash import TypeHash
 
 
 class TopicEndpointTypeEnum(IntEnum):
-    """Which side of a topic."""
+    """The sides of a topic."""
 
     INVALID = 0
     PUBLISHER = 1
@@ -64,7 +64,7 @@ _FIELDS: dict[str, tuple[Callable[[], Any], Callable[[Any], Any]]] = {
 
 
 class TopicEndpointInfo:
-    """One endpoint of a topic: its node, type, side, an identity of 16 bytes, and QoS.
+    """One endpoint of a topic: its node, type, side, identity (16 bytes) and QoS.
 
     :raises AssertionError: for an unknown keyword or a value of the wrong type.
     """

@@ -1,4 +1,4 @@
-"""Which names tools leave out."""
+"""The rule for hidden names, which tools do not list."""
 
 from __future__ import annotations
 
@@ -6,5 +6,5 @@ from edulaunch.engine.graph.names import is_hidden
 
 
 def topic_or_service_is_hidden(name: str) -> bool:
-    """Return whether a token of the name begins with an underscore."""
+    """Return whether any part of the name begins with an underscore."""
     return is_hidden(name)

@@ -6,7 +6,7 @@ HASH_SIZE = 32
 
 
 class TypeHash:
-    """The hash of a type: a version, and 32 bytes. As text `RIHS01_...`, or INVALID without version or with other than 32 bytes.
+    """The hash of a type: a version, and 32 bytes. Its text is `RIHS01_...`, or INVALID without a version or with another length.
 
     :raises AssertionError: for a version that is not an int, or a value that is not bytes.
     """
@@ -19,7 +19,7 @@ class TypeHash:
 
     @property
     def version(self) -> int:
-        """The version of the way to hash; -1 for none."""
+        """The version of the hash algorithm; -1 for none."""
         return self._version
 
     @version.setter
@@ -29,7 +29,7 @@ class TypeHash:
 
     @property
     def value(self) -> bytes:
-        """The hash itself."""
+        """The bytes of the hash."""
         return self._value
 
     @value.setter

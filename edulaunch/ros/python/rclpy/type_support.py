@@ -1,4 +1,4 @@
-"""Whether a class is a message, a service or an action.
+"""Check whether a class is a message, a service or an action.
 
 The type variables in the signatures of publishers, subscriptions, clients and services, as annotations name them.
 """
@@ -21,7 +21,7 @@ def check_for_type_support(msg_or_srv_type: Any) -> None:
 
 
 def check_is_valid_msg_type(msg_type: Any) -> None:
-    """Raise unless it is a message class.
+    """Raise an error unless a class is a message class.
 
     :raises RuntimeError: for a service or action class.
     :raises AttributeError: for anything else.
@@ -32,7 +32,7 @@ def check_is_valid_msg_type(msg_type: Any) -> None:
 
 
 def check_is_valid_srv_type(srv_type: Any) -> None:
-    """Raise unless it is a service class.
+    """Raise an error unless a class is a service class.
 
     :raises RuntimeError: for a message or action class.
     :raises AttributeError: for anything else.
@@ -43,7 +43,7 @@ def check_is_valid_srv_type(srv_type: Any) -> None:
 
 
 def check_is_valid_action_type(action_type: Any) -> None:
-    """Raise unless it is an action class.
+    """Raise an error unless a class is an action class.
 
     :raises RuntimeError: for a message or service class.
     :raises AttributeError: for anything else.
@@ -54,7 +54,7 @@ def check_is_valid_action_type(action_type: Any) -> None:
 
 
 def wrong_class(given: Any, interface: Any, part: str) -> TypeError:
-    """ROS 2's empty error for something else than a `Service.Request` or the like, with a hint."""
+    """Return ROS 2's empty error for an object that is not a `Service.Request` or similar, with a hint."""
     wanted = f'{interface.__name__}.{part}'
     if isinstance(given, type):
         return with_facts(TypeError(), 'messages.class-given', wanted=wanted)

@@ -1,4 +1,4 @@
-"""The default context, and what belongs to a whole program."""
+"""The default context, and functions that concern a whole program."""
 
 from __future__ import annotations
 
@@ -8,7 +8,9 @@ from rclpy.process_state import process_state
 
 
 def get_default_context(*, shutting_down: bool = False) -> Context:
-    """The context that is used when none is named. After a shutdown the next one is new, so ROS 2 can be initialised again."""
+    """Return the context that is used if none is given. After a shutdown, the next call returns a new one, so that ROS 2 can be
+    initialized again.
+    """
     state = process_state()
     context: Context | None = state.default_context
     if context is None:
@@ -24,12 +26,12 @@ def ok(*, context: Context | None = None) -> bool:
 
 
 def shutdown(*, context: Context | None = None) -> None:
-    """Shut a context down. Raises RuntimeError when it was never initialised."""
+    """Shut a context down. Raise RuntimeError if it was never initialized."""
     (context or get_default_context(shutting_down=True)).shutdown()
 
 
 def try_shutdown(*, context: Context | None = None) -> None:
-    """Shut a context down if that was not done yet; never raises."""
+    """Shut a context down if that was not done yet. Never raise an exception."""
     (context or get_default_context(shutting_down=True)).try_shutdown()
 
 
@@ -39,12 +41,12 @@ def get_rmw_implementation_identifier() -> str:
 
 
 def get_available_rmw_implementations() -> set[str]:
-    """Return the names of all middlewares that could be used."""
+    """Return the names of all available middlewares."""
     return {get_rmw_implementation_identifier()}
 
 
 def remove_ros_args(args: list[str] | None = None) -> list[str]:
-    """Return a command line (None: the program's own) without its `--ros-args` sections and remap rules.
+    """Return a command line (None: the program's own) without its `--ros-args` sections and remapping rules.
 
     :raises RCLInvalidROSArgsError, UnknownROSArgsError: for arguments after `--ros-args` that cannot be understood.
     """
@@ -52,7 +54,9 @@ def remove_ros_args(args: list[str] | None = None) -> list[str]:
 
 
 def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
-    """Return a timeout in the form of the wait set: -1 (wait forever) for None or a negative number, 0 (do not wait) for 0."""
+    """Return a timeout in the form of the wait set. None or a negative number becomes -1 (wait forever), and 0 stays 0 (do not
+    wait).
+    """
     if timeout_sec is None or timeout_sec < 0:
         return -1
     return int(float(timeout_sec) * S_TO_NS)

@@ -8,7 +8,7 @@ from rclpy.impl.refusals import check_is_text
 
 
 def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:
-    """Return True; raises InvalidTopicNameException or InvalidServiceNameException for a name that breaks the rules."""
+    """Return True. Raise InvalidTopicNameException or InvalidServiceNameException for an invalid name."""
     check_is_text(name, 'full_topic_name')
     problem = full_topic_name_problem(name)
     if problem is None:

@@ -8,7 +8,7 @@ from rclpy.impl.refusals import check_is_text
 
 
 def validate_namespace(namespace: str) -> bool:
-    """Return True; raises InvalidNamespaceException for an absolute namespace that breaks the rules."""
+    """Return True. Raise InvalidNamespaceException for an invalid absolute namespace."""
     check_is_text(namespace, 'namespace')
     problem = namespace_problem(namespace)
     if problem is None:

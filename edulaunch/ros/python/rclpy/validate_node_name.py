@@ -8,7 +8,7 @@ from rclpy.impl.refusals import check_is_text
 
 
 def validate_node_name(node_name: str) -> bool:
-    """Return True; raises InvalidNodeNameException for a name that breaks the rules."""
+    """Return True. Raise InvalidNodeNameException for an invalid name."""
     check_is_text(node_name, 'node_name')
     problem = node_name_problem(node_name)
     if problem is None:

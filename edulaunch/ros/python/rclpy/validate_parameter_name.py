@@ -6,7 +6,7 @@ from rclpy.exceptions import InvalidParameterException
 
 
 def validate_parameter_name(name: str) -> bool:
-    """Return True; raises InvalidParameterException for the empty name."""
+    """Return True. Raise InvalidParameterException for the empty name."""
     if not name:
         raise InvalidParameterException(name)
     return True

@@ -1,4 +1,4 @@
-"""The rules for topic and service names as programs write them."""
+"""The rules for topic and service names in programs."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from rclpy.impl.refusals import check_is_text
 
 
 def validate_topic_name(name: str, *, is_service: bool = False) -> bool:
-    """Return True; raises InvalidTopicNameException or InvalidServiceNameException for a name that breaks the rules."""
+    """Return True. Raise InvalidTopicNameException or InvalidServiceNameException for an invalid name."""
     check_is_text(name, 'topic_name')
     problem = topic_name_problem(name)
     if problem is None:

@@ -1,4 +1,4 @@
-"""Waiting for one message of a topic."""
+"""Wait for one message of a topic."""
 
 from __future__ import annotations
 

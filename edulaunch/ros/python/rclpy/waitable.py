@@ -1,4 +1,4 @@
-"""Things of one's own that an executor can wait for."""
+"""Custom objects for which an executor can wait."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class NumberOfEntities:
-    """How many entities of each kind a waitable brings along."""
+    """The number of entities of each kind that belong to a waitable."""
 
     __slots__ = ('num_subscriptions', 'num_guard_conditions', 'num_timers', 'num_clients', 'num_services', 'num_events')
 
@@ -49,8 +49,8 @@ class WaitSet:
 
 
 class Waitable(Entity):
-    """The base class of waitables. A subclass overrides `is_ready`, `take_data` and `execute`. Each wait of its executor checks
-    it, so another event (a timer, a message) has to end the wait.
+    """The base class of waitables. A subclass overrides `is_ready`, `take_data` and `execute`. An executor checks a waitable only
+    in each wait, so another event (a timer, a message) must end the wait.
     """
 
     category = WAITABLE
@@ -64,10 +64,10 @@ class Waitable(Entity):
         return self
 
     def __exit__(self, *_: Any) -> None:
-        """Nothing was held."""
+        """Do nothing, because nothing was acquired."""
 
     def is_ready(self, wait_set: Any) -> bool:
-        """Return whether there is something to do."""
+        """Return whether there is work to do."""
         return True
 
     def take_data(self) -> Any:
@@ -75,14 +75,14 @@ class Waitable(Entity):
         return None
 
     async def execute(self, taken_data: Any) -> None:
-        """Process the data that was taken; subclasses implement it."""
+        """Process the data from `take_data`. Subclasses implement it."""
 
     def get_num_entities(self) -> NumberOfEntities:
         """Return how many entities of each kind belong to it."""
         return NumberOfEntities()
 
     def add_to_wait_set(self, wait_set: Any) -> None:
-        """Prepare a wait; the executor calls it before each wait, and subclasses implement it."""
+        """Prepare a wait. The executor calls it before each wait, and subclasses implement it."""
 
     def add_future(self, future: Future) -> None:
         """Store a future."""
@@ -97,7 +97,7 @@ class Waitable(Entity):
         return self.execute(self.take_data())
 
     def ask(self) -> bool:
-        """Ask in a wait whether there is something to do; it is not asked again while its callback waits for its turn."""
+        """Call `is_ready` in a wait. It is not called again while the callback waits for its turn."""
         if not self.queued:
             self.get_num_entities()
             self.add_to_wait_set(WAIT_SET)

@@ -1,4 +1,4 @@
-"""The types of fields, as `SLOT_TYPES` of a message class has them."""
+"""The types of fields, as in `SLOT_TYPES` of a message class."""
 
 from edulaunch.engine.interfaces.slot_types import (
     Array,

@@ -1,4 +1,4 @@
-"""Messages as plain data and as text."""
+"""Convert messages to plain data and to text."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from edulaunch.ros.serialization.message_text import Shortening, message_csv, me
 def message_to_ordereddict(
     msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False
 ) -> OrderedDict[str, Any]:
-    """Return the message as dictionaries, lists, numbers and strings, fields in their order.
+    """Return the message as dictionaries, lists, numbers and strings, with its fields in order.
 
     :param truncate_length: how many items of an array and characters of a string are kept; the rest becomes `...`.
     :param no_arr: whether arrays are replaced by their type and length; `no_str` does the same for strings.
@@ -23,7 +23,7 @@ def message_to_ordereddict(
 def message_to_yaml(
     msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False, flow_style: bool = False
 ) -> str:
-    """Return the message as YAML, as `ros2 topic echo` prints it; arguments as of :func:`message_to_ordereddict`.
+    """Return the message as YAML, as `ros2 topic echo` prints it. The arguments are those of :func:`message_to_ordereddict`.
 
     :param flow_style: whether it is one line in braces.
     """
@@ -31,7 +31,7 @@ def message_to_yaml(
 
 
 def message_to_csv(msg: Any, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False) -> str:
-    """Return all values of the message, separated by commas; arguments as of :func:`message_to_ordereddict`."""
+    """Return all values of the message, separated by commas. The arguments are those of :func:`message_to_ordereddict`."""
     return message_csv(msg, Shortening(truncate_length, no_arr, no_str))
 
 

@@ -1,4 +1,4 @@
-"""What interfaces there are and where their files lie."""
+"""Find interfaces and their files."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from edulaunch.errors import InterfaceError
 
 
 def get_interface_packages() -> list[str]:
-    """Return the names of all packages that have interfaces."""
+    """Return the names of all packages with interfaces."""
     return current_registry().packages()
 
 
@@ -23,22 +23,22 @@ def get_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
 
 
 def get_message_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Do the same as :func:`get_interfaces`, messages only."""
+    """Return the messages of each package; see :func:`get_interfaces`."""
     return _of_kinds(package_names, ('msg',))
 
 
 def get_service_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Do the same as :func:`get_interfaces`, services only."""
+    """Return the services of each package; see :func:`get_interfaces`."""
     return _of_kinds(package_names, ('srv',))
 
 
 def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Do the same as :func:`get_interfaces`, actions only."""
+    """Return the actions of each package; see :func:`get_interfaces`."""
     return _of_kinds(package_names, ('action',))
 
 
 def get_interface_path(interface_name: str) -> str:
-    """Return the file of 'pkg/msg/Name'.
+    """Return the path of the file of 'pkg/msg/Name'.
 
     :raises ValueError: when the name has another form; LookupError for an unknown interface.
     """

@@ -1,4 +1,4 @@
-"""Interface classes by their type in a definition."""
+"""Find interface classes by the type in a definition."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rosidl_runtime_py.utilities import get_interface
 
 
 def import_message_from_namespaced_type(message_type: NamespacedType) -> Any:
-    """Return the class that an entry of `SLOT_TYPES` stands for.
+    """Return the class for an entry of `SLOT_TYPES`.
 
     :raises ModuleNotFoundError, AttributeError: for an unknown message, as in `rosidl_runtime_py.utilities.get_interface`.
     """

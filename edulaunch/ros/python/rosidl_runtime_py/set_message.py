@@ -1,4 +1,4 @@
-"""Messages filled from dictionaries."""
+"""Fill messages from dictionaries."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ HEADER, TIME = 'std_msgs/msg/Header', 'builtin_interfaces/msg/Time'
 def set_message_fields(
     msg: Any, values: Mapping[str, Any], expand_header_auto: bool = False, expand_time_now: bool = False
 ) -> list[Any]:
-    """Set the fields that `values` names. Each value is converted to its field's type: 3 and '3' become 3.0 in a float field.
+    """Set the fields in `values`. Each value is converted to its field's type: 3 and '3' become 3.0 in a float field.
 
     :param msg: the message, changed in place.
     :param values: field name -> value; dictionaries for nested messages, lists for arrays.

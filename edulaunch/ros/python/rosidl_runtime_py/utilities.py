@@ -1,4 +1,4 @@
-"""Interface classes by their full names."""
+"""Find interface classes by their full names."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def get_interface(identifier: str) -> Any:
 
 
 def get_namespaced_type(identifier: str) -> NamespacedType:
-    """Return 'pkg/msg/Name' as the type of a field. Whether there is one is not looked at.
+    """Return 'pkg/msg/Name' as the type of a field. The type need not exist.
 
     :raises ValueError: when the name has another form.
     """
@@ -56,22 +56,22 @@ def get_namespaced_type(identifier: str) -> NamespacedType:
 
 
 def is_message(interface: Any) -> bool:
-    """Return whether a class is that of a message (a request, a goal and the like are messages too)."""
+    """Return whether a class is a message class. Requests, goals and the like also count."""
     return hasattr(interface, 'get_fields_and_field_types')
 
 
 def is_service(interface: Any) -> bool:
-    """Return whether a class is that of a service."""
+    """Return whether a class is a service class."""
     return hasattr(interface, 'Request') and hasattr(interface, 'Response')
 
 
 def is_action(interface: Any) -> bool:
-    """Return whether a class is that of an action."""
+    """Return whether a class is an action class."""
     return hasattr(interface, 'Goal') and hasattr(interface, 'Result') and hasattr(interface, 'Feedback')
 
 
 def get_message(identifier: str) -> Any:
-    """Return the class of a message; 'pkg/Name' will do.
+    """Return the class of a message. 'pkg/Name' is enough.
 
     :raises ValueError: when it is not a message; otherwise, as in :func:`get_interface`.
     """
@@ -79,7 +79,7 @@ def get_message(identifier: str) -> Any:
 
 
 def get_service(identifier: str) -> Any:
-    """Return the class of a service; 'pkg/Name' will do.
+    """Return the class of a service. 'pkg/Name' is enough.
 
     :raises ValueError: when it is not a service; otherwise, as in :func:`get_interface`.
     """
@@ -87,7 +87,7 @@ def get_service(identifier: str) -> Any:
 
 
 def get_action(identifier: str) -> Any:
-    """Return the class of an action; 'pkg/Name' will do.
+    """Return the class of an action. 'pkg/Name' is enough.
 
     :raises ValueError: when it is not an action; otherwise, as in :func:`get_interface`.
     """

@@ -1,4 +1,4 @@
-"""The program rviz2."""
+"""The program rviz2, without its window."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tf2_ros import Buffer, TransformListener
 
 
 class View(NamedTuple):
-    """What a config asks to see."""
+    """The displays that a config requests."""
 
     fixed_frame: str = 'map'
     displays: tuple[str, ...] = ()
@@ -61,7 +61,7 @@ def _mapping(value: Any) -> dict[str, Any]:
 
 
 class Rviz(CppNode):
-    """Loads a config, says what it asks to see, and listens to tf when it has a TF display."""
+    """Loads a config, prints its displays, and listens to tf if it has a TF display."""
 
     def __init__(self, config: str | None, fixed_frame: str | None) -> None:
         super().__init__('rviz')
@@ -91,7 +91,7 @@ class Rviz(CppNode):
 
 
 def main() -> None:
-    """Run the program. Options as rviz2's; those about the window are accepted and change nothing."""
+    """Run the program. It accepts the options of rviz2. Options for the window have no effect."""
     import argparse
 
     parser = argparse.ArgumentParser(prog='rviz2')

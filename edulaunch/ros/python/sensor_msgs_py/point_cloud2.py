@@ -1,4 +1,4 @@
-"""Point clouds as numpy arrays: `read_points` and its kin take a `sensor_msgs/msg/PointCloud2` apart, `create_cloud` makes it."""
+"""Convert point clouds to numpy arrays (`read_points` and similar functions) and back (`create_cloud`)."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def read_points(
     uvs: Iterable[Any] | None = None,
     reshape_organized_cloud: bool = False,
 ) -> Any:
-    """Return the points as a structured array, one entry for each field.
+    """Return the points as a structured array with one entry for each field.
 
     :param field_names: which fields; None for all of them, in the order of the message.
     :param skip_nans: leave out points with a NaN in one of these fields.
@@ -70,7 +70,7 @@ def read_points_numpy(
     uvs: Iterable[Any] | None = None,
     reshape_organized_cloud: bool = False,
 ) -> Any:
-    """Return the points as a plain array with a column for each field, which must all have one type."""
+    """Return the points as a plain array with one column for each field. All fields must have the same type."""
     assert all(
         field.datatype == cloud.fields[0].datatype for field in cloud.fields if field_names is None or field.name in field_names
     ), 'All fields need to have the same datatype. Use `read_points()` otherwise.'

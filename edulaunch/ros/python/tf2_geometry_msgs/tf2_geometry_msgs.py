@@ -1,4 +1,4 @@
-"""Transforming geometry_msgs: the functions, and the table by which `Buffer.transform` finds them."""
+"""Transform geometry_msgs: the functions, and the table in which `Buffer.transform` finds them."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from edulaunch.engine.tf.transforms import Transform
 
 
 def to_msg_msg(msg: Any) -> Any:
-    """Return a message is its own message form."""
+    """Return the message itself, because it needs no conversion."""
     return msg
 
 
@@ -31,7 +31,7 @@ from_msg_msg = to_msg_msg
 
 
 def do_transform_point(point: PointStamped, transform: TransformStamped) -> PointStamped:
-    """Return the point in the transform's frame; the result has the transform's header."""
+    """Return the point in the transform's frame. The result has the transform's header."""
     result = PointStamped(header=transform.header)
     result.point.x, result.point.y, result.point.z = transforms.apply(
         _numbers(transform), (point.point.x, point.point.y, point.point.z)
@@ -40,7 +40,7 @@ def do_transform_point(point: PointStamped, transform: TransformStamped) -> Poin
 
 
 def do_transform_vector3(vector3: Vector3Stamped, transform: TransformStamped) -> Vector3Stamped:
-    """Return the vector turned into the transform's frame; a vector has no place, so nothing is added.
+    """Return the vector, rotated into the transform's frame. A vector has no position, so the translation is not added.
 
     As upstream, it sets the translation of the transform that was passed in to zero.
     """
@@ -53,7 +53,7 @@ def do_transform_vector3(vector3: Vector3Stamped, transform: TransformStamped) -
 
 
 def do_transform_pose(pose: Pose, transform: TransformStamped) -> Pose:
-    """Return the pose in the transform's frame; its orientation has w >= 0."""
+    """Return the pose in the transform's frame. Its orientation has w >= 0."""
     at = pose.position
     moved = transforms.compose(_numbers(transform), (at.x, at.y, at.z, *_rotation(pose.orientation)))
     x, y, z, w = quaternions.canonical(moved[3:])
@@ -91,9 +91,7 @@ def do_transform_polygon_stamped(polygon: PolygonStamped, transform: TransformSt
 
 
 def transform_covariance(cov_in: Sequence[float], transform: TransformStamped) -> list[float]:
-    """Return a 6x6 covariance (row by row, 36 numbers) in the transform's frame: each 3x3 block B becomes R B
-    R^T.
-    """
+    """Return a 6x6 covariance (36 numbers, row by row) in the transform's frame: each 3x3 block B becomes R B R^T."""
     r = quaternions.to_matrix(_rotation(transform.transform.rotation))
     result = [0.0] * 36
     for row in (0, 3):

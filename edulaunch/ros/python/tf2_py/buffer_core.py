@@ -1,4 +1,6 @@
-"""`BufferCore`: messages in, messages out, and tf2's exceptions. The buffer itself is `edulaunch.engine.tf.TransformBuffer`."""
+"""`BufferCore`, which accepts and returns messages, and tf2's exceptions. The buffer itself is
+`edulaunch.engine.tf.TransformBuffer`.
+"""
 
 from __future__ import annotations
 
@@ -46,7 +48,7 @@ class TransformException(Exception):
 
 
 class LookupException(TransformException):
-    """A frame does not exist, or the tree runs in a loop."""
+    """A frame does not exist, or the frames form a loop."""
 
     __module__ = 'tf2'
 
@@ -70,7 +72,7 @@ class InvalidArgumentException(TransformException):
 
 
 class TimeoutException(TransformException):
-    """An answer did not come in time (buffer client only)."""
+    """A reply did not arrive in time (buffer client only)."""
 
     __module__ = 'tf2'
 
@@ -84,12 +86,12 @@ _BY_KIND: dict[str, type[TransformException]] = {
 
 
 def exception_of(failure: TransformFailure) -> TransformException:
-    """Return the tf2 exception that belongs to a failure of `edulaunch.engine.tf`."""
+    """Return the tf2 exception for a failure of `edulaunch.engine.tf`."""
     return _BY_KIND[failure.kind](str(failure))
 
 
 def wire_of(transform: Any) -> tuple[Any, ...]:
-    """Return (sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw) of a TransformStamped or its look-alike.
+    """Return (sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw) of a TransformStamped or a similar object.
 
     :raises TypeError: the translation is not a Vector3; a rotation that is not a Quaternion is a warning
         only.
@@ -128,8 +130,7 @@ from_wire = TransformStamped.from_wire
 
 
 class BufferCore:
-    """Stores transforms and looks them up; knows no node and no topic. Mirrors tf2_py's class of the same
-    name.
+    """Stores transforms and looks them up, without a node or a topic. It mirrors tf2_py's class of the same name.
 
     :param cache_time: how long each frame is remembered (a Duration); 10 s when left out.
     """
@@ -139,7 +140,7 @@ class BufferCore:
         self._tf = TransformBuffer(cache_ns)
 
     def set_transform(self, transform: TransformStamped, authority: str) -> None:
-        """Add a transform. One that tf2 refuses is logged, not raised.
+        """Add a transform. A transform that tf2 refuses is logged, and no exception is raised.
 
         :raises TypeError: the translation is not a Vector3.
         """
@@ -156,7 +157,7 @@ class BufferCore:
             report(rejections)
 
     def lookup_transform_core(self, target_frame: str, source_frame: str, time: Any) -> TransformStamped:
-        """Return the transform that maps coordinates given in the source frame into the target frame.
+        """Return the transform that maps coordinates in the source frame to the target frame.
 
         :raises TransformException: one of its subclasses, with tf2's text.
         """
@@ -169,7 +170,7 @@ class BufferCore:
     def lookup_transform_full_core(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> TransformStamped:
-        """Return the transform from the source frame at one time to the target frame at another, over a fixed frame.
+        """Return the transform from the source frame at one time to the target frame at another time, through a fixed frame.
 
         :raises TransformException: one of its subclasses, with tf2's text.
         """
@@ -182,22 +183,21 @@ class BufferCore:
         return message(target_frame, source_frame, stamp_ns, pose)
 
     def can_transform_core(self, target_frame: str, source_frame: str, time: Any) -> tuple[int, str]:
-        """Return (1 or 0, the reason when it is 0)."""
+        """Return (1 or 0, the reason for 0)."""
         possible, reason = self._tf.can_transform(target_frame, source_frame, nanoseconds(time))
         return int(possible), reason
 
     def can_transform_full_core(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> tuple[int, str]:
-        """Return (1 or 0, the reason when it is 0)."""
+        """Return (1 or 0, the reason for 0)."""
         possible, reason = self._tf.can_transform_full(
             target_frame, nanoseconds(target_time), source_frame, nanoseconds(source_time), fixed_frame
         )
         return int(possible), reason
 
     def get_latest_common_time(self, target_frame: str, source_frame: str) -> Any:
-        """Return the newest time for which the transform is known, as rclpy Time (system clock); 0 when all is
-        static.
+        """Return the newest time for which the transform is known, as rclpy Time (system clock); 0 if all transforms are static.
 
         :raises TransformException: the frames are unknown or not connected.
         """
@@ -228,7 +228,7 @@ class BufferCore:
             raise exception_of(failure) from None
 
     def all_frames_as_yaml(self) -> str:
-        """Return all frames with parent, rate and span, as YAML text; `[]` without frames."""
+        """Return all frames with parent, rate and time span, as YAML text; `[]` without frames."""
         return self._tf.all_frames_as_yaml()
 
     def all_frames_as_string(self) -> str:
@@ -236,7 +236,7 @@ class BufferCore:
         return self._tf.all_frames_as_string()
 
     def clear(self) -> None:
-        """Drop all transforms but the static ones."""
+        """Drop all transforms except the static ones."""
         self._tf.clear()
 
     def _allFramesAsDot(self, time: Any = None) -> str:  # noqa: N802
@@ -261,6 +261,6 @@ class BufferCore:
 
 
 def message(target_frame: str, source_frame: str, stamp_ns: int, pose: Transform) -> TransformStamped:
-    """Return a transform as tf2 hands it out."""
+    """Return a transform as the message that tf2 returns."""
     seconds = stamp_ns // NS_PER_S
     return from_wire((seconds, stamp_ns - seconds * NS_PER_S, target_frame, source_frame, *pose))

@@ -1,4 +1,4 @@
-"""The buffer that nodes use: a buffer core that can wait, and keeps facts of lookups that found nothing."""
+"""The buffer that nodes use. It can wait for transforms, and records failed lookups as facts."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ MOST_FRAMES = 40
 
 
 class FailedLookups:
-    """Those of one buffer, by target and source frame.
+    """The failed lookups of one buffer, by target and source frame.
 
     :param number: which one it is of its program's buffers.
     """
@@ -42,7 +42,7 @@ class FailedLookups:
     def note(
         self, buffer: TransformBuffer, target: str, source: str, time_ns: int, kind: str, text: str, waited_s: float = 0.0
     ) -> None:
-        """There was no answer. `kind` is the kind of failure, `text` tf2's own message, and `waited_s` the time limit."""
+        """Record a failed lookup. `kind` is the kind of failure, `text` is tf2's own message, and `waited_s` is the timeout."""
         process = current_process()
         self.pairs.add((target, source))
         names = buffer.frame_names()
@@ -59,14 +59,14 @@ class FailedLookups:
         process.fact(KIND, (self._number, target, source), {**data, **student_line()})
 
     def found(self, target: str, source: str) -> None:
-        """Forget the failure, because the lookup has succeeded."""
+        """Remove the failure, because the lookup has succeeded."""
         if (target, source) in self.pairs:
             self.pairs.remove((target, source))
             current_process().fact_over(KIND, (self._number, target, source))
 
 
 def of_next_buffer() -> FailedLookups:
-    """Return the hints of a new buffer in the running program."""
+    """Return the failed lookups of a new buffer in the running program."""
     state = current_process().state
     state['tf2_ros.buffers'] = number = state.get('tf2_ros.buffers', 0) + 1
     return FailedLookups(number)
@@ -76,8 +76,7 @@ POLL_S = 0.02
 
 
 class Buffer(BufferCore, BufferInterface):
-    """Stores transforms and looks them up, optionally waiting for them. Mirrors `tf2_ros.buffer.Buffer` of
-    Jazzy.
+    """Stores transforms and looks them up, with an optional timeout. It mirrors `tf2_ros.buffer.Buffer` of Jazzy.
 
     :param cache_time: how long each frame is remembered (a Duration); 10 s when left out.
     :param node: if a node is passed, it offers the service `tf2_frames`, and its clock reports jumps back in time.
@@ -134,7 +133,7 @@ class Buffer(BufferCore, BufferInterface):
             callback()
 
     def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> TransformStamped:
-        """Return the transform that maps coordinates given in the source frame into the target frame.
+        """Return the transform that maps coordinates in the source frame to the target frame.
 
         :param time: anything with nanoseconds, or sec and nanosec; 0 is the latest time at which all frames
             have data.
@@ -163,7 +162,7 @@ class Buffer(BufferCore, BufferInterface):
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> TransformStamped:
-        """Return the transform between frames at two different times, over a frame that does not move meanwhile."""
+        """Return the transform between frames at two different times, through a frame that is fixed between these times."""
         if timeout is not NO_WAIT:
             self.can_transform_full(target_frame, target_time, source_frame, source_time, fixed_frame, timeout)
         return self.lookup_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame)
@@ -171,7 +170,7 @@ class Buffer(BufferCore, BufferInterface):
     def can_transform(
         self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT, return_debug_tuple: bool = False
     ) -> Any:
-        """1 or 0; with `return_debug_tuple` (1 or 0, reason)."""
+        """Return 1 or 0. With `return_debug_tuple`, return (1 or 0, reason)."""
         answer = self._wait_for(lambda: self.can_transform_core(target_frame, source_frame, time), timeout)
         if not answer[0]:
             waited_s = timeout.nanoseconds / 1e9
@@ -190,7 +189,7 @@ class Buffer(BufferCore, BufferInterface):
         timeout: Duration = NO_WAIT,
         return_debug_tuple: bool = False,
     ) -> Any:
-        """Return whether :meth:`lookup_transform_full` succeeds; the results are those of :meth:`can_transform`."""
+        """Return whether :meth:`lookup_transform_full` succeeds, in the form of :meth:`can_transform`."""
         answer = self._wait_for(
             lambda: self.can_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame), timeout
         )
@@ -229,19 +228,19 @@ class Buffer(BufferCore, BufferInterface):
     def wait_for_transform_full_async(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> Future:
-        """Do the same as :meth:`wait_for_transform_async`, for :meth:`lookup_transform_full`."""
+        """Return a future as :meth:`wait_for_transform_async` does, for :meth:`lookup_transform_full`."""
         times = (target_frame, target_time, source_frame, source_time, fixed_frame)
         return self._future(lambda: self.can_transform_full_core(*times), lambda: self.lookup_transform_full_core(*times))
 
     async def lookup_transform_async(self, target_frame: str, source_frame: str, time: Any) -> TransformStamped:
-        """Do the same as :meth:`lookup_transform` in a coroutine, and await the transform."""
+        """Await the transform in a coroutine; see :meth:`lookup_transform`."""
         await self.wait_for_transform_async(target_frame, source_frame, time)
         return self.lookup_transform_core(target_frame, source_frame, time)
 
     async def lookup_transform_full_async(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> TransformStamped:
-        """Do the same as :meth:`lookup_transform_full` in a coroutine."""
+        """Await the transform in a coroutine; see :meth:`lookup_transform_full`."""
         await self.wait_for_transform_full_async(target_frame, target_time, source_frame, source_time, fixed_frame)
         return self.lookup_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame)
 
@@ -267,7 +266,9 @@ class Buffer(BufferCore, BufferInterface):
 
 
 def wire_receiver(buffer: Any, authority: str) -> Callable[[tuple[Any, ...]], None] | None:
-    """Return the function that puts the wire of a TFMessage in the buffer; None if a program has replaced `set_transform`."""
+    """Return the function that stores the wire tuple of a TFMessage in the buffer; None if a program has replaced
+    `set_transform`.
+    """
     if type(buffer).set_transform is not Buffer.set_transform or 'set_transform' in vars(buffer):
         return None
     set_wire = buffer._set_wire

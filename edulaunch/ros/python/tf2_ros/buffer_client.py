@@ -1,4 +1,4 @@
-"""Lookups in a buffer of another node, over an action."""
+"""Look transforms up in the buffer of another node, with an action."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _EXCEPTIONS: dict[int, type[TransformException]] = {
 
 
 class BufferClient(BufferInterface):
-    """Asks a buffer server instead of keeping a buffer. Another thread must spin the node meanwhile.
+    """Sends lookups to a buffer server instead of storing transforms. Another thread must spin the node.
 
     :param ns: name of the server's action.
     :param check_frequency: how often (Hz) it is looked whether the answer has come.
@@ -56,7 +56,7 @@ class BufferClient(BufferInterface):
         self.action_client.destroy()
 
     def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> Any:
-        """Do the same as :meth:`tf2_ros.Buffer.lookup_transform`.
+        """Return a transform; see :meth:`tf2_ros.Buffer.lookup_transform`.
 
         :raises TimeoutException: there is no server, or it did not answer in time.
         """
@@ -78,7 +78,7 @@ class BufferClient(BufferInterface):
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Do the same as :meth:`tf2_ros.Buffer.lookup_transform_full`."""
+        """Return a transform; see :meth:`tf2_ros.Buffer.lookup_transform_full`."""
         goal = LookupTransform.Goal(
             target_frame=target_frame,
             target_time=_time_message(target_time),

@@ -1,4 +1,5 @@
-"""What all sources of transforms have in common, and the transforming of whole objects by functions registered for types.
+"""The common part of all sources of transforms. It transforms stamped objects with functions that packages register for their
+types.
 
 Packages that come with edulaunch (`tf2_geometry_msgs`) are imported once for all processes. What they register holds for each
 process that imports them, as in ROS 2; what a program registers itself belongs to its process alone.
@@ -19,13 +20,15 @@ _provided: dict[str, dict[Key, Callable[..., Any]]] = {'transform': {}, 'to_msg'
 
 
 class TypeException(Exception):
-    """Raised when an object of a type that nothing was registered for is to be transformed or converted."""
+    """No function is registered for the type of an object that a program transforms or converts."""
 
     __module__ = 'tf2_ros.buffer_interface'  # the module of ROS 2, which tracebacks show
 
 
 def provide(table: str, key: Key, function: Callable[..., Any]) -> None:
-    """Register for each process that imports the package of `function`; for packages of the underlay only."""
+    """Register functions for each process that imports the package of `function`. This works only for packages of
+    the underlay.
+    """
     _provided[table][key] = function
 
 
@@ -70,22 +73,24 @@ class TransformRegistration:
 
 
 class ConvertRegistration:
-    """The functions that convert between types, directly or over a message type."""
+    """The functions that convert between types, directly or through a message type."""
 
     def add_from_msg(self, key: Key, callback: Callable[..., Any]) -> None:
-        """`callback(message)` makes an object of type `key`."""
+        """Register `callback(message)`, which returns an object of type `key`."""
         _own('from_msg')[key] = callback
 
     def add_to_msg(self, key: Key, callback: Callable[..., Any]) -> None:
-        """`callback(object)` makes a message of an object of type `key`."""
+        """Register `callback(object)`, which returns a message for an object of type `key`."""
         _own('to_msg')[key] = callback
 
     def add_convert(self, key: Key, callback: Callable[..., Any]) -> None:
-        """`callback(object)` converts directly; `key` is (type of the object, type of the result)."""
+        """Register `callback(object)`, which converts directly. `key` is (type of the object, type of the result)."""
         _own('convert')[key] = callback
 
     def get_from_msg(self, key: Key) -> Callable[..., Any]:
-        """Raise TypeException if the object has no such conversion, as the other getters do."""
+        """Return the function that :meth:`add_from_msg` has registered. Like the other getters, raise TypeException for an
+        unknown type.
+        """
         return _find('from_msg', key)
 
     def get_to_msg(self, key: Key) -> Callable[..., Any]:
@@ -101,14 +106,14 @@ NO_WAIT = Duration()
 
 
 class NotImplementedException(Exception):
-    """Raised by :class:`BufferInterface` itself: lookups belong to its subclasses."""
+    """Raised by :class:`BufferInterface` itself, because its subclasses implement lookups."""
 
     def __init__(self) -> None:
         super().__init__('CanTransform not implemented')
 
 
 class BufferInterface:
-    """Transforms stamped objects by means of a subclass's lookups.
+    """Transforms stamped objects with the lookups of a subclass.
 
     Which types can be transformed is decided by imports: `import tf2_geometry_msgs` adds the stamped types of
     geometry_msgs.
@@ -137,7 +142,7 @@ class BufferInterface:
         timeout: Duration = NO_WAIT,
         new_type: Any = None,
     ) -> Any:
-        """Return the object in another frame at another time, over a frame that does not move meanwhile."""
+        """Return the object in another frame at another time, through a frame that is fixed between these times."""
         do_transform = self.registration.get(type(object_stamped))
         header = object_stamped.header
         result = do_transform(
@@ -147,7 +152,7 @@ class BufferInterface:
         return convert(result, new_type) if new_type else result
 
     def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> Any:
-        """Look a transform up: a subclass says how. Raises NotImplementedException here."""
+        """Look a transform up. Subclasses implement it; here it raises NotImplementedException."""
         raise NotImplementedException
 
     def lookup_transform_full(
@@ -159,7 +164,7 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Look a transform between two times up: a subclass says how. Raises NotImplementedException here."""
+        """Look a transform between two times up. Subclasses implement it; here it raises NotImplementedException."""
         raise NotImplementedException
 
     def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> Any:
@@ -175,7 +180,9 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Return whether :meth:`lookup_transform_full` succeeds, for subclasses; raise NotImplementedException here."""
+        """Return whether :meth:`lookup_transform_full` succeeds. Subclasses implement it; here it raises
+        NotImplementedException.
+        """
         raise NotImplementedException
 
 
@@ -188,7 +195,7 @@ def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:  # noqa: N802
 
 
 def convert(a: Any, b_type: Any) -> Any:
-    """Convert an object to another type: directly where that is registered, else over a message.
+    """Convert an object to another type, directly if such a function is registered, and otherwise through a message.
 
     :raises TypeException: no way is registered.
     """

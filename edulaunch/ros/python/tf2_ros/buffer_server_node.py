@@ -1,4 +1,4 @@
-"""The program buffer_server: a buffer that other nodes ask over the action tf2_buffer_server."""
+"""The program buffer_server: a buffer that other nodes query with the action tf2_buffer_server."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ CHECK_S = 0.01
 
 
 class BufferServer(CppNode):
-    """Answers lookups; it checks waiting ones again every 10 ms until they succeed or their time is over."""
+    """Answers lookups. It checks waiting ones again every 10 ms until they succeed or time out."""
 
     def __init__(self) -> None:
         super().__init__('tf_buffer')
@@ -55,7 +55,7 @@ class BufferServer(CppNode):
             self.waiting.append((handle, now_ns + timeout_ns))
 
     def check(self) -> None:
-        """Look again at the goals that wait."""
+        """Check the waiting goals again."""
         now_ns = self.get_clock().now().nanoseconds
         waiting, self.waiting = self.waiting, []
         for handle, deadline_ns in waiting:
@@ -66,7 +66,7 @@ class BufferServer(CppNode):
                 self.waiting.append((handle, deadline_ns))
 
     def finish(self, handle: Any, result: Any, late: bool = False) -> None:
-        """Deliver a result: an immediate error counts as success of the goal, a late one as its failure."""
+        """Send a result. The goal succeeds if an error is immediate, and fails if an error comes late."""
         failed = late and result.error.error != TF2Error.NO_ERROR
         self.results[bytes(handle.goal_id.uuid)] = (result, failed)
         handle.execute()
@@ -83,7 +83,7 @@ class BufferServer(CppNode):
         return result
 
     def look_up(self, goal: Any) -> Any:
-        """Return the lookup of a goal; errors are part of the result."""
+        """Return the result of a goal's lookup. Errors are part of the result."""
         result = LookupTransform.Result()
         try:
             if goal.advanced:

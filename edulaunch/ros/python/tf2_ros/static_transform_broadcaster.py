@@ -19,8 +19,7 @@ if TYPE_CHECKING:
 
 
 class StaticTransformBroadcaster:
-    """Publishes transforms on /tf_static, for late listeners too: each message repeats all frames sent so
-    far.
+    """Publishes transforms on /tf_static, also for late subscriptions. Each message repeats all frames sent so far.
 
     As in Jazzy's Python version, a child frame that was sent before is not changed by sending it again.
 

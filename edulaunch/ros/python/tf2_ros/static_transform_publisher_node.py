@@ -1,4 +1,4 @@
-"""The program static_transform_publisher: publishes one transform on /tf_static and stays alive for late listeners."""
+"""The program static_transform_publisher: it publishes one transform on /tf_static and keeps running for late subscriptions."""
 
 from __future__ import annotations
 
@@ -47,11 +47,11 @@ _NUMBER = re.compile(r'\s*[+-]?(?:inf(?:inity)?|nan|(?:\d+\.?\d*|\.\d+)(?:e[+-]?
 
 
 class ArgumentError(Exception):
-    """The command line cannot be used; the text is the reason that ROS gives."""
+    """The command line is invalid. The message contains the reason in the words of ROS."""
 
 
 class Request(NamedTuple):
-    """What is to be published."""
+    """The transform to publish."""
 
     frame_id: str
     child_frame_id: str
@@ -60,7 +60,7 @@ class Request(NamedTuple):
 
 
 def parse(arguments: list[str]) -> Request:
-    """Read the arguments after the program's name; ROS arguments have been taken out.
+    """Parse the arguments after the program's name, without ROS arguments.
 
     :raises ArgumentError: with ROS's reason.
     """
@@ -137,7 +137,7 @@ NUMBERS = ('translation.x', 'translation.y', 'translation.z', 'rotation.x', 'rot
 
 
 class StaticTransformPublisher(CppNode):
-    """Publishes its transform once, at its start; read-only parameters show what was asked for."""
+    """Publishes its transform once at its start. Read-only parameters contain its values."""
 
     def __init__(self, request: Request) -> None:
         suffix = ''.join(random.choices(string.ascii_letters + string.digits, k=16))
@@ -184,7 +184,7 @@ class StaticTransformPublisher(CppNode):
 
 
 def run() -> int:
-    """Parse, publish, stay; the exit code."""
+    """Parse the arguments, publish, and spin. Return the exit code."""
     arguments = remove_ros_args(sys.argv)[1:]
     if '--help' in arguments or '-h' in arguments:
         sys.stdout.write(USAGE)

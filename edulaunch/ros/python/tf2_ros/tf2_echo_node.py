@@ -1,4 +1,4 @@
-"""The program tf2_echo: prints the transform between two frames again and again."""
+"""The program tf2_echo: it prints the transform between two frames repeatedly."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Echo(CppNode):
         self.create_timer(1.0 / rate_hz, self.look)
 
     def look(self) -> None:
-        """Print one cycle: the pose, or why it is not available."""
+        """Print one cycle: the pose, or the reason why it is not available."""
         if not self.found:
             possible, reason = self.buffer.can_transform(self.source, self.target, Time(), return_debug_tuple=True)
             if not possible:
@@ -59,7 +59,7 @@ class Echo(CppNode):
 
 
 def pose_text(found: TransformStamped) -> str:
-    """Return the ten lines about one transform; nanoseconds are not padded, as in ROS 2."""
+    """Return the ten lines about one transform. As in ROS 2, nanoseconds are not padded."""
     at, q = found.transform.translation, found.transform.rotation
     rotation = (q.x, q.y, q.z, q.w)
     angles = to_euler(rotation)
@@ -81,7 +81,7 @@ def _listed(numbers: tuple[float, ...]) -> str:
 
 
 def run() -> int:
-    """Parse, then echo until stopped; the exit code."""
+    """Parse the arguments, and print until the program is stopped. Return the exit code."""
     arguments = remove_ros_args(sys.argv)[1:]
     if len(arguments) not in (2, 3):
         sys.stdout.write(USAGE)

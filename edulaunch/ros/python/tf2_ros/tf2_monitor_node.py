@@ -1,4 +1,4 @@
-"""The program tf2_monitor: how old transforms are when they arrive, and how often they come."""
+"""The program tf2_monitor: it reports the delay and the rate of transforms."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Delays:
 
 
 class Monitor(CppNode):
-    """Watches /tf and /tf_static and reports every 21 half seconds.
+    """Monitors /tf and /tf_static, and reports every 10.5 s.
 
     :param frames: two frames to watch the chain between, or nothing for all frames.
     """
@@ -63,7 +63,7 @@ class Monitor(CppNode):
         self.create_timer(CYCLE_S, self.on_cycle)
 
     def age_s(self, stamp: Any) -> float:
-        """Return how long ago a stamp was, in seconds."""
+        """Return the age of a stamp in seconds."""
         now_ns: int = self.get_clock().now().nanoseconds
         return float(now_ns - stamp.sec * 1_000_000_000 - stamp.nanosec) * 1e-9
 
@@ -131,7 +131,7 @@ class Monitor(CppNode):
 
 
 def run() -> int:
-    """Parse, then watch until stopped; the exit code."""
+    """Parse the arguments, and monitor until the program is stopped. Return the exit code."""
     arguments = remove_ros_args(sys.argv)[1:]
     if len(arguments) not in (0, 2):
         sys.stdout.write('TF_Monitor: usage: tf2_monitor framea frameb\n')

@@ -1,4 +1,4 @@
-"""Sends transforms that change."""
+"""Publish transforms that change."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Receiving transforms."""
+"""Receive transforms."""
 
 from __future__ import annotations
 
@@ -25,8 +25,7 @@ AUTHORITY = 'default_authority'
 
 
 class TransformListener:
-    """Fills a buffer from /tf and /tf_static. It must be kept (`self.tf_listener = ...`): it stops when it is
-    dropped.
+    """Fills a buffer from /tf and /tf_static. Store it (`self.tf_listener = ...`), because it stops when Python deletes it.
 
     :param spin_thread: spin the whole node in a thread of its own, so that lookups with a timeout get data
         meanwhile.
@@ -61,7 +60,7 @@ class TransformListener:
 
     @property
     def buffer(self) -> Buffer:
-        """The buffer that is filled; another one may take its place."""
+        """The buffer that is filled. It can be replaced."""
         return self._buffer
 
     @buffer.setter
@@ -78,11 +77,11 @@ class TransformListener:
             self.tf_sub.take_wires(receive_wire)
 
     def callback(self, data: TFMessage) -> None:
-        """Put a message of /tf into the buffer. A subclass may do something else with it."""
+        """Put a message of /tf into the buffer. Subclasses may override it."""
         _receiver(self.buffer.set_transform)(data)
 
     def static_callback(self, data: TFMessage) -> None:
-        """Put a message of /tf_static into the buffer. A subclass may do something else with it."""
+        """Put a message of /tf_static into the buffer. Subclasses may override it."""
         _receiver(self.buffer.set_transform_static)(data)
 
     def _start_thread(self) -> None:

@@ -1,4 +1,4 @@
-"""Turning and moving clouds of points."""
+"""Transform point clouds."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from tf2_ros.buffer_interface import provide
 
 
 def to_msg_msg(msg: Any) -> Any:
-    """Return the message itself: it needs no conversion."""
+    """Return the message itself, because it needs no conversion."""
     return msg
 
 
@@ -19,7 +19,7 @@ from_msg_msg = to_msg_msg
 
 
 def transform_points(point_cloud: Any, transform: Transform) -> Any:
-    """Return the points (an array of N rows of x, y and z in metres), turned and then moved."""
+    """Return the points (an array of N rows of x, y and z in metres), rotated and then translated."""
     import numpy as np
 
     q, move = transform.rotation, transform.translation
@@ -30,7 +30,7 @@ def transform_points(point_cloud: Any, transform: Transform) -> Any:
 
 
 def do_transform_cloud(cloud: PointCloud2, transform: Transform | TransformStamped) -> PointCloud2:
-    """Return a new cloud whose fields x, y and z are transformed and all others kept.
+    """Return a new cloud with transformed fields x, y and z. All other fields are unchanged.
 
     A stamped transform gives the new cloud its frame and stamp too.
 

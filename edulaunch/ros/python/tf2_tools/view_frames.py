@@ -1,4 +1,4 @@
-"""The program view_frames: listens to tf2 for a while and draws the tree of frames."""
+"""The program view_frames: it listens to tf2 for a while and draws the tree of frames."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ COLUMN, ROW = 3.6, 2.2
 
 
 def prepare() -> None:
-    """Load what draws now, so that drawing is a short turn of its own."""
+    """Load the drawing library now, so that drawing takes only a short turn later."""
     import matplotlib.backends.backend_pdf
     import matplotlib.figure  # noqa: F401
 
 
 def draw_pdf(data: dict[Any, dict[str, Any]], recorded_time: float, path: str) -> None:
-    """Draw parents above their children; each arrow has broadcaster, rate, buffer length and the age of transforms.
+    """Draw parents above their children. Each arrow shows broadcaster, rate, buffer length and the age of transforms.
 
     :param data: by child frame, as `all_frames_as_yaml` describes them.
     """
@@ -115,14 +115,14 @@ def generate_dot(data: dict[Any, dict[str, Any]], recorded_time: float) -> str:
 
 
 def listen(node: Node, seconds: float) -> None:
-    """Let the node receive for that long."""
+    """Spin the node for that long."""
     start = time.time()
     while time.time() - start < seconds:
         rclpy.spin_once(node, timeout_sec=0.1)
 
 
 def ask_for_frames(node: Node) -> Any:
-    """Return the answer of the node's own service tf2_frames."""
+    """Return the response of the node's own service tf2_frames."""
     client = node.create_client(FrameGraph, 'tf2_frames')
     client.wait_for_service()
     future = client.call_async(FrameGraph.Request())

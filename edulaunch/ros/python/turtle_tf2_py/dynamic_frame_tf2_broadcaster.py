@@ -9,10 +9,12 @@ from turtle_tf2_py.fixed_frame_tf2_broadcaster import CarrotPublisher
 
 
 class DynamicFramePublisher(CarrotPublisher):
-    """Ten metres away, at an angle of pi times *whole* seconds, as upstream has it: it flips each second."""
+    """Broadcasts a frame at a distance of ten metres. As upstream, its angle is pi times *whole* seconds, so it changes sides
+    each second.
+    """
 
     def place(self, seconds: int) -> tuple[float, float]:
-        """On the y axis of the turtle's frame, but for rounding."""
+        """Return the position, which is on the y axis of the turtle's frame except for rounding."""
         return 10.0 * sin(seconds * pi), 10.0 * cos(seconds * pi)
 
 

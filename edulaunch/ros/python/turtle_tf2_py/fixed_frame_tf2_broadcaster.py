@@ -1,4 +1,4 @@
-"""The program fixed_frame_tf2_broadcaster: a frame that hangs two metres to the left of turtle1, a carrot before a donkey."""
+"""The program fixed_frame_tf2_broadcaster: it broadcasts the frame carrot1, two metres to the left of turtle1."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ PERIOD_S = 0.1
 
 
 class CarrotPublisher(Node):
-    """Sends turtle1 -> carrot1 ten times a second; where, says :meth:`place`."""
+    """Broadcasts turtle1 -> carrot1 ten times a second, at the position that :meth:`place` returns."""
 
     def __init__(self, node_name: str) -> None:
         super().__init__(node_name)
@@ -20,7 +20,7 @@ class CarrotPublisher(Node):
         self._timer = self.create_timer(PERIOD_S, self._on_timer)
 
     def place(self, seconds: int) -> tuple[float, float]:
-        """x and y of the carrot in the turtle's frame, metres, at the node's time in whole `seconds`."""
+        """Return x and y of the carrot in the turtle's frame, in metres, at the node's time in whole `seconds`."""
         return 0.0, 2.0
 
     def _on_timer(self) -> None:

@@ -1,4 +1,4 @@
-"""The program static_turtle_tf2_broadcaster: a frame that never moves, from seven command line arguments."""
+"""The program static_turtle_tf2_broadcaster: it broadcasts a static frame from seven command line arguments."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from edulaunch.ros.running import spin
 
 
 def quaternion_from_euler(roll: float, pitch: float, yaw: float) -> tuple[float, float, float, float]:
-    """Return the quaternion (x, y, z, w) of turning about the fixed axes x, then y, then z; angles in radians."""
+    """Return the quaternion (x, y, z, w) of rotations about the fixed axes x, then y, then z. Angles are in radians."""
     sr, cr = sin(roll / 2.0), cos(roll / 2.0)
     sp, cp = sin(pitch / 2.0), cos(pitch / 2.0)
     sy, cy = sin(yaw / 2.0), cos(yaw / 2.0)
@@ -29,7 +29,7 @@ USAGE = (
 
 
 class StaticFramePublisher(Node):
-    """Publishes world -> child once, for everybody who comes later too."""
+    """Broadcasts world -> child once, also for late subscriptions."""
 
     def __init__(self, child: str, numbers: list[float]) -> None:
         super().__init__('static_turtle_tf2_broadcaster')

@@ -1,4 +1,4 @@
-"""The program turtle_tf2_broadcaster: says where a turtle is, as the transform world -> turtle."""
+"""The program turtle_tf2_broadcaster: it broadcasts the pose of a turtle as the transform world -> turtle."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from edulaunch.ros.running import spin
 
 
 class FramePublisher(Node):
-    """One transform for each pose of the turtle named by the parameter `turtlename`."""
+    """Broadcasts one transform for each pose of the turtle in the parameter `turtlename`."""
 
     def __init__(self) -> None:
         super().__init__('turtle_tf2_frame_publisher')

@@ -1,4 +1,4 @@
-"""The program turtle_tf2_listener: spawns turtle2 and drives it after a frame."""
+"""The program turtle_tf2_listener: it spawns turtle2 and drives it towards a frame."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ DRIVE_GAIN = 0.5
 
 
 class FrameListener(SpawningNode):
-    """Once a second: look up where `target_frame` is, seen from turtle2, and command turtle2 that way."""
+    """Looks up `target_frame` as seen from turtle2 once a second, and sends turtle2 there."""
 
     def __init__(self) -> None:
         super().__init__('turtle_tf2_frame_listener', FOLLOWER)
@@ -27,7 +27,7 @@ class FrameListener(SpawningNode):
         self._commands = self.create_publisher(Twist, f'{FOLLOWER}/cmd_vel', 1)
 
     def on_step(self) -> None:
-        """Look up, then drive."""
+        """Look the transform up, and publish a command."""
         try:
             found = self._buffer.lookup_transform(FOLLOWER, self._target, Time())
         except TransformException as error:

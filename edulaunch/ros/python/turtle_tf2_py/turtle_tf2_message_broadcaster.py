@@ -1,4 +1,4 @@
-"""The program turtle_tf2_message_broadcaster: turtle3 drives a circle and sends stamped points."""
+"""The program turtle_tf2_message_broadcaster: turtle3 drives in a circle and publishes stamped points."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class PointPublisher(SpawningNode):
         self._sets: list[Any] = []
 
     def on_step(self) -> None:
-        """Join turtle3's topics."""
+        """Create the publishers and the subscription for turtle3."""
         self._commands = self.create_publisher(Twist, 'turtle3/cmd_vel', 1)
         self._points = self.create_publisher(PointStamped, 'turtle3/turtle_point_stamped', 1)
         poses = self.create_subscription(Pose, 'turtle3/pose', self._on_pose, 1)

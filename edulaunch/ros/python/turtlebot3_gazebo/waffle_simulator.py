@@ -1,4 +1,4 @@
-"""The program waffle_simulator: the robot's side of Gazebo (drives on /cmd_vel, reports /odom and tf)."""
+"""The program waffle_simulator: a robot in place of Gazebo, which drives on /cmd_vel and publishes /odom and tf."""
 
 from __future__ import annotations
 

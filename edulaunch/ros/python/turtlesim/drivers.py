@@ -23,7 +23,7 @@ COMMANDS = {FORWARD: (1.0, 0.0), TURN: (0.0, 0.4)}
 
 
 class DrawSquare(CppNode):
-    """Drive, stop, turn, stop: one state after the other, looked at every 16 ms."""
+    """Drives a square in states: drive, stop, turn, stop. It checks the state every 16 ms."""
 
     def __init__(self) -> None:
         super().__init__('draw_square')
@@ -102,7 +102,7 @@ def _ahead(pose: Any) -> tuple[float, float, float]:
 
 
 class MimicNode(CppNode):
-    """Sends every pose's velocities from `input/pose` on to `output/cmd_vel`, zeros included."""
+    """Publishes the velocities of every pose on `input/pose` as commands on `output/cmd_vel`, zeros included."""
 
     def __init__(self) -> None:
         super().__init__('turtle_mimic')
@@ -132,7 +132,7 @@ WELCOME = (
 
 
 class TeleopTurtle(CppNode):
-    """One Twist per arrow key; letters set, and cancel, rotation goals. Without input it stays idle.
+    """Publishes one Twist for each arrow key. Letters send and cancel rotation goals.
 
     :param keyboard: a terminal, in which each key counts when it is pressed, or a string.
     """
@@ -149,7 +149,7 @@ class TeleopTurtle(CppNode):
         print(*WELCOME, sep='\n')
 
     def spin(self) -> None:
-        """Follow the keys until a request to stop. Meanwhile, a terminal is read key by key."""
+        """Handle keys until the program is stopped. Meanwhile, a terminal is read key by key."""
         if self._timer is not None:
             rclpy.spin(self)
             return

@@ -1,4 +1,4 @@
-"""One turtle's topics, services and its action rotate_absolute."""
+"""The topics, services and the action rotate_absolute of one turtle."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from turtlesim.srv import SetPen, TeleportAbsolute, TeleportRelative
 
 
 class RotateAbsoluteServer:
-    """Takes every goal and every cancel request at once; the newest goal wins.
+    """Accepts every goal and every cancel request at once. A new goal replaces the previous one.
 
     The turning itself is the turtle's update; `goal` is the handle of the goal being followed, or None.
     """
@@ -41,11 +41,11 @@ class RotateAbsoluteServer:
         )
 
     def destroy(self) -> None:
-        """Take the action off the graph."""
+        """Remove the action from the graph."""
         self._server.destroy()
 
     def cancel_if_asked(self) -> None:
-        """End the goal as cancelled and stop the motion if its client has asked for that; called before each update."""
+        """Cancel the goal and stop the motion if its client requested that. It is called before each update."""
         if self.goal.is_cancel_requested:
             self._log.info('Rotation goal canceled')
             self.goal.canceled()
@@ -53,7 +53,7 @@ class RotateAbsoluteServer:
             self._turtle.stop()
 
     def report(self) -> None:
-        """Publish the feedback, and the success once the turtle has arrived; called after each update."""
+        """Publish the feedback, and the success once the turtle has arrived. It is called after each update."""
         if self.goal is None:
             return
         numbers = self._numbers
@@ -103,7 +103,7 @@ _POSE = Struct('5f')
 
 
 class TurtlePorts:
-    """Connects a turtle of the world with ROS, under names that start with the turtle's and are relative."""
+    """Connects a turtle of the world with ROS. All names are relative and begin with the turtle's name."""
 
     def __init__(self, node: Node, turtle: Turtle) -> None:
         self.turtle = turtle
@@ -126,7 +126,7 @@ class TurtlePorts:
         self._resting: tuple[float, ...] | None = None  # the pose that a resting turtle publishes again and again
 
     def destroy(self) -> None:
-        """Take the turtle off the graph."""
+        """Remove the turtle from the graph."""
         self._rotation.destroy()
         for service in self._services:
             self._node.destroy_service(service)

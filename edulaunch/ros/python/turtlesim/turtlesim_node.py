@@ -1,4 +1,4 @@
-"""The program turtlesim_node: a window's worth of turtles, updated every 16 ms."""
+"""The program turtlesim_node: a window of turtles, updated every 16 ms."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ BACKGROUND = (('background_r', 'Red', 69), ('background_g', 'Green', 86), ('back
 
 
 class TurtleFrame:
-    """The node behind the turtle window. All names are relative: a namespace moves them along."""
+    """The node of the turtle window. All names are relative, so that a namespace changes them."""
 
     def __init__(self) -> None:
         self.node = CppNode('turtlesim')
@@ -51,7 +51,7 @@ class TurtleFrame:
         )
 
     def update(self) -> None:
-        """One tick of all turtles. The first only notes that time has begun: not while the clock reads 0."""
+        """Update all turtles once. The first update only stores the time, once the clock no longer shows 0."""
         now_ns = self._clock.now_ns()
         if not self._started:
             self._started = now_ns != 0

@@ -16,8 +16,7 @@ if TYPE_CHECKING:
 
 
 class AppendEnvironmentVariable(Action):
-    """Add a value at the end (or the beginning) of an environment variable that is a list; set it when it is
-    not there.
+    """Append a value to an environment variable that is a list, or prepend it. Create the variable if it does not exist.
 
     :param prepend: add at the beginning; a boolean, or substitutions that give one.
     :param separator: between the values, by default that of search paths.

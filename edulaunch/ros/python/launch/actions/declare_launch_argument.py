@@ -16,8 +16,7 @@ if TYPE_CHECKING:
 
 
 class DeclareLaunchArgument(Action):
-    """Declare a launch argument: `ros2 launch ... name:=value`, or `launch_arguments` of an
-    include.
+    """Declare a launch argument, which users set with `ros2 launch ... name:=value`, and includes with `launch_arguments`.
 
     Its value is the launch configuration of that name. One that is set already stays; else it gets the
     default.

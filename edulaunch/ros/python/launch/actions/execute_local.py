@@ -29,7 +29,7 @@ SIGKILL_TIMEOUT = LaunchConfiguration('sigkill_timeout', default=5)
 
 
 class ExecuteLocal(Action):
-    """Run a program. What it prints and how it ends become events and log lines.
+    """Run a program. Its output and its end become events and log lines.
 
     :param process_description: the command line and what belongs to it.
     :param shell: let a shell run the joined command line.
@@ -100,9 +100,7 @@ class ExecuteLocal(Action):
 
     @property
     def respawn(self) -> Any:
-        """Whether the program is started again when it ends; before execution perhaps substitutions. (edulaunch
-        only.)
-        """
+        """Whether the program is started again when it ends. Before execution, this may be substitutions. (edulaunch only.)"""
         return self.__options.respawn
 
     respawn_delay: ReadOnly[Any] = ReadOnly('Seconds until then; None for at once. (edulaunch only.)', '__options.respawn_delay')
@@ -117,13 +115,13 @@ class ExecuteLocal(Action):
 
     @property
     def output(self) -> Any:
-        """Where the output goes: a dictionary, or substitutions for a name (once executed, the name)."""
+        """The target of the output: a dictionary, or substitutions for a name (after execution, the name)."""
         is_given_name = isinstance(self.__output, str) and not self.__executed
         return normalize_to_list_of_substitutions(self.__output) if is_given_name else self.__output
 
     @property
     def process_details(self) -> dict[str, Any] | None:
-        """None before execution, then `action`, `name`, `cmd`, `cwd`, `env`, and once it runs `pid`."""
+        """None before execution, then `action`, `name`, `cmd`, `cwd` and `env`, and `pid` once the process runs."""
         if self.__process_details is not None:
             self.__process_details['cmd'] = self.__process_description.final_cmd
         return self.__process_details
@@ -155,11 +153,11 @@ class ExecuteLocal(Action):
         return '' if self.__watch is None else self.__watch.text_of(stream)
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the entities of `on_exit`, when it is a list."""
+        """Return the entities of `on_exit`, if it is a list."""
         return self.__on_exit if isinstance(self.__on_exit, list) else []
 
     def prepare(self, context: LaunchContext) -> None:
-        """Evaluate all substitutions; the process gets its number."""
+        """Evaluate all substitutions, and number the process."""
         description = self.__process_description
         description.prepare(context, self)
         self.__process_details = {
@@ -174,13 +172,11 @@ class ExecuteLocal(Action):
             self.__options = self.__options._replace(respawn=respawn)
 
     def process_spec_details(self) -> dict[str, Any]:
-        """Further fields of the `ProcessSpec`; a node says which package and executable it is. For
-        subclasses.
-        """
+        """Return further fields of the `ProcessSpec`, such as the package and executable of a node. Subclasses override it."""
         return {}
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Resolve the command line now; the process starts after everything has been visited.
+        """Resolve the command line. The process starts after everything has been visited.
 
         :raises RuntimeError: when this action was executed before.
         """
@@ -210,7 +206,7 @@ class ExecuteLocal(Action):
         loop.call_soon(watch.begin, context)
 
     def start_again(self, context: LaunchContext) -> None:
-        """Start the program again, also without `respawn`. A program that runs gets SIGINT first.
+        """Start the program again, even without `respawn`. A running program receives SIGINT first.
 
         Called on launch's loop. (edulaunch only.)
         """

@@ -16,7 +16,7 @@ Pairs = list[tuple[Substitutions, Substitutions]]
 
 
 class ExecuteProcess(ExecuteLocal):
-    """Run a command: `ros2 ...` and programs of known packages in the simulation, any other for real.
+    """Run a command. `ros2 ...` and programs of known packages run in the simulation, and any other command runs on the computer.
 
     :param cmd: the words, each a string or substitutions. In a plain string instead of a list, each letter would be one word.
     :param prefix: put in front of the command, such as 'xterm -e' (default: the launch configuration `launch-prefix`).
@@ -50,29 +50,29 @@ class ExecuteProcess(ExecuteLocal):
 
     @property
     def name(self) -> str | Substitutions | None:
-        """The unique name; before execution the given one, as substitutions."""
+        """The unique name. Before execution, it is the given name, as substitutions."""
         description = self.process_description
         return description.final_name if description.final_name is not None else description.name
 
     @property
     def cmd(self) -> Any:
-        """The command line; before execution each word as substitutions."""
+        """The command line. Before execution, each word is a list of substitutions."""
         description = self.process_description
         return description.final_cmd if description.final_cmd is not None else description.cmd
 
     @property
     def cwd(self) -> str | Substitutions | None:
-        """The working directory; before execution as substitutions."""
+        """The working directory. Before execution, it is a list of substitutions."""
         description = self.process_description
         return description.final_cwd if description.final_cwd is not None else description.cwd
 
     @property
     def env(self) -> dict[str, str] | Pairs | None:
-        """The environment; before execution as substitutions."""
+        """The environment. Before execution, its entries are substitutions."""
         description = self.process_description
         return description.final_env if description.final_env is not None else description.env
 
     @property
     def additional_env(self) -> Pairs | None:
-        """What is added to the environment, as substitutions."""
+        """The additional environment variables, as substitutions."""
         return self.process_description.additional_env

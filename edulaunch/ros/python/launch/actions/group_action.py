@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class GroupAction(Action):
-    """Visit several actions together; one condition holds for all.
+    """Visit several actions together, with one condition for all.
 
     :param scoped: launch configurations (so also the pushed namespace) and environment variables changed
         inside are as before afterwards.

@@ -68,7 +68,7 @@ class IncludeLaunchDescription(Action):
         return f'IncludeLaunchDescription({self.__source.described_location})'
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the description, when its file can be found and loaded without a running launch."""
+        """Return the description, if its file can be found and loaded without a running launch."""
         description = self.__source.try_get_launch_description_without_context()
         return [description] if description is not None else []
 
@@ -83,7 +83,8 @@ class IncludeLaunchDescription(Action):
         return [perform_substitutions(context, normalize_to_list_of_substitutions(name)) for name, _ in self.__launch_arguments]
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
-        """Load it; first set the arguments, then visit it. A file of a package like Gazebo's, which is not here, is left out.
+        """Load the description, set its arguments, and visit it. A file of a package that edulaunch does not have, such as
+        Gazebo, is left out.
 
         :raises RuntimeError: when an argument without default is missing.
         """

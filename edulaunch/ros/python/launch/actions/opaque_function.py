@@ -15,8 +15,7 @@ if TYPE_CHECKING:
 
 
 class OpaqueFunction(Action):
-    """Call `function(context, *args, **kwargs)` when visited; the list of entities it returns is visited
-    next.
+    """Call `function(context, *args, **kwargs)` when launch visits it. Launch then visits the returned entities.
 
     The function can read launch configurations, so it can build actions from plain Python values. Its result is unknown before
     (opaque), so `ros2 launch -s` does not list launch arguments that it declares.

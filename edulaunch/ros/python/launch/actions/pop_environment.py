@@ -14,5 +14,5 @@ class PopEnvironment(Action):
     """Restore the environment variables saved by the last `PushEnvironment`."""
 
     def execute(self, context: LaunchContext) -> None:
-        """Set the variables to what they were at the last PushEnvironment; RuntimeError when there was none."""
+        """Restore the variables of the last PushEnvironment. Raise RuntimeError if there was none."""
         context._pop_environment()

@@ -14,5 +14,5 @@ class PopLaunchConfigurations(Action):
     """Restore the launch configurations saved by the last `PushLaunchConfigurations`."""
 
     def execute(self, context: LaunchContext) -> None:
-        """Set the configurations to what they were at the last push; RuntimeError when there was none."""
+        """Restore the configurations of the last push. Raise RuntimeError if there was none."""
         context._pop_launch_configurations()

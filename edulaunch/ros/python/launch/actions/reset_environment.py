@@ -14,5 +14,5 @@ class ResetEnvironment(Action):
     """Restore the environment variables to their values at the start of the launch."""
 
     def execute(self, context: LaunchContext) -> None:
-        """Set the variables to what they were when the launch began."""
+        """Restore the variables to their values at the start of the launch."""
         context._reset_environment()

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class SetEnvironmentVariable(Action):
-    """Set an environment variable of launch's process, which later processes inherit."""
+    """Set an environment variable of launch's process. Later processes inherit it."""
 
     def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -14,8 +14,7 @@ if TYPE_CHECKING:
 
 
 class SetLaunchConfiguration(Action):
-    """Set a launch configuration, whether it is set already or not (so it also overrides `name:=value` of a
-    user).
+    """Set a launch configuration, even if it is already set. It also overrides `name:=value` of a user.
 
     :param name, value: strings or substitutions.
     """

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Shutdown(EmitEvent):
-    """End the whole launch. As `on_exit=Shutdown()` of a process: end it when that process ends.
+    """End the whole launch. With `on_exit=Shutdown()`, the end of a process ends the launch.
 
     :param reason: for people; a string or substitutions.
     """

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class TimerAction(Action):
-    """Visit the actions once, after `period` seconds of simulated time, unless cancelled before.
+    """Visit the actions once, after `period` seconds of simulated time, unless the timer is cancelled first.
 
     They see the locals of the moment when the timer was executed, but the launch configurations of the moment when it fires.
     Configurations of a group around it are gone by then.
@@ -71,7 +71,7 @@ class TimerAction(Action):
         return [(f'{self.__period} seconds pass without being canceled', self.__actions)]
 
     def handle(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity]:
-        """Return the actions to visit when the time is over."""
+        """Return the actions to visit when the timer fires."""
         context.extend_locals(self.__context_locals)
         return self.__actions
 
@@ -96,7 +96,7 @@ class TimerAction(Action):
             self._completed_future.set_result(None)
 
     def execute(self, context: LaunchContext) -> None:
-        """Begin to wait."""
+        """Start the timer."""
         loop = context.asyncio_loop
         self._completed_future = loop.create_future()
         self._canceled_future = loop.create_future()

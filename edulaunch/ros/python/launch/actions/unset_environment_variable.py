@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class UnsetEnvironmentVariable(Action):
-    """Remove an environment variable of launch's process; an unknown name changes nothing."""
+    """Remove an environment variable of launch's process. An unknown name has no effect."""
 
     def __init__(self, name: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

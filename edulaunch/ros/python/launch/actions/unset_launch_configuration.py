@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class UnsetLaunchConfiguration(Action):
-    """Remove a launch configuration; an unknown name changes nothing."""
+    """Remove a launch configuration. An unknown name has no effect."""
 
     def __init__(self, name: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -19,8 +19,8 @@ VALID_FALSE_EXPRESSIONS = ['false', '0']
 
 
 def evaluate_condition_expression(context: LaunchContext, expression: Iterable[Substitution]) -> bool:
-    """Join the substitutions; `true` and `1` are true, `false` and `0` are false, in any case, with spaces
-    around.
+    """Join the substitutions and return their boolean value: `true` and `1`, or `false` and `0`, in upper or lower case, with
+    spaces around them.
 
     :raises InvalidConditionExpressionError: for any other text, 'yes' and 'on' included.
     """

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class IfCondition(_ExpressionCondition):
-    """Execute the action only if the expression is `true` or `1` (any case); `false` and `0` are the only other values.
+    """Execute the action only if the expression is `true` or `1`. The only other allowed values are `false` and `0`.
 
     :raises InvalidConditionExpressionError: on evaluation, for any other text.
     """

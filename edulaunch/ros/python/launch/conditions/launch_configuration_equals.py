@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class LaunchConfigurationEquals(Condition):
-    """True when the launch configuration has exactly the expected text; an expected None means "is not set".
+    """True if the launch configuration equals the expected string. The expected value None means "not set".
 
     Deprecated upstream in favour of `IfCondition(EqualsSubstitution(...))`; making one warns.
     """

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class LaunchConfigurationNotEquals(LaunchConfigurationEquals):
-    """True when the launch configuration does not have exactly the given text; None means "is set"."""
+    """True if the launch configuration does not equal the given string. The value None means "set"."""
 
     _sign = 'is not'
 

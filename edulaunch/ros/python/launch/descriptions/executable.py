@@ -83,13 +83,13 @@ class Executable:
 
     @property
     def cmd(self) -> list[Substitutions]:
-        """The words of the command line (live), as substitutions."""
+        """The words of the command line, as substitutions. Changes of this list affect the command."""
         words = self.__words
         words[:] = [word if isinstance(word, list) else normalize_to_list_of_substitutions(word) for word in words]
         return words  # type: ignore[return-value]
 
     def add_words(self, words: Iterable[SomeSubstitutionsType]) -> None:
-        """Add words at the end of the command line. Strings become substitutions when they are first read."""
+        """Append words to the command line. Strings become substitutions when they are first read."""
         self.__words += [
             word if type(word) is str or isinstance(word, Substitution) else normalize_to_list_of_substitutions(word)
             for word in words
@@ -117,23 +117,23 @@ class Executable:
 
     @property
     def command(self) -> list[str] | None:
-        """Return the same, for callers that do not read the files in it. (edulaunch only.)"""
+        """Return :attr:`final_cmd` for callers that do not read the files in it. (edulaunch only.)"""
         return self._command
 
     @property
     def word_count(self) -> int:
-        """The number of words of the command line without a prefix, which creates no substitution. (edulaunch only.)"""
+        """The number of words of the command line without a prefix. Reading it creates no substitution. (edulaunch only.)"""
         return len(self.__words)
 
     def write_before_look(self, write: Callable[[], object]) -> None:
-        """Let `write` put the files that the command names on the disk at their first use. (edulaunch only.)"""
+        """Let `write` create the files that the command names at their first use. (edulaunch only.)"""
         self._named_files = write
 
     final_cwd: ReadOnly[str | None] = ReadOnly("The working directory, None for launch's own.")
     final_env: ReadOnly[dict[str, str] | None] = ReadOnly('The environment; None before :meth:`prepare`.')
 
     def prepare(self, context: LaunchContext, action: Action | None) -> None:
-        """Evaluate everything in `context`, and give the process the next number."""
+        """Evaluate everything in `context`, and assign the next number to the process."""
         cmd = [word if isinstance(word, str) else _performed(context, word) for word in self.__words]
         prefix = self.__prefix_words(context, cmd[0])
         self._command = [*prefix, *cmd] if prefix else cmd

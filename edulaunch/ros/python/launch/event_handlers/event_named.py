@@ -12,5 +12,5 @@ if TYPE_CHECKING:
 
 
 def event_named(name: str) -> Callable[[Event], bool]:
-    """Accepts events whose `name` is this, such as 'launch.events.Shutdown'."""
+    """Return a matcher for events with this `name`, such as 'launch.events.Shutdown'."""
     return lambda event: event.name == name

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class OnActionEventBase(BaseEventHandler):
-    """Base of the handlers for events that have an `action`.
+    """The base class of handlers for events that have an `action`.
 
     :param action_matcher: an action (that very object), a callable that gets the action, or None for every
         action.
@@ -80,7 +80,7 @@ class OnActionEventBase(BaseEventHandler):
         return f'event == {event} and {self.__target_action_cls.__name__}(event.action)'
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
-        """Return the handler in words, and its entities."""
+        """Return a description of the handler, and its entities."""
         text = super().describe()[0]
         return text, list(self.__actions_on_event)
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class OnIncludeLaunchDescription(BaseEventHandler):
-    """Visits the description of each `IncludeLaunchDescription` event; the launch service has one of these."""
+    """Visits the description of each `IncludeLaunchDescription` event. Each launch service has one such handler."""
 
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(matcher=lambda event: isinstance(event, IncludeLaunchDescription), **kwargs)

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class OnProcessExit(OnActionEventBase):
-    """Reacts when a process has ended, for whatever reason.
+    """Handles the end of a process.
 
     :param target_action: the `ExecuteProcess` or `Node`, a callable that decides, or None for every process.
     :param on_exit: an entity, several, or a callable (event, context) that may return entities.

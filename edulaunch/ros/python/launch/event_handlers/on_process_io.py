@@ -19,7 +19,7 @@ OnText = Callable[[ProcessIO], SomeEntitiesType | None]
 
 
 class OnProcessIO(OnActionEventBase):
-    """Reacts to text on the streams of a process, in pieces as they come.
+    """Handles input and output of a process, in the pieces in which it arrives.
 
     :param target_action: the `ExecuteProcess` or `Node`, a callable that decides, or None for every process.
     :param on_stdin, on_stdout, on_stderr: each called with the event; may return entities.

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class OnProcessStart(OnActionEventBase):
-    """Reacts when a process has been started.
+    """Handles the start of a process.
 
     :param target_action: the `ExecuteProcess` or `Node`, a callable that decides, or None for every process.
     :param on_start: an entity, several, or a callable (event, context) that may return entities.

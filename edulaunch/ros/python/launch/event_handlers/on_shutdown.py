@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class OnShutdown(BaseEventHandler):
-    """Reacts when the launch is asked to end.
+    """Handles a request to end the launch.
 
     :param on_shutdown: an entity, several, or a callable (event, context) that may return entities.
     """
@@ -45,7 +45,7 @@ class OnShutdown(BaseEventHandler):
         return 'event issubclass of launch.events.Shutdown'
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
-        """Return the handler in words, and its entities."""
+        """Return a description of the handler, and its entities."""
         text = super().describe()[0]
         if callable(self.__on_shutdown):
             return text, []

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class Shutdown(Event):
-    """Ends the whole launch: processes get signals, timers are cancelled, nothing new is started.
+    """Ends the whole launch. Processes receive signals, timers are cancelled, and no new process starts.
 
     :param reason: for people, and for `LocalSubstitution('event.reason')`.
     :param due_to_sigint: the user pressed Ctrl-C, so a terminal has already signalled the processes.

@@ -1,4 +1,4 @@
-"""Reads `if` and `unless`, which every element of a launch file may have."""
+"""Read `if` and `unless`, which every element of a launch file may have."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .parser_protocol import ParserProtocol
 
 
 def condition_of(entity: Entity, parser: ParserProtocol) -> dict[str, Any]:
-    """Keyword argument `condition`, when the element has `if` or `unless`.
+    """Return the keyword argument `condition` if the element has `if` or `unless`.
 
     :raises RuntimeError: when it has both.
     """

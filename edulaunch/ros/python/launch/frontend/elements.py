@@ -71,7 +71,7 @@ NOTHING: Attributes = {}
 
 
 class Element:
-    """Reads one kind of element; the class it makes is imported when the first one is read.
+    """Reads one kind of element. The class that it creates is imported when the first such element is read.
 
     :param made_by: module and class, such as 'launch.actions.log_info.LogInfo'.
     :param needed: attributes and children that it must have.
@@ -137,7 +137,7 @@ def typed(data_type: type) -> Reader:
 
 
 def as_given(data_type: type, *, can_be_str: bool = True) -> Reader:
-    """Return an attribute of that type; upstream finds no substitutions in a string there."""
+    """Return an attribute of that type. As upstream, substitutions in a string are not evaluated."""
     return lambda entity, parser, name: entity.get_attr(name, data_type=data_type, can_be_str=can_be_str)
 
 
@@ -157,7 +157,7 @@ def pairs(
 
 
 def mapping(entity: Entity, parser: ParserProtocol, tag: str) -> dict[tuple[Substitution, ...], Substitutions]:
-    """Return the same as :func:`pairs`, as a dictionary."""
+    """Return child elements like :func:`pairs`, as a dictionary."""
     return {tuple(name): value for name, value in pairs(entity, parser, tag)}
 
 

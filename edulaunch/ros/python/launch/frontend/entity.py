@@ -1,4 +1,4 @@
-"""One element of a launch file in any format, as a parse function gets it."""
+"""One element of a launch file in any format, as a parse function receives it."""
 
 from __future__ import annotations
 
@@ -29,21 +29,21 @@ class Entity(ABC):
     @property
     @abstractmethod
     def type_name(self) -> str:
-        """Name of the element, such as `node`."""
+        """The name of the element, such as `node`."""
 
     @property
     @abstractmethod
     def parent(self) -> Entity | None:
-        """The element around this one, or None."""
+        """The enclosing element, or None."""
 
     @property
     @abstractmethod
     def children(self) -> list[Entity]:
-        """The elements inside, which count as asked for from now on."""
+        """The elements inside. Reading this property marks them as requested."""
 
     @property
     def line(self) -> int:
-        """Line in the file, from 1; 0 when it is unknown. (edulaunch only.)"""
+        """The line in the file, from 1; 0 if it is unknown. (edulaunch only.)"""
         return 0
 
     @property
@@ -63,14 +63,14 @@ class Entity(ABC):
         """
 
     def given(self, attributes: Collection[str], children: Collection[str] = ()) -> list[str]:
-        """Return those of the `attributes`, then those of the `children` that the element has; all count as asked for.
+        """Return the existing `attributes` and then the existing `children`, and mark all of them as requested.
 
         (edulaunch only.) Much quicker than asking for each, where the format overrides it.
         """
         return [name for name in attributes if self._has(name, None)] + [name for name in children if self._has(name, Entities)]
 
     def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
-        """Return (first, second, line) of each child called `tag`, when each has these two attributes and nothing else.
+        """Return (first, second, line) of each child called `tag`, if each has exactly these two attributes and nothing else.
 
         (edulaunch only.) None says nothing: ask for each. Most of a long file are such elements; formats give the quick answer,
         and no entities need be made of them.
@@ -87,7 +87,7 @@ class Entity(ABC):
 
     @abstractmethod
     def assert_entity_completely_parsed(self) -> None:
-        """Raise ValueError, naming them, when there are attributes or children that were not asked for."""
+        """Raise ValueError with the names of attributes or children that were not requested."""
 
     def _unexpected(self, what: str, names: list[str], kind: str | None = None) -> ValueError:
         """Return the error for unread names; the format is Python's format of a set, but in order.

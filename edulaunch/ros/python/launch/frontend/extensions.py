@@ -1,4 +1,4 @@
-"""Elements, substitutions and formats that installed packages add, found through entry points.
+"""Elements, substitutions and formats of installed packages, found through entry points.
 
 Looking entry points up costs more than parsing a launch file, so this waits until something unknown is met.
 """
@@ -22,7 +22,7 @@ def entry_points_of(group: str) -> Iterator[Any]:
 
 
 def load_launch_extensions() -> None:
-    """Import every module that announces launch extensions; one that cannot be imported gives a warning."""
+    """Import every module with launch extensions. A module that cannot be imported causes a warning."""
     for entry_point in entry_points_of(LAUNCH_EXTENSION_GROUP):
         try:
             entry_point.load()
@@ -31,7 +31,7 @@ def load_launch_extensions() -> None:
 
 
 def load_parsers(known: dict[str, Any]) -> dict[str, Any]:
-    """Parsers of installed packages by name, after the `known` ones; a failing import gives a warning."""
+    """Return the parsers of installed packages by name, after the `known` ones. A failing import causes a warning."""
     parsers = dict(known)
     for entry_point in entry_points_of(PARSER_GROUP):
         if entry_point.name in parsers:

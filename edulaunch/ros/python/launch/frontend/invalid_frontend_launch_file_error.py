@@ -1,4 +1,4 @@
-"""A launch file in a frontend's format that cannot be read."""
+"""The error for an unreadable launch file in a frontend's format."""
 
 from __future__ import annotations
 
@@ -6,4 +6,4 @@ from ..invalid_launch_file_error import InvalidLaunchFileError
 
 
 class InvalidFrontendLaunchFileError(InvalidLaunchFileError):
-    """No parser understands the text of the file; the message has one line per parser that was tried."""
+    """No parser can read the file. The message has one line for each parser that was tried."""

@@ -1,4 +1,4 @@
-"""Converts the text of an attribute to substitutions."""
+"""Convert the text of an attribute to substitutions."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _QUOTED = {"'": re.compile(r"(?:[^\\$']+|\$(?!\())+"), '"': re.compile(r'(?:[^\\
 
 @lru_cache(maxsize=4096)
 def parse_template(text: str) -> Template:
-    """Return the parts of a string, in order; equal strings share one (immutable) result.
+    """Return the parts of a string, in order. Equal strings share one immutable result.
 
     :raises UnexpectedCharacters: for a character that the grammar does not allow.
     :raises UnexpectedEOF: when a `$(` or a quote in it is not closed.
@@ -133,7 +133,7 @@ LONGEST_SHOWN = 60
 
 
 class SubstitutionSyntaxError(Exception):
-    """Base of the errors in the text of a `$(...)`."""
+    """The base class of errors in the text of a `$(...)`."""
 
 
 class UnexpectedInput(SubstitutionSyntaxError):
@@ -159,7 +159,7 @@ class UnexpectedInput(SubstitutionSyntaxError):
 
 
 class UnexpectedCharacters(UnexpectedInput):
-    """The grammar does not allow a character at its place; the message shows it with a caret."""
+    """The grammar does not allow a character at its place. The message marks the character with a caret."""
 
     def first_line(self, text: str) -> str:
         """Return the message about an unexpected character, with its place."""
@@ -177,7 +177,7 @@ class UnexpectedEOF(UnexpectedInput):
 
 
 class VisitError(SubstitutionSyntaxError):
-    """A `$(...)` is well-formed but cannot be made: unknown name, or wrong number of arguments.
+    """A `$(...)` is well-formed, but its name is unknown or its number of arguments is wrong.
 
     :ivar rule: the grammar rule, 'substitution'.
     :ivar orig_exc: the error behind it, which is also the `__cause__`.
@@ -212,7 +212,7 @@ def parse_substitution(string: str) -> list[Substitution]:
 
 
 def parse_if_substitutions(value: Any) -> Any:
-    """Do the same as :func:`parse_substitution` for a string that contains `$(...)`; a plain one stays an (unescaped) string.
+    """Parse a string that contains `$(...)` like :func:`parse_substitution`. A plain string remains an (unescaped) string.
 
     Other scalars are returned as they are; a list is treated item by item.
 

@@ -1,4 +1,4 @@
-"""Reads launch files in formats other than Python."""
+"""Read launch files in formats other than Python."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def __getattr__(name: str) -> Any:
 
 
 class Parser:
-    """Makes a launch description from the elements of a file; each format has a subclass that reads the text.
+    """Makes a launch description from the elements of a file. Each format has a subclass that reads the text.
 
     :cvar extensions_loaded: whether launch extensions of installed packages were looked for.
     :cvar frontend_parsers: all formats found so far, by name; None before the first look.
@@ -75,7 +75,7 @@ class Parser:
         return LaunchDescription(actions, deprecated_reason=deprecated)
 
     def parse_action(self, entity: Entity) -> Action:
-        """Return the action of an element; it remembers the file and line of the element.
+        """Return the action of an element, with the file and line of the element.
 
         :raises RuntimeError: when no action has that name.
         :raises ValueError: when the element has attributes or children that its action does not know.
@@ -179,7 +179,7 @@ class Parser:
 
     @classmethod
     def may_parse(cls, filename: str) -> bool:
-        """Return whether this parser claims files of such a name."""
+        """Return whether this parser handles files with such a name."""
         return any(filename.endswith(f'.{extension}') for extension in sorted(cls.get_file_extensions()))
 
     @classmethod
@@ -191,7 +191,7 @@ class Parser:
 
     @classmethod
     def load_parser_implementations(cls) -> None:
-        """Find the parsers of installed packages, once; XML and YAML are always there."""
+        """Find the parsers of installed packages, once. The parsers for XML and YAML always exist."""
         if Parser.frontend_parsers is None:
             Parser.frontend_parsers = load_parsers(cls._built_in_parsers())
 
@@ -202,7 +202,9 @@ class Parser:
 
     @classmethod
     def get_parsers_from_filename(cls, filename: str) -> list[type[Parser]]:
-        """Return the parsers that claim such a name; of installed packages only when neither XML nor YAML does."""
+        """Return the parsers that handle such a name. Include those of installed packages only if neither XML nor
+        YAML matches.
+        """
         claiming = [parser for parser in cls._built_in_parsers().values() if parser.may_parse(filename)]
         return claiming or [parser for parser in cls._all_parsers(filename) if parser.may_parse(filename)]
 
@@ -213,7 +215,7 @@ class Parser:
 
     @classmethod
     def is_filename_valid(cls, filename: str) -> bool:
-        """Return whether any parser claims such a name."""
+        """Return whether any parser handles such a name."""
         return bool(cls.get_parsers_from_filename(filename))
 
     @classmethod

@@ -1,4 +1,4 @@
-"""The part of a parser that readers of single elements need, so that these files do not import each other."""
+"""The part of a parser that readers of single elements need. It avoids imports in a circle."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class ParserProtocol(Protocol):
         """Return a string with its `$(...)` as substitutions."""
 
     def parse_if_substitutions(self, value: Any) -> Any:
-        """Do the same for a value that need not be a string, and for lists."""
+        """Parse a value that may contain `$(...)`. It need not be a string, and may be a list."""
 
     def escape_characters(self, value: str) -> str:
         """Return a string without its backslashes."""

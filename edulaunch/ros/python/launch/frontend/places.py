@@ -1,4 +1,4 @@
-"""What hangs on an error in an XML or YAML launch file besides ROS's type and text: where it is, and facts about it.
+"""Places and facts that edulaunch attaches to errors of ROS in XML and YAML launch files.
 
 Attributes of the error: `edulaunch_file`, `edulaunch_line`, and its facts (`edulaunch.engine.facts`), of which
 `edulaunch.advice` makes words.
@@ -19,13 +19,13 @@ Error = TypeVar('Error', bound=BaseException)
 
 
 def at(error: Error, entity: Entity, about: str = 'launch.element', **facts: Any) -> Error:
-    """Return the error, which now knows its element, and facts about it."""
+    """Return the error with its element, and facts about it."""
     error.edulaunch_line = entity.line  # type: ignore[attr-defined]
     return with_facts(error, about, element=str(entity.type_name), shown=entity.shown, **facts)
 
 
 def complete(error: BaseException, file: str, entity: Entity) -> None:
-    """Add the missing facts to an `error` on its way out of `entity`; the innermost element sets them first."""
+    """Add the missing facts to an `error` that leaves `entity`. The innermost element sets them first."""
     if hasattr(error, 'edulaunch_file'):
         return
     if not hasattr(error, 'edulaunch_line'):
@@ -37,7 +37,7 @@ def complete(error: BaseException, file: str, entity: Entity) -> None:
 
 
 def complete_unreadable(error: Any, file: str) -> None:
-    """Add the place and the problem to the error for a string that is not in its format."""
+    """Add the place and the problem to the error for a string in an invalid format."""
     mark = getattr(error, 'problem_mark', None)
     line = getattr(error, 'edulaunch_line', 0) or (mark.line + 1 if mark is not None else _first_or_bad_line(error))
     if not facts_of(error) and not isinstance(error, UnicodeDecodeError):

@@ -1,4 +1,4 @@
-"""The built-in `$(name ...)`: which class each makes from its arguments, and how many arguments it takes.
+"""The built-in `$(name ...)`: the class that each creates, and its number of arguments.
 
 An argument is a list of substitutions. Wrong numbers raise upstream's errors, of upstream's (two) types.
 """
@@ -16,7 +16,7 @@ Keywords = Callable[[list[Argument]], dict[str, Any]]
 
 
 class LateSubstitution:
-    """Parses `$(name ...)` for a class that is imported when first needed.
+    """Parses `$(name ...)` for a class that is imported on first use.
 
     :param keywords: from the arguments of the `$(...)` to the keyword arguments of the class.
     """
@@ -35,7 +35,7 @@ class LateSubstitution:
 
 
 def takes(text: str, minimum: int, *names: str, error: type[Exception] = TypeError) -> Keywords:
-    """Keyword arguments by position, from `minimum` up to all of `names`; else `error` with `text`."""
+    """Return keyword arguments by position, from `minimum` up to all of `names`. Raise `error` with `text` for another number."""
 
     def keywords(arguments: list[Argument]) -> dict[str, Any]:
         if not minimum <= len(arguments) <= len(names):

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class AnyLaunchDescriptionSource(LaunchDescriptionSource):
-    """A launch file of any format; all loaders are tried, the likely one first."""
+    """A launch file in any format. All loaders are tried, the most likely one first."""
 
     def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
         super().__init__(None, launch_file_path, 'interpreted launch file')

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def get_launch_description_from_any_launch_file(launch_file_path: str) -> LaunchDescription:
-    """Return the description in the file: `.py` files are tried as Python first, others last.
+    """Return the description in the file. Python is the first format for `.py` files, and the last one for others.
 
     :raises InvalidLaunchFileError: when no loader can read it, with the message of each.
     """

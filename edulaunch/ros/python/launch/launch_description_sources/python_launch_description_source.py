@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class PythonLaunchDescriptionSource(LaunchDescriptionSource):
-    """A launch file written in Python, whatever its name ends with. Errors in it are raised as they are."""
+    """A launch file written in Python, with any file name. Errors in it are raised unchanged."""
 
     def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
         super().__init__(None, launch_file_path, 'interpreted python launch file')

@@ -27,7 +27,7 @@ def with_per_logger_formatting(cls: type[logging.Handler]) -> type[Any]:
             self._formatters[logger.name] = formatter
 
         def unsetFormatterFor(self, logger: logging.Logger) -> None:
-            """Format records of this logger like all others again."""
+            """Remove the separate format of this logger."""
             self._formatters.pop(logger.name, None)
 
         def format(self, record: logging.LogRecord) -> str:

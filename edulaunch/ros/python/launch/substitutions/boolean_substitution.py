@@ -1,4 +1,4 @@
-"""Strings combined as booleans; the results are 'true' and 'false'."""
+"""Substitutions for boolean operations, with the results 'true' and 'false'."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def truth(context: LaunchContext, substitutions: Iterable[Substitution]) -> bool
 
 
 class NotSubstitution(Substitution):
-    """The opposite."""
+    """The negation of a boolean."""
 
     def __init__(self, value: SomeSubstitutionsType) -> None:
         self.__value = normalize_to_list_of_substitutions(value)
@@ -78,13 +78,13 @@ class _CombinedPair(_Combined):
 
 
 class AndSubstitution(_CombinedPair):
-    """Whether both are true."""
+    """'true' if both booleans are true."""
 
     _combine = all
 
 
 class OrSubstitution(_CombinedPair):
-    """Whether at least one of two is true."""
+    """'true' if at least one of two booleans is true."""
 
     _combine = any
 
@@ -94,7 +94,7 @@ class _CombinedMany(_Combined):
 
 
 class AnySubstitution(_CombinedMany):
-    """Whether at least one is true; false for none."""
+    """'true' if at least one boolean is true, and 'false' for an empty list."""
 
     _combine = any
 
@@ -103,7 +103,7 @@ class AnySubstitution(_CombinedMany):
 
 
 class AllSubstitution(_CombinedMany):
-    """Whether all are true; true for none."""
+    """'true' if all booleans are true, also for an empty list."""
 
     _combine = all
 

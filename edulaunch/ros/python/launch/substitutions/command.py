@@ -18,8 +18,7 @@ if TYPE_CHECKING:
 
 
 class Command(Substitution):
-    """The output of a command, including its last newline. The text is split as a shell would, but no shell
-    runs.
+    """The output of a command, including its last newline. The command line is split as in a shell, but no shell runs.
 
     :param on_stderr: what output on standard error means: 'fail', 'ignore', 'warn', or 'capture' (part of the
         text).

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class EnvironmentVariable(Substitution):
-    """The value of an environment variable of launch's process at the moment of use.
+    """The current value of an environment variable of launch's process.
 
     :raises SubstitutionFailure: on evaluation, when it is not set and has no default.
     """
@@ -35,7 +35,7 @@ class EnvironmentVariable(Substitution):
         return f'EnvVar({describe_all(self.__name)})'
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the value of the variable, else the default."""
+        """Return the value of the variable, or the default."""
         name = perform_substitutions(context, self.__name)
         value = context.environment.get(name)
         if value is not None:

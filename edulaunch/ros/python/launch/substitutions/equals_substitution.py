@@ -19,8 +19,8 @@ _BOOLEANS = {'true': True, '1': True, 'false': False, '0': False}
 
 
 class EqualsSubstitution(Substitution):
-    """'true' or 'false'. True, False, 1 and 0 compare as booleans, numbers as numbers (nearly equal is equal), other values as
-    strings.
+    """'true' if two values are equal. True, False, 1 and 0 compare as booleans, numbers as numbers (nearly equal counts as
+    equal), and other values as strings.
 
     :param left, right: substitutions, or plain values: None is the empty text, booleans are 'true' and
         'false'.

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class FileContent(Substitution):
-    """The whole text of a file.
+    """The content of a file.
 
     :raises SubstitutionFailure: on evaluation, when there is no such file.
     """

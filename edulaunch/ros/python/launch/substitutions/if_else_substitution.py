@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class IfElseSubstitution(Substitution):
-    """`if_value` when the condition is true, else `else_value`. Booleans are YAML's, and 1 and 0.
+    """`if_value` if the condition is true, and otherwise `else_value`. A condition is a boolean of YAML, 1 or 0.
 
     :raises RuntimeError: when both values are empty.
     """

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class LaunchConfiguration(Substitution):
-    """The text of a launch configuration (a launch argument is one) at the moment of use.
+    """The current value of a launch configuration, such as a launch argument.
 
     :param default: used if it is not set: a string, substitutions, or any scalar, which is converted with `str`.
     :raises SubstitutionFailure: on evaluation, when it is not set and has no default.
@@ -38,7 +38,7 @@ class LaunchConfiguration(Substitution):
         return f'LaunchConfig({describe_all(self.__variable_name)})'
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the value of the launch configuration, else the default."""
+        """Return the value of the launch configuration, or the default."""
         name = perform_substitutions(context, self.__variable_name)
         names_read = getattr(context, '_names_read', None)  # missing in contexts that unit tests create
         if names_read is not None:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class LocalSubstitution(Substitution):
-    """`context.locals.<expression>`; mostly `event.<something>` inside an event handler.
+    """The value of `context.locals.<expression>`, such as `event.<something>` inside an event handler.
 
     :param expression: a name, and what may follow it in Python: `.attribute`, `['key']`.
     :param description: for people, instead of the expression.

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class PathJoinSubstitution(Substitution):
-    """The parts joined with the path separator, by the rules of `os.path.join`.
+    """The parts, joined as `os.path.join` does.
 
     :param substitutions: each a string or one substitution (a list inside the list is a TypeError in Jazzy).
     """

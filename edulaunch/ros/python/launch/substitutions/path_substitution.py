@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class PathSubstitution(PathJoinSubstitution):
-    """Works like pathlib's paths: `PathSubstitution(FindPackageShare('p')) / 'launch' / ['robot_', name,
+    """A path that is joined with `/`, as in pathlib: `PathSubstitution(FindPackageShare('p')) / 'launch' / ['robot_', name,
     '.launch.py']`.
 
     Newer than Jazzy's first release; here so that files written for it run.
@@ -23,6 +23,6 @@ class PathSubstitution(PathJoinSubstitution):
         super().__init__([path] if isinstance(path, (str, Substitution)) else path)
 
     def __truediv__(self, part: SomeSubstitutionsType) -> PathSubstitution:
-        """Return the path continued by one part; a list is joined to one part first."""
+        """Return the path with one more part. The items of a list are joined to one part first."""
         whole = part if isinstance(part, (str, Substitution)) else StringJoinSubstitution(part)
         return PathSubstitution([*self.substitutions, whole])

@@ -39,7 +39,7 @@ class PythonExpression(Substitution):
         return f'PythonExpr({describe_all(self.__expression)}, [{modules}])'
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the value as text."""
+        """Return the value as a string."""
         names: dict[str, Any] = {}
         for substitution in self.__python_modules:
             module = import_for_expression(perform_substitutions(context, [substitution]))

@@ -1,4 +1,4 @@
-"""The error for a substitution that has no text."""
+"""The error for a substitution that cannot be evaluated."""
 
 from __future__ import annotations
 

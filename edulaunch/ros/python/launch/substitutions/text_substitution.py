@@ -1,4 +1,4 @@
-"""A literal text."""
+"""A literal string as a substitution."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class TextSubstitution(Substitution):
-    """A string that is already known; plain strings become one of these wherever substitutions are allowed.
+    """A literal string. Plain strings become one of these wherever substitutions are allowed.
 
     :raises TypeError: when `text` is not a string.
     """

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class ThisLaunchFile(Substitution):
-    """The path of the current launch file, absolute.
+    """The absolute path of the current launch file.
 
     "Current" is the file included last, also after its include has returned, as in ROS 2.
 

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class ThisLaunchFileDir(ThisLaunchFile):
-    """The folder of the current launch file, absolute.
+    """The absolute path of the current launch file's folder.
 
     "Current" is the file included last, also after its include has returned, as in ROS 2.
 

@@ -1,4 +1,4 @@
-"""Entities as a flat list, and the walk that executes them."""
+"""Convert entities to a flat list, and execute them."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ EntityFuturePairs = list[tuple[LaunchDescriptionEntity, 'asyncio.Future[Any]']]
 
 
 def visit_all_entities_and_collect_futures(entity: LaunchDescriptionEntity, context: LaunchContext) -> EntityFuturePairs:
-    """Visit the entity, then, in order and depth first, every entity its visit returns.
+    """Visit the entity, and then every entity that a visit returns, in order and depth first.
 
     :returns: each visited entity that has a future, with that future.
     """

@@ -1,4 +1,4 @@
-"""Signals as events of launch's loop."""
+"""Handle signals as events of launch's loop."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class AsyncSafeSignalManager:
             self.__remove(number)
 
     def handle(self, signum: int, handler: SignalHandler | None) -> SignalHandler | None:
-        """Let `handler(signum)` handle this signal (None stops that); return the previous handler.
+        """Let `handler(signum)` handle this signal, or no handler for None. Return the previous handler.
 
         :raises ValueError: for an invalid signal number, and for a handler that cannot be called.
         """

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def plain_text(value: Any) -> str | None:
-    """Return the text of a `str`, or of a list or tuple with nothing but one literal text in it; None for the rest.
+    """Return the text of a `str`, or of a list or tuple that contains exactly one literal string; None for anything else.
 
     Launch files hold hardly anything else, and to evaluate them the general way is ten times the work.
     """
@@ -26,7 +26,7 @@ def plain_text(value: Any) -> str | None:
 
 
 def normalize_to_list_of_substitutions(subs: SomeSubstitutionsType) -> list[Substitution]:
-    """Return a string, a substitution or an iterable of both as a list; plain strings become :class:`TextSubstitution`.
+    """Return a string, a substitution, or an iterable of both, as a list. Plain strings become :class:`TextSubstitution`.
 
     :raises TypeError: for any other item, naming its type.
     """

@@ -1,4 +1,4 @@
-"""Typed values: int, float, bool, str and uniform lists of them, given literally or by substitutions.
+"""Typed values: int, float, bool, str and uniform lists of these types, as literals or substitutions.
 
 Used by parameter values, by typed arguments of actions and by the XML and YAML frontends.
 """
@@ -33,12 +33,12 @@ StrSomeValueType = Any
 
 
 def is_typing_list(data_type: AllowedTypesType) -> bool:
-    """Return whether it is `List[...]`, `List` or `list[...]`."""
+    """Return whether a type is `List[...]`, `List` or `list[...]`."""
     return getattr(data_type, '__origin__', None) is list or data_type is List  # noqa: UP006
 
 
 def extract_type(data_type: AllowedTypesType) -> tuple[type, bool]:
-    """Return the scalar type, and whether it was a list of that.
+    """Return the scalar type, and whether the given type was a list of it.
 
     :raises ValueError: when `data_type` is not one of :data:`AllowedTypesTuple`.
     """
@@ -50,13 +50,12 @@ def extract_type(data_type: AllowedTypesType) -> tuple[type, bool]:
 
 
 def is_valid_scalar_type(data_type: Any) -> bool:
-    """Return whether it is one of :data:`ScalarTypesTuple`."""
+    """Return whether a type is one of :data:`ScalarTypesTuple`."""
     return data_type in ScalarTypesTuple
 
 
 def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
-    """Return whether the value is a scalar of an allowed type, or a list whose items all have one and the same
-    allowed type.
+    """Return whether the value is a scalar of an allowed type, or a list whose items all have the same allowed type.
 
     :param can_be_str: items of a list may also be strings.
     """
@@ -69,8 +68,7 @@ def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
 
 
 def is_instance_of(value: Any, data_type: AllowedTypesType, can_be_str: bool = False) -> bool:
-    """Return whether the value has the type; None stands for any allowed type, and True counts as an int, as in
-    Python.
+    """Return whether the value has the type. None means any allowed type, and True counts as an int, as in Python.
 
     :param can_be_str: a string (or, in a list, strings) is also accepted.
     :raises ValueError: for a type that is not allowed.
@@ -149,7 +147,7 @@ def _load(value: str, message: str) -> Any:
 
 
 def coerce_list(value: list[str], data_type: AllowedTypesType = None, can_be_str: bool = False) -> list[Any]:
-    """Convert each text of a list.
+    """Convert each string of a list.
 
     :param data_type: of the items.
     :raises TypeError: when `value` is not a list of strings.
@@ -177,7 +175,7 @@ def get_typed_value(value: str | list[str], data_type: AllowedTypesType, can_be_
 
 
 def is_substitution(x: Any) -> bool:
-    """Return whether it is a substitution, or an iterable of substitutions and strings with at least one substitution."""
+    """Return whether a value is a substitution, or an iterable of substitutions and strings with at least one substitution."""
     if isinstance(x, Substitution):
         return True
     if isinstance(x, str) or not isinstance(x, collections.abc.Iterable):
@@ -187,12 +185,12 @@ def is_substitution(x: Any) -> bool:
 
 
 def is_normalized_substitution(x: Any) -> bool:
-    """Return whether it is a non-empty list of substitutions only."""
+    """Return whether a value is a non-empty list that contains only substitutions."""
     return isinstance(x, list) and bool(x) and all(isinstance(item, Substitution) for item in x)
 
 
 def normalize_typed_substitution(value: SomeValueType, data_type: AllowedTypesType) -> NormalizedValueType:
-    """Check what can be checked before launch time, and bring the rest into one form.
+    """Check a value as far as possible before launch time, and convert it to one form.
 
     A scalar does not change. A substitution, or a list of strings and substitutions, is one value: a list of substitutions. Any
     other list is a list value, whose items are treated one by one.
@@ -264,7 +262,7 @@ def ensure_argument_type(argument: Any, types: type | Iterable[type], argument_n
 
 
 def isclassinstance(obj: Any) -> bool:
-    """Return whether `obj` is an instance of a class, which everything is; kept for code of Python 2's time."""
+    """Return whether `obj` is an instance of a class. This is always true, and remains for code from Python 2."""
     return hasattr(obj, '__class__')
 
 

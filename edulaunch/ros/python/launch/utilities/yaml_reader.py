@@ -1,4 +1,4 @@
-"""From YAML text to plain data whose mappings know their line.
+"""Convert YAML text to plain data whose mappings know their lines.
 
 Launch files come from strangers: aliases must not multiply the text, and nesting has a limit.
 """
@@ -14,7 +14,7 @@ from edulaunch.engine.facts import with_facts
 
 
 class Mapping(dict):  # type: ignore[type-arg]
-    """A mapping of the file.
+    """A mapping of the file with its line.
 
     :ivar line: the line of its first key, from 1.
     """
@@ -61,7 +61,7 @@ def read(text: str) -> Any:
 
 
 def read_file(text: str, name: str) -> Any:
-    """Do the same for the content of a file, whose name appears in the errors."""
+    """Return the data in a file like :func:`read`. Errors contain the name of the file."""
     try:
         return read(text)
     except yaml.YAMLError as error:

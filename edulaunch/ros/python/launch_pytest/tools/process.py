@@ -1,4 +1,4 @@
-"""Waiting until a process has started, ended or written something.
+"""Wait until a process has started, has ended, or has written something.
 
 Each has two forms: a coroutine, and a `..._sync` one for tests that are plain functions. Timeouts are in simulated seconds; None
 waits for as long as it takes. Actions whose output is looked at need `cached_output=True`.

@@ -1,4 +1,4 @@
-"""A node with a managed life cycle."""
+"""A node with a managed lifecycle."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class LifecycleNode(Node):
-    """A Node whose state launch can follow and change.
+    """A Node whose state launch can observe and change.
 
     Its transitions arrive as :class:`launch_ros.events.lifecycle.StateTransition`; a
     :class:`launch_ros.events.lifecycle.ChangeState` event makes it change. Both work through the node's topic
@@ -37,11 +37,11 @@ class LifecycleNode(Node):
 
     @property
     def is_lifecycle(self) -> bool:
-        """True."""
+        """Always True."""
         return True
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Start the node, listen to its transitions, and be ready for ChangeState events."""
+        """Start the node, subscribe to its transitions, and handle ChangeState events."""
         self._perform_substitutions(context)
         if not self.is_node_name_fully_specified():
             raise RuntimeError('node_name unexpectedly incomplete for lifecycle node')

@@ -1,4 +1,4 @@
-"""Moving lifecycle nodes through several states."""
+"""Change the states of lifecycle nodes in several steps."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ _STEPS = {
 
 
 class LifecycleTransition(Action):
-    """Make each of the nodes go through the transitions in order; the next one is asked for when the one
-    before has succeeded. An error of a node ends this for the node.
+    """Trigger transitions of the nodes in order. Each one is requested after the previous one has succeeded. An error ends the
+    transitions of that node.
 
     :param lifecycle_node_names: full names.
     :param transition_ids: constants of lifecycle_msgs.msg.Transition, as numbers or strings.
@@ -53,7 +53,7 @@ class LifecycleTransition(Action):
         ]
 
     def execute(self, context: LaunchContext) -> list[Action]:
-        """Handlers that ask for each next transition, and the events that ask for the first ones.
+        """Return the handlers that request each next transition, and the events that request the first ones.
 
         :raises ValueError: for a transition that is not a number.
         """

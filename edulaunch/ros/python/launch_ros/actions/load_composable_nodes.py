@@ -1,4 +1,4 @@
-"""The actions `ComposableNodeContainer` and `LoadComposableNodes`, each of which needs the other."""
+"""The actions `ComposableNodeContainer` and `LoadComposableNodes`, which use each other."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _LOGGER = 'launch_ros.actions.load_composable_nodes'
 
 
 class ComposableNodeContainer(Node):
-    """A Node that nodes are loaded into once it runs.
+    """A Node into which other nodes are loaded.
 
     :param composable_node_descriptions: the nodes to load; an empty list loads nothing.
     :param kwargs: those of :class:`launch_ros.actions.Node`.
@@ -46,7 +46,7 @@ class ComposableNodeContainer(Node):
         self.__composable_node_descriptions = composable_node_descriptions
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Start the container, and load those nodes whose condition holds."""
+        """Start the container, and load the nodes whose conditions are true."""
         load_actions: list[LaunchDescriptionEntity] = []
         wanted = [
             description
@@ -60,7 +60,7 @@ class ComposableNodeContainer(Node):
 
 
 class LoadComposableNodes(Action):
-    """Load nodes into a container, one after another, by its service `<container>/_container/load_node`.
+    """Load nodes into a container, one after another, with its service `<container>/_container/load_node`.
 
     :param target_container: the container action, or the container's full name.
     """
@@ -85,11 +85,11 @@ class LoadComposableNodes(Action):
 
     @property
     def descriptions_to_load(self) -> list[ComposableNode]:
-        """The nodes, for who looks at a launch file without running it."""
+        """The nodes, for code that inspects a launch file without running it."""
         return self.__composable_node_descriptions
 
     def execute(self, context: LaunchContext) -> None:
-        """Build the requests now, while the scope exists, and send them when the container replies."""
+        """Build the requests while the scope exists, and send them when the container is available."""
         self.__final_target_container_name = self.__container_name(context)
         requests = [get_composable_node_load_request(description, context) for description in self.__composable_node_descriptions]
         wanted = [request for request in requests if request is not None]
@@ -113,7 +113,7 @@ class LoadComposableNodes(Action):
                 return
 
     async def __load(self, context: LaunchContext, request: LoadNode.Request) -> bool:
-        """Load one; False when launch shuts down meanwhile."""
+        """Load one node. Return False if launch shuts down meanwhile."""
         from composition_interfaces.srv import LoadNode
 
         logger = launch.logging.get_logger(_LOGGER)
@@ -144,7 +144,7 @@ class LoadComposableNodes(Action):
 def get_composable_node_load_request(
     composable_node_description: ComposableNode, context: LaunchContext
 ) -> LoadNode.Request | None:
-    """Return the request that loads a node, all substitutions performed; None when its condition does not hold."""
+    """Return the request that loads a node, with evaluated substitutions; None if its condition is false."""
     condition = composable_node_description.condition()
     if condition is not None and not condition.evaluate(context):
         return None

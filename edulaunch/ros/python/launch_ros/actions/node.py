@@ -1,4 +1,4 @@
-"""A ROS node, started as a program of a package."""
+"""The action `Node`, which starts a node as an executable of a package."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ class Node(ExecuteProcess):
 
     @property
     def __expanded_parameter_arguments(self) -> list[tuple[str, bool]] | None:
-        """(path, True) and (`name:=value`, False) in order, after execution; likewise. The files exist."""
+        """The arguments after execution, in order: (path, True) and (`name:=value`, False). The files exist."""
         arguments = self.__parameter_arguments
         if arguments is None or not (arguments.items or self.__parameters is not None):
             return None
@@ -113,7 +113,7 @@ class Node(ExecuteProcess):
 
     @property
     def node_name(self) -> str:
-        """Return the full name; the UNSPECIFIED strings replace parts that the launch file leaves open.
+        """Return the full name. The UNSPECIFIED strings replace parts that the launch file does not set.
 
         :raises RuntimeError: before the action was executed.
         """
@@ -125,11 +125,11 @@ class Node(ExecuteProcess):
 
     @property
     def expanded_remapping_rules(self) -> list[tuple[str, str]]:
-        """All (from, to) pairs, global ones first, after execution."""
+        """All (from, to) pairs after execution, global ones first."""
         return self.__expanded_remappings
 
     def is_node_name_fully_specified(self) -> bool:
-        """Return whether both name and namespace are known to the launch file."""
+        """Return whether the launch file sets both name and namespace."""
         name = self.node_name
         return self.UNSPECIFIED_NODE_NAME not in name and self.UNSPECIFIED_NODE_NAMESPACE not in name
 
@@ -148,7 +148,7 @@ class Node(ExecuteProcess):
         return result
 
     def __prepared_by_extensions(self, context: LaunchContext) -> dict[str, Any]:
-        """Return the local variable for command lines, in the form of installed extensions."""
+        """Return the local variable for command lines, in the form that installed extensions expect."""
         arguments = {'name': f'__node:={self.__expanded_node_name}', 'ns': f'__ns:={self.__expanded_node_namespace}'}
         for extension in process_state('launch_ros.node_extensions', _load_extensions).values():
             words, arguments = extension.prepare_for_execute(context, arguments, self)
@@ -156,18 +156,17 @@ class Node(ExecuteProcess):
         return arguments
 
     def missing_parameter_files(self) -> list[str]:
-        """Return the files that were given and are not there, once the action was executed."""
+        """Return the given parameter files that do not exist. Call it after execution."""
         arguments = self.__parameter_arguments
         return [] if arguments is None else arguments.missing_files
 
     def given_parameters(self) -> list[Given]:
-        """Return all that is given to its parameters, in rcl's order: of two for one parameter the later one counts."""
+        """Return all values that are given for its parameters, in rcl's order: a later value replaces an earlier one."""
         arguments = self.__parameter_arguments
         return [] if arguments is None else arguments.in_force(self.origin)
 
     def process_spec_details(self) -> dict[str, Any]:
-        """Return what a checker may want to know of the node: package, executable, and where its parameter values
-        were written."""
+        """Return the facts that a checker needs: package, executable, and the places of its parameter values."""
         assert self.__parameter_arguments is not None
         package, executable = self.__package_and_executable
         return {
@@ -211,7 +210,7 @@ class Node(ExecuteProcess):
             words += ('-r', NODE_NAMESPACE)
 
     def __expand_parameters(self, context: LaunchContext, words: Words) -> None:
-        """Global parameters first, so that the node's own can overwrite them."""
+        """Evaluate global parameters first, so that the node's own parameters replace them."""
         name = self.node_name
         node_key = name if self.is_node_name_fully_specified() else '/**'
         arguments = self.__parameter_arguments = ParameterArguments(process_counter(context)[0], name, node_key)
@@ -227,7 +226,7 @@ class Node(ExecuteProcess):
 
     @property
     def written_remappings(self) -> list[RemapRule]:
-        """Its own remappings as they were written, for who looks at a launch file without running it."""
+        """Its own remappings as they are in the launch file, for code that inspects the file without running it."""
         return self.__remappings
 
     def __expand_remappings(self, context: LaunchContext, words: Words) -> None:

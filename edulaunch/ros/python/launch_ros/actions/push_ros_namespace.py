@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class PushROSNamespace(Action):
-    """Put the nodes that follow into a namespace, inside the one pushed before; a GroupAction ends it.
+    """Put later nodes into a namespace, inside the namespace that was pushed before. The end of a GroupAction removes it.
 
     :raises SubstitutionFailure: on execution, when the result is not a namespace.
     """

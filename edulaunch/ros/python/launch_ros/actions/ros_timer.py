@@ -19,8 +19,7 @@ if TYPE_CHECKING:
 
 
 class ROSTimer(TimerAction):
-    """A TimerAction whose period counts on the clock of launch's own node: `/clock` when SetUseSimTime(True)
-    came before.
+    """A TimerAction whose period counts on the clock of launch's own node, which is `/clock` after SetUseSimTime(True).
 
     :param period: seconds, as a float, a string or substitutions.
     """
@@ -39,7 +38,7 @@ class ROSTimer(TimerAction):
             self._completed_future.set_result(None)
 
     async def __fires(self, context: LaunchContext) -> bool:
-        """Wait; False when cancelled."""
+        """Wait for the period. Return False if the timer was cancelled."""
         import asyncio
 
         loop, node = context.asyncio_loop, get_ros_node(context)

@@ -17,8 +17,7 @@ if TYPE_CHECKING:
 
 
 class SetParameter(Action):
-    """Set a parameter for every node that is started later in this scope; a node's own parameters come after
-    it.
+    """Set a parameter for every node that starts later in this scope. A node's own parameters replace it.
 
     As in ROS, a list of values is passed on in a form that the node reads as a string.
     """
@@ -29,7 +28,7 @@ class SetParameter(Action):
 
     @property
     def name(self) -> list[Substitution]:
-        """The parameter's name, to be evaluated."""
+        """The parameter's name, before its evaluation."""
         return list(next(iter(self.__param_dict)))
 
     @property
@@ -38,7 +37,7 @@ class SetParameter(Action):
         return next(iter(self.__param_dict.values()))
 
     def execute(self, context: LaunchContext) -> None:
-        """Add it to the launch configuration `global_params`."""
+        """Add the parameter to the launch configuration `global_params`."""
         evaluated = evaluate_parameter_dict(context, self.__param_dict)
         for value in evaluated.values():
             added = GlobalParameter((perform_substitutions(context, self.name), value))

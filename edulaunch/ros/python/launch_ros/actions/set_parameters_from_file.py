@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class SetParametersFromFile(Action):
-    """Set a parameter file for every node that is started later in this scope.
+    """Pass a parameter file to every node that starts later in this scope.
 
     :raises AssertionError: when such a node is executed and the path is not a file, as upstream.
     """
@@ -26,6 +26,6 @@ class SetParametersFromFile(Action):
     filename: ReadOnly[list[Substitution]] = ReadOnly('The path, to be evaluated.')
 
     def execute(self, context: LaunchContext) -> None:
-        """Add it to the launch configuration `global_params`."""
+        """Add the file to the launch configuration `global_params`."""
         path = perform_substitutions(context, self.__filename)
         context.launch_configurations.setdefault('global_params', []).append(path)

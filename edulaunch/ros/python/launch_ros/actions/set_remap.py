@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class SetRemap(Action):
-    """Remap `src` to `dst` in the nodes that are started later in this scope, before their own rules."""
+    """Remap `src` to `dst` in nodes that start later in this scope. This rule comes before the nodes' own rules."""
 
     def __init__(self, src: SomeSubstitutionsType, dst: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)
@@ -25,6 +25,6 @@ class SetRemap(Action):
     dst: ReadOnly[list[Substitution]] = ReadOnly('The new name, to be evaluated.')
 
     def execute(self, context: LaunchContext) -> None:
-        """Add it to the launch configuration `ros_remaps`."""
+        """Add the rule to the launch configuration `ros_remaps`."""
         rule = (perform_substitutions(context, self.src), perform_substitutions(context, self.dst))
         context.launch_configurations.setdefault('ros_remaps', []).append(rule)

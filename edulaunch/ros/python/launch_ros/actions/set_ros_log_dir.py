@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class SetROSLogDir(Action):
-    """Set ROS_LOG_DIR for the nodes that follow in the same scope; a relative one goes below the current."""
+    """Set ROS_LOG_DIR for later nodes in the same scope. A relative path is a folder in the current log folder."""
 
     def __init__(self, new_log_dir: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class SetUseSimTime(Action):
-    """Set `use_sim_time` of launch's own node, on whose clock ROSTimer runs.
+    """Set `use_sim_time` of launch's own node, whose clock ROSTimer uses.
 
     :param value: a bool, or a string or substitutions for one.
     """

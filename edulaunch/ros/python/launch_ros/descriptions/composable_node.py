@@ -16,7 +16,7 @@ from ..utilities.normalize_remap_rule import normalize_remap_rules
 
 
 class ComposableNode:
-    """What to load: plugin, name, parameters and remappings.
+    """A node to load, with its plugin, name, parameters and remappings.
 
     :param package: the package with the plugin.
     :param plugin: its class name, such as 'composition::Talker'.
@@ -54,5 +54,5 @@ class ComposableNode:
     extra_arguments: ReadOnly[Any | None] = ReadOnly('Normalized arguments for the container, or None.')
 
     def condition(self) -> Condition | None:
-        """Return the condition, or None. A method, as upstream."""
+        """Return the condition, or None. This is a method, as upstream."""
         return self.__condition

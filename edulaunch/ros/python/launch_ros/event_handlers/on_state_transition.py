@@ -61,7 +61,7 @@ class OnStateTransition(EventHandler):
 
     @property
     def matcher_description(self) -> str:
-        """Which events are handled, in words."""
+        """A description of the handled events."""
         return 'event == StateTransition'
 
 

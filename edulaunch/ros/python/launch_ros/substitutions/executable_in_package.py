@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class ExecutableInPackage(FindPackagePrefix):
-    """`<prefix>/lib/<package>/<executable>`.
+    """The path `<prefix>/lib/<package>/<executable>`.
 
     :raises SubstitutionFailure: on evaluation, for an unknown executable; its facts list the known ones.
     """
@@ -35,13 +35,13 @@ class ExecutableInPackage(FindPackagePrefix):
         return normalize_to_list_of_substitutions(self.__executable)
 
     def describe(self) -> str:
-        """Return the text that `ros2 launch -s` shows."""
+        """Return the description that `ros2 launch -s` shows."""
         package = ' + '.join(sub.describe() for sub in self.package)
         executable = ' + '.join(sub.describe() for sub in self.executable)
         return f'ExecInPkg(pkg={package}, exec={executable})'
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the path. The file need not exist for an entry point, nor for a C++ program, because the index knows both."""
+        """Return the path. The file of an entry point or a C++ program need not exist, because the index contains both."""
         given = self.__executable
         executable = given if isinstance(given, str) else perform_substitutions(context, given)
         package = self._package_name(context)

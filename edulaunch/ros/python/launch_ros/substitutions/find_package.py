@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class FindPackage(Substitution):
-    """Base class of the substitutions below; subclasses define :meth:`find`."""
+    """The base class of the substitutions below. Subclasses define :meth:`find`."""
 
     def __init__(self, package: SomeSubstitutionsType) -> None:
         super().__init__()
@@ -30,14 +30,14 @@ class FindPackage(Substitution):
         return package if isinstance(package, str) else perform_substitutions(context, package)
 
     def find(self, package_name: str) -> str:
-        """Return the path to substitute.
+        """Return the path of the package.
 
         :raises NotImplementedError: in this base class, as upstream.
         """
         raise NotImplementedError('find() is for subclasses of FindPackage')
 
     def describe(self) -> str:
-        """Return the text that `ros2 launch -s` shows."""
+        """Return the description that `ros2 launch -s` shows."""
         package = ' + '.join(sub.describe() for sub in self.package)
         return f'{type(self).__name__}(pkg={package})'
 
@@ -54,15 +54,15 @@ class FindPackagePrefix(FindPackage):
     """The install prefix of a package."""
 
     def find(self, package_name: str) -> str:
-        """`<prefix>`."""
+        """Return `<prefix>`."""
         from ament_index_python.packages import get_package_prefix
 
         return get_package_prefix(package_name)
 
 
 class FindPackageShare(FindPackagePrefix):
-    """The share folder of a package, where its launch and configuration files are."""
+    """The share folder of a package, which contains its launch and configuration files."""
 
     def find(self, package_name: str) -> str:
-        """`<prefix>/share/<package>`."""
+        """Return `<prefix>/share/<package>`."""
         return os.path.join(super().find(package_name), 'share', package_name)

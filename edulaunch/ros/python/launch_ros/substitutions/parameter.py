@@ -29,12 +29,12 @@ class Parameter(Substitution):
     default: ReadOnly[list[Substitution] | None] = ReadOnly('The default.')
 
     def describe(self) -> str:
-        """Return the text that `ros2 launch -s` shows."""
+        """Return the description that `ros2 launch -s` shows."""
         name = ' + '.join(sub.describe() for sub in self.name)
         return f'Parameter({name})'
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the text."""
+        """Return the value as a string."""
         name = perform_substitutions(context, self.name)
         for entry in reversed(context.launch_configurations.get('global_params', [])):
             if isinstance(entry, tuple) and entry[0] == name:

@@ -1,4 +1,4 @@
-"""Parameters of a node as plain values, at launch time."""
+"""Evaluate the parameters of a node at launch time."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _WRAP = (
 
 
 def evaluate_parameters(context: LaunchContext, parameters: Parameters) -> EvaluatedParameters:
-    """Paths, dicts of plain values (lists become tuples, except those of a ParameterValue), and Parameters, in order.
+    """Return paths, dicts of plain values (with tuples for lists, except those of a ParameterValue), and Parameters, in order.
 
     :param parameters: what :func:`~launch_ros.utilities.normalize_parameters` returned.
     :raises TypeError: for a value that no ROS parameter can have; it names the parameter.

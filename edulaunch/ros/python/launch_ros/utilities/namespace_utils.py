@@ -1,4 +1,4 @@
-"""Namespaces: whether they are absolute, and one put before another."""
+"""Functions that check and join namespaces."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ if TYPE_CHECKING:
 
 
 def is_root_namespace(ns: str) -> bool:
-    """Return whether it is `/`."""
+    """Return whether a namespace is `/`."""
     return ns == '/'
 
 
 def is_namespace_absolute(ns: str) -> bool:
-    """Return whether it begins with `/`."""
+    """Return whether a namespace begins with `/`."""
     return ns.startswith('/')
 
 
 def prefix_namespace(base_ns: str | None, ns: str | None) -> str | None:
-    """`ns` inside `base_ns`; an absolute `ns` stays. None means "not given", and None in both stays None."""
+    """Return `ns` inside `base_ns`. An absolute `ns` does not change. None means "not given", and two Nones give None."""
     if base_ns is None and ns is None:
         return None
     if ns is None:
@@ -34,7 +34,7 @@ def prefix_namespace(base_ns: str | None, ns: str | None) -> str | None:
 
 
 def make_namespace_absolute(ns: str | None) -> str | None:
-    """`ns` with a leading `/`; None stays None."""
+    """Return `ns` with a leading `/`; None for None."""
     if ns is None or is_namespace_absolute(ns):
         return ns
     return '/' + ns

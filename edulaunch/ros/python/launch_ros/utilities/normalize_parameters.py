@@ -1,4 +1,4 @@
-"""Parameters of a node in one form, whichever a launch file used."""
+"""Convert the parameters of a node to one form."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def _normalize(item: Any) -> Any:
 
 
 def normalize_parameter_dict(parameters: SomeParametersDict, *, _prefix: Sequence[Substitution] = ()) -> ParametersDict:
-    """Return a flat dict of one mapping: nested names are joined with '.', and an empty nested mapping vanishes.
+    """Return one mapping as a flat dict. Nested names are joined with '.', and an empty nested mapping disappears.
 
     :raises TypeError: for a value of no kind that can be used.
     """

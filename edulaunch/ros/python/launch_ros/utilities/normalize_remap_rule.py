@@ -1,4 +1,4 @@
-"""Remapping rules as tuples of substitutions."""
+"""Convert remapping rules to tuples of substitutions."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def normalize_remap_rule(remap_rule: SomeRemapRule) -> RemapRule:
-    """Return a pair of tuples of substitutions.
+    """Return one rule as a pair of tuples of substitutions.
 
     :raises TypeError: for anything but a tuple of two.
     """

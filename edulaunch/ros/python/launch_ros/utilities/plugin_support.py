@@ -1,4 +1,4 @@
-"""Versions of extension points: whether an installed extension fits the one it is written for."""
+"""Check whether an installed extension fits the version of an extension point."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ PLUGIN_SYSTEM_VERSION = '0.1'
 
 
 class PluginException(Exception):
-    """An extension does not fit."""
+    """An extension does not fit its extension point."""
 
 
 def satisfies_version(version: str, caret_range: str) -> None:
-    """Return if `version`, that of the extension point, is in the range. For example, '^0.1' means that version or a later one
-    with the same leftmost number that is not zero.
+    """Return whether `version`, the version of the extension point, is in the range. For example, '^0.1' means 0.1 or a later
+    version with the same leftmost non-zero number.
 
     :raises PluginException: when it is older, or newer than what the extension knows.
     :raises ValueError: for a range without its caret.

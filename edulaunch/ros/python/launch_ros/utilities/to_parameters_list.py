@@ -1,4 +1,4 @@
-"""Parameters as message-like objects, for nodes that are loaded into a container."""
+"""Convert parameters to message-like objects, for nodes that are loaded into a container."""
 
 from __future__ import annotations
 

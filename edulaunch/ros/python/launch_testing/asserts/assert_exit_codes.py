@@ -1,4 +1,4 @@
-"""Assertions about how processes ended."""
+"""Assertions about the exit codes of processes."""
 
 from __future__ import annotations
 

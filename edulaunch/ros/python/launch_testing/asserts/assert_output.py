@@ -1,4 +1,4 @@
-"""Assertions about what processes wrote."""
+"""Assertions about the output of processes."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def assertInStream(
 
 
 def assertInStdout(proc_output: IoHandler, expected_output: Any, process: Any, cmd_args: CmdArgs = None, **options: Any) -> None:
-    """Do the same as :func:`assertInStream`, for the standard output.
+    """Assert that a process has written something to its standard output; see :func:`assertInStream`.
 
     :param options: its `output_filter`, `strict_proc_matching` and `strip_ansi_escape_sequences`.
     """
@@ -57,7 +57,7 @@ def assertInStdout(proc_output: IoHandler, expected_output: Any, process: Any, c
 
 
 def assertInStderr(proc_output: IoHandler, expected_output: Any, process: Any, cmd_args: CmdArgs = None, **options: Any) -> None:
-    """Do the same as :func:`assertInStdout`, for the standard error, where nodes log."""
+    """Assert that a process has written something to its standard error, where nodes log; see :func:`assertInStream`."""
     assertInStream(proc_output, expected_output, process, cmd_args, stream='stderr', **options)
 
 

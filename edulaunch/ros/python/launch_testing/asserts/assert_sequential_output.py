@@ -1,4 +1,4 @@
-"""Assertions about the order of what a process wrote."""
+"""Assertions about the order of a process's output."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class SequentialTextChecker:
-    """Searches for strings after the ones that were found before.
+    """Searches for each string after the previous match.
 
     :param text: everything that was written, perhaps in pieces.
     """

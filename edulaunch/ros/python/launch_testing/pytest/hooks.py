@@ -38,7 +38,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Make the marks known."""
+    """Register the marks."""
     for name, text in MARKS.items():
         config.addinivalue_line('markers', f'{name}: {text}')
 
@@ -52,7 +52,7 @@ def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> 
 
 
 def is_launch_test(source: bytes) -> bool:
-    """Return whether a file has a function `generate_test_description` with one of our marks; it is not run."""
+    """Return whether a file has a function `generate_test_description` with one of our marks. The file is not executed."""
     if b'generate_test_description' not in source:
         return False
     try:
@@ -66,22 +66,22 @@ def is_launch_test(source: bytes) -> bool:
 
 
 class LaunchTestFailure(Exception):
-    """A launch test failed; the text says which of its tests, and why."""
+    """A launch test failed. The message names the failed tests and the reasons."""
 
 
 class LaunchTestModule(pytest.File):
     """A launch test file."""
 
     def collect(self) -> Iterable[LaunchTestItem]:
-        """Yield one item, whatever is in the file, as in ROS 2."""
+        """Yield one item for the whole file, as in ROS 2."""
         yield LaunchTestItem.from_parent(self, name=self.path.stem)
 
 
 class LaunchTestItem(pytest.Item):
-    """All launches of a file with all their tests."""
+    """All launches of a file with all their tests, as one item."""
 
     def runtest(self) -> None:
-        """Run in a fresh simulation.
+        """Run the file in a new simulation.
 
         :raises LaunchTestFailure: when anything went wrong.
         """
@@ -99,7 +99,7 @@ class LaunchTestItem(pytest.Item):
         return str(excinfo.value) if isinstance(excinfo.value, LaunchTestFailure) else super().repr_failure(excinfo, style)
 
     def reportinfo(self) -> tuple[Path, int, str]:
-        """Return where it is, and what it is called."""
+        """Return the place and the name of the test."""
         return self.path, 0, f'launch test {self.name}'
 
 

@@ -1,4 +1,4 @@
-"""Strings in the form that a test expects."""
+"""Functions that find expected text in output."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Match = Callable[..., 'tuple[int, int] | None']
 
 
 def build_text_match(expected_text: Any, *, strip_ansi_escape_sequences: bool = True) -> Match:
-    """Make a function (text, start=0) that gives where the expected text begins and ends, or None.
+    """Return a function (text, start=0) that returns the start and end of the expected text, or None.
 
     :param expected_text: a string, a compiled regular expression, or a list of them, each of which must come after the previous
         one.

@@ -1,4 +1,4 @@
-"""Finding the processes of a launch test."""
+"""Find the processes of a launch test."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class HasProcesses(Protocol):
 
 
 class NoMatchingProcessException(Exception):
-    """Nothing was recorded of such a process."""
+    """Nothing was recorded for such a process."""
 
 
 def process_name(action: ExecuteLocal) -> str:
@@ -45,7 +45,7 @@ def _name_and_arguments(action: ExecuteLocal) -> str:
 def resolveProcesses(
     info_obj: HasProcesses, *, process: Any = None, cmd_args: CmdArgs = None, strict_proc_matching: bool = True
 ) -> list[Any]:
-    """Return the actions that `process` means.
+    """Return the actions of the processes that `process` names.
 
     :param process: an action, or part of a launch name; None means all.
     :param cmd_args: with a name: a string that is one of the arguments, several of them, or NO_CMD_ARGS.

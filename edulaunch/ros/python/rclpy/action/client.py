@@ -1,4 +1,4 @@
-"""Sending goals to action servers."""
+"""Send goals to action servers."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ __all__ = ['ActionClient', 'ClientGoalHandle', 'GoalStatus']
 
 
 class ClientGoalHandle:
-    """One goal, as its client sees it: the result of the future of `send_goal_async`."""
+    """One goal of a client. It is the result of the future of `send_goal_async`."""
 
     def __init__(self, action_client: ActionClient, goal_id: Any, goal_response: Any) -> None:
         self._action_client = action_client
@@ -61,19 +61,19 @@ class ClientGoalHandle:
         return int(self._status)
 
     def cancel_goal(self) -> Any:
-        """Ask the server to cancel, and wait for its response. Another thread must spin."""
+        """Request the cancellation, and wait for the response. Another thread must spin."""
         return self._action_client._wait_for(self.cancel_goal_async())
 
     def cancel_goal_async(self) -> Future:
-        """Ask the server to cancel; the future gets a CancelGoal.Response."""
+        """Request the cancellation. The result of the future is a CancelGoal.Response."""
         return self._action_client._cancel_goal_async(self)
 
     def get_result(self) -> Any:
-        """Wait for the result. Some other thread must spin."""
+        """Wait for the result. Another thread must spin."""
         return self._action_client._wait_for(self.get_result_async())
 
     def get_result_async(self) -> Future:
-        """Ask for the result; the future gets a response with `.status` and `.result`."""
+        """Request the result. The result of the future is a response with `.status` and `.result`."""
         return self._action_client._get_result_async(self)
 
 
@@ -124,7 +124,7 @@ class ActionClient(Asker, Waitable):
         return core.graph.create_subscription(core.entry, name, msg_type, engine_qos(qos), self.signal)
 
     def run_callback(self, executor: ExecutorProtocol) -> Any:
-        """At most one answer of each kind, one feedback and one status in a turn, as rclpy.
+        """Process at most one response of each kind, one feedback and one status per turn, as rclpy does.
 
         As over a real network, the answer to a goal and its status come before the goal's first feedback. Its last feedback comes
         before its result.
@@ -182,7 +182,7 @@ class ActionClient(Asker, Waitable):
                     del self._goal_handles[goal_uuid]
 
     def send_goal(self, goal: Any, **kwargs: Any) -> Any:
-        """Send a goal and wait for its result. Another thread must spin; inside a callback, it waits forever."""
+        """Send a goal and wait for its result. Another thread must spin. Inside a callback, it waits forever."""
         goal_handle = self._wait_for(self.send_goal_async(goal, **kwargs))
         return self._wait_for(self._get_result_async(goal_handle))
 
@@ -192,7 +192,7 @@ class ActionClient(Asker, Waitable):
         return future.result()
 
     def send_goal_async(self, goal: Any, feedback_callback: Callable[[Any], Any] | None = None, goal_uuid: Any = None) -> Future:
-        """Send a goal; the future gets a :class:`ClientGoalHandle` when the server has answered.
+        """Send a goal. The result of the future is a :class:`ClientGoalHandle`, available when the server has replied.
 
         :param feedback_callback: called with each feedback message of the goal (`.goal_id`, `.feedback`).
         :param goal_uuid: the goal's id, a unique_identifier_msgs/UUID; a random one if None.
@@ -231,7 +231,7 @@ class ActionClient(Asker, Waitable):
             raise TypeError(f'Expected type ClientGoalHandle but received {type(goal_handle)}')
 
     def asked(self) -> tuple[Any, str, str]:
-        """Return the endpoint that sends goals, the action's name and kind."""
+        """Return the endpoint that sends goals, the action's name, and 'action'."""
         return self._goal_client, self._name, 'action'
 
     def _remember(self, kind: str, sequence: int) -> Future:
@@ -240,7 +240,7 @@ class ActionClient(Asker, Waitable):
         return future
 
     def server_is_ready(self) -> bool:
-        """Return whether a server exists at the moment. Raises InvalidHandle when destroyed, RCLError after shutdown."""
+        """Return whether a server exists. Raise InvalidHandle after destroy, and RCLError after shutdown."""
         check_endpoint(self._goal_client, self._node.context, 'Failed to check if action server is available: rcl node')
         current_task().poll()
         return self._server_is_ready()
@@ -249,7 +249,7 @@ class ActionClient(Asker, Waitable):
         return all(client.server_is_ready() for client in (self._goal_client, self._cancel_client, self._result_client))
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
-        """Wait for a server, checking every 0.25 s as rclpy does; None waits forever. Return whether one exists."""
+        """Wait for a server, checking every 0.25 s as rclpy does. None waits forever. Return whether a server exists."""
         self.await_server(self._node.context, self._server_is_ready, timeout_sec)
         return self.server_is_ready()
 

@@ -1,4 +1,4 @@
-"""Which actions there are."""
+"""Query the actions of the graph."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ _TYPE = '_FeedbackMessage'
 
 
 def get_action_names_and_types(node: Node) -> NamesAndTypes:
-    """Return all actions that have a server or client, with their types."""
+    """Return all actions that have a server or a client, with their types."""
     return _actions(node.get_topic_names_and_types, 'Failed to get action names and type')
 
 
 def get_action_server_names_and_types_by_node(node: Node, remote_node_name: str, remote_node_namespace: str) -> NamesAndTypes:
-    """Return the actions that a node serves. Raises RCLError for an unknown node."""
+    """Return the actions that a node serves. Raise RCLError for an unknown node."""
     return _actions(
         lambda: node.get_publisher_names_and_types_by_node(remote_node_name, remote_node_namespace),
         'Failed to get action server names and type',
@@ -32,7 +32,7 @@ def get_action_server_names_and_types_by_node(node: Node, remote_node_name: str,
 
 
 def get_action_client_names_and_types_by_node(node: Node, remote_node_name: str, remote_node_namespace: str) -> NamesAndTypes:
-    """Return the actions that a node has clients of. Raises RCLError for an unknown node."""
+    """Return the actions for which a node has clients. Raise RCLError for an unknown node."""
     return _actions(
         lambda: node.get_subscriber_names_and_types_by_node(remote_node_name, remote_node_namespace),
         'Failed to get action client names and type',

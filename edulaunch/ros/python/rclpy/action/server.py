@@ -1,4 +1,4 @@
-"""Serving actions."""
+"""Serve actions."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ if TYPE_CHECKING:
 
 
 class GoalResponse(Enum):
-    """What a goal callback returns."""
+    """The return values of a goal callback."""
 
     REJECT = 1
     ACCEPT = 2
 
 
 class CancelResponse(Enum):
-    """What a cancel callback returns."""
+    """The return values of a cancel callback."""
 
     REJECT = 1
     ACCEPT = 2
@@ -49,12 +49,12 @@ def default_handle_accepted_callback(goal_handle: ServerGoalHandle) -> None:
 
 
 def default_goal_callback(goal_request: Any) -> GoalResponse:
-    """Accept."""
+    """Accept every goal."""
     return GoalResponse.ACCEPT
 
 
 def default_cancel_callback(cancel_request: Any) -> CancelResponse:
-    """Reject."""
+    """Reject every cancel request."""
     return CancelResponse.REJECT
 
 
@@ -147,7 +147,7 @@ class ActionServer(Waitable):
         self._execute_callback = execute_callback
 
     def run_callback(self, executor: ExecutorProtocol) -> Any:
-        """At most one goal, one cancel request and one result request in a turn, as rclpy."""
+        """Process at most one goal, one cancel request and one result request per turn, as rclpy does."""
         self.queued = False
         taken = [
             (answer, service.take())
@@ -223,7 +223,7 @@ class ActionServer(Waitable):
         future.add_done_callback(lambda done: self._result_service.respond(request_id, service.Response.to_wire(done.result())))
 
     def notify_execute(self, goal_handle: ServerGoalHandle, execute_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
-        """Let the executor work on a goal, by `execute_callback` or the one that was registered."""
+        """Let the executor execute a goal, with `execute_callback` or the registered callback."""
         executor = self._node.executor
         if executor is not None:
             executor.create_task(self._execute_goal, execute_callback or self._execute_callback, goal_handle)
@@ -233,7 +233,7 @@ class ActionServer(Waitable):
         return self._node.get_clock().now_ns()
 
     def send_feedback(self, goal_handle: ServerGoalHandle, feedback: Any) -> None:
-        """Publish feedback of a goal; errors as of :meth:`ServerGoalHandle.publish_feedback`."""
+        """Publish feedback of a goal. The errors are those of :meth:`ServerGoalHandle.publish_feedback`."""
         if not isinstance(feedback, self._action_type.Feedback):
             raise wrong_class(feedback, self._action_type, 'Feedback')
         if not self._node.context.ok():
@@ -243,7 +243,7 @@ class ActionServer(Waitable):
             self._feedback.publish(message_class.to_wire(message_class(goal_id=goal_handle.goal_id, feedback=feedback)))
 
     def notify_goal_done(self) -> None:
-        """Record that a goal has ended; results that were kept long enough are dropped.
+        """Record that a goal has ended, and drop results that were stored long enough.
 
         :raises RCLError: when the server was destroyed.
         """
@@ -303,7 +303,7 @@ class ActionServer(Waitable):
                 del self._result_futures[goal_uuid]
 
     def destroy(self) -> None:
-        """Serve no more."""
+        """Stop serving the action."""
         if self.destroyed:
             return
         self._node.remove_waitable(self)

@@ -1,4 +1,4 @@
-"""One goal, as its action server sees it: its states, and what leads from one to another."""
+"""One goal of an action server: its states and transitions."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class GoalState(IntEnum):
-    """The states, numbered as in action_msgs/GoalStatus."""
+    """The states of a goal, numbered as in action_msgs/GoalStatus."""
 
     UNKNOWN = 0
     ACCEPTED = 1
@@ -30,7 +30,7 @@ class GoalState(IntEnum):
 
 
 class GoalEvent(CEnum):
-    """What happens to a goal."""
+    """The events that change the state of a goal."""
 
     EXECUTE = 0
     CANCEL_GOAL = 1
@@ -54,7 +54,7 @@ _TRANSITIONS = {
 
 
 def state_after(state: GoalState, event: GoalEvent) -> GoalState:
-    """Return the state that an event leads to. Raises RCLError when it cannot happen in this state."""
+    """Return the state after an event. Raise RCLError if the event is not possible in this state."""
     following = _TRANSITIONS.get((state, event))
     if following is None:
         raise RCLError(
@@ -65,7 +65,7 @@ def state_after(state: GoalState, event: GoalEvent) -> GoalState:
 
 
 class ServerGoalHandle:
-    """Given to an execute callback: the goal's `request`, feedback, cancelling and how it ends."""
+    """The argument of an execute callback: the goal's `request`, and methods for feedback, cancellation and the end."""
 
     def __init__(self, action_server: ActionServer, goal_id: Any, stamp: Any, goal_request: Any) -> None:
         self._action_server = action_server
@@ -99,7 +99,7 @@ class ServerGoalHandle:
 
     @property
     def status(self) -> int:
-        """The state, as a number of action_msgs/GoalStatus; UNKNOWN once the goal is forgotten."""
+        """The state, as a number of action_msgs/GoalStatus, or UNKNOWN for a dropped goal."""
         return int(GoalState.UNKNOWN if self._destroyed else self._state)
 
     def _update_state(self, event: GoalEvent) -> None:
@@ -111,7 +111,7 @@ class ServerGoalHandle:
         self._action_server.goal_changed()
 
     def execute(self, execute_callback: Callable[[ServerGoalHandle], Any] | None = None) -> None:
-        """Let the executor work on the goal."""
+        """Let the executor execute the goal."""
         if not self.is_cancel_requested:
             self._update_state(GoalEvent.EXECUTE)
         self._action_server.notify_execute(self, execute_callback)
@@ -125,7 +125,7 @@ class ServerGoalHandle:
         self._action_server.send_feedback(self, feedback)
 
     def succeed(self) -> None:
-        """End the goal as SUCCEEDED; the execute callback returns the result.
+        """End the goal as SUCCEEDED. The execute callback returns the result.
 
         :raises RCLError: in a state that does not allow it.
         """
@@ -136,7 +136,7 @@ class ServerGoalHandle:
         self._update_state(GoalEvent.ABORT)
 
     def canceled(self) -> None:
-        """End the goal as CANCELED, as :meth:`succeed` does. Raises RCLError unless a request to cancel was accepted."""
+        """End the goal as CANCELED, as :meth:`succeed` does. Raise RCLError unless a cancel request was accepted."""
         self._update_state(GoalEvent.CANCELED)
 
     def destroy(self) -> None:
@@ -145,15 +145,15 @@ class ServerGoalHandle:
 
 
 def goal_info(goal: ServerGoalHandle) -> Any:
-    """Return its id and stamp as action_msgs/GoalInfo."""
+    """Return the goal's id and stamp as action_msgs/GoalInfo."""
     return GoalInfo(goal_id=goal.goal_id, stamp=goal._stamp)
 
 
 def stamp_of(goal: ServerGoalHandle) -> tuple[int, int]:
-    """When it was accepted: seconds and nanoseconds."""
+    """Return the time of acceptance: seconds and nanoseconds."""
     return goal._stamp.sec, goal._stamp.nanosec
 
 
 def has_ended_until(goal: ServerGoalHandle, limit_ns: int) -> bool:
-    """Return whether it ended, at that time or before."""
+    """Return whether the goal ended at that time or earlier."""
     return goal._state not in ACTIVE and goal._ended_ns <= limit_ns

@@ -1,4 +1,4 @@
-"""The executor that goes by events."""
+"""The executor that handles events in order of arrival."""
 
 from __future__ import annotations
 

@@ -6,7 +6,7 @@ from enum import IntEnum
 
 
 class CEnum(IntEnum):
-    """Whole numbers that print as `Type.MEMBER`, also since Python 3.11."""
+    """Integers that print as `Type.MEMBER`, also in Python 3.11 and later."""
 
     def __str__(self) -> str:
         return f'{type(self).__name__}.{self.name}'

@@ -32,7 +32,7 @@ class Handle:
             raise invalid_handle()
 
     def __exit__(self, *_: object) -> None:
-        """Nothing to let go of."""
+        """Do nothing, because nothing was acquired."""
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._held, name)
@@ -45,7 +45,7 @@ def check_alive(endpoint: Any) -> None:
 
 
 def check_endpoint(endpoint: Any, context: ContextProtocol, what: str) -> None:
-    """Raise what ROS 2 raises when something is asked of an endpoint that is gone, or after shutdown.
+    """Raise the error of ROS 2 for the use of a destroyed endpoint, or for a use after shutdown.
 
     :param what: the beginning of the error message up to its colon, and the owner of the context, such as 'failed to ...:
         publisher'.
@@ -81,7 +81,7 @@ class ReadyList:
         self.due_ns = NEVER_NS
 
     def plan(self) -> None:
-        """Work out `due_ns` again."""
+        """Compute `due_ns` again."""
         timers = self.timers
         if len(timers) == 1:
             self.due_ns = timers[0].due_ns
@@ -89,13 +89,13 @@ class ReadyList:
             self.due_ns = min([timer.due_ns for timer in timers], default=NEVER_NS)
 
     def notify(self) -> None:
-        """An entity is ready, or a due time has changed: wake the waiting executor."""
+        """Wake the waiting executor, because an entity is ready or a due time has changed."""
         for task in self.waiting:
             task.wake()
 
 
 class Entity:
-    """Base of what executors run: a callback, its group, and whether something waits for it.
+    """The base class of what executors run: a callback, its group, and whether an event waits for it.
 
     `_order` sorts the entities of one wait by category, then by creation. `is_async` is whether running it returns a coroutine.
     """
@@ -111,7 +111,7 @@ class Entity:
         self.destroyed = False
 
     def signal(self) -> None:
-        """An event has arrived: join the ready list and wake the executor."""
+        """Record an event: join the ready list and wake the executor."""
         if not self.queued:
             self.queued = True
             ready_list = self.ready_list
@@ -120,12 +120,14 @@ class Entity:
                 task.wake()
 
     def run_callback(self, executor: ExecutorProtocol) -> Any:
-        """Take what waits and call the callback with it; it has left the ready list. A coroutine is for the executor to run."""
+        """Take the waiting data and call the callback with it. The entity has left the ready list. The executor runs a returned
+        coroutine.
+        """
         raise TypeError(f'{type(self).__name__} cannot be executed')
 
 
 class TimedEntity(Entity):
-    """An entity that is ready at some time.
+    """An entity that becomes ready at a certain time.
 
     :ivar due_ns: when, in simulated time; `NEVER_NS` while that is unknown.
     """
@@ -134,24 +136,24 @@ class TimedEntity(Entity):
 
 
 class GraphEnd:
-    """Has an endpoint in the graph, given by :meth:`connect`."""
+    """An entity with an endpoint in the graph, which :meth:`connect` sets."""
 
     endpoint: Any
 
     def connect(self, impl: Any) -> None:
-        """Stand for this endpoint of the graph."""
+        """Set the endpoint of the graph to which this entity belongs."""
         self.endpoint = impl
 
     @property
     def logger_name(self) -> str:
-        """The name of its node's logger. Raises InvalidHandle when destroyed."""
+        """The name of its node's logger. Raise InvalidHandle after destroy."""
         check_alive(self.endpoint)
         name: str = self.endpoint.node.logger_name
         return name
 
     @property
     def handle(self) -> Handle:
-        """What holds the endpoint in the graph."""
+        """The object that owns the endpoint in the graph."""
         impl = self.endpoint
         return Handle(impl, lambda: impl.destroyed)
 
@@ -161,7 +163,7 @@ class TopicEnd(GraphEnd):
 
     @property
     def topic_name(self) -> str:
-        """The topic's absolute name, after remapping. Raises InvalidHandle when destroyed."""
+        """The topic's absolute name, after remapping. Raise InvalidHandle after destroy."""
         check_alive(self.endpoint)
         name: str = self.endpoint.topic_name
         return name
@@ -175,7 +177,7 @@ class ServiceEnd(GraphEnd):
 
     @property
     def service_name(self) -> str:
-        """The service's absolute name, after remapping. Raises InvalidHandle when destroyed."""
+        """The service's absolute name, after remapping. Raise InvalidHandle after destroy."""
         check_alive(self.endpoint)
         name: str = self.endpoint.service_name
         return name
@@ -183,7 +185,7 @@ class ServiceEnd(GraphEnd):
     def configure_introspection(
         self, clock: ClockProtocol, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
     ) -> None:
-        """Publish what it sends and receives on `<service>/_service_event`."""
+        """Publish its requests and replies on `<service>/_service_event`."""
         from rclpy.service_introspection import Introspection
 
         if self._introspection is not None:

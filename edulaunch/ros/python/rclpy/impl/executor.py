@@ -1,4 +1,4 @@
-"""The base of executors: nodes, tasks, executing and spinning."""
+"""The base class of executors: it manages nodes and tasks, executes callbacks and spins."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class TimeoutObject:
 
     @property
     def timeout(self) -> float:
-        """Seconds."""
+        """The timeout in seconds."""
         return self._timeout
 
     @timeout.setter
@@ -66,7 +66,7 @@ class Executor(Waiting):
         self.shutdown()
 
     def add_node(self, node: Node) -> bool:
-        """Execute the callbacks of this node from now on; it leaves the executor it was in. False when it is here already."""
+        """Add a node, and remove it from its previous executor. Return False if it is already here."""
         if self._is_shutdown:
             self._check_open()
         try:
@@ -92,7 +92,7 @@ class Executor(Waiting):
         return True
 
     def remove_node(self, node: Node) -> None:
-        """Execute this node's callbacks no more."""
+        """Stop executing this node's callbacks."""
         if node in self._nodes:
             self._nodes.remove(node)
             ready_list = core_of(node).ready_list
@@ -109,7 +109,7 @@ class Executor(Waiting):
             self._look_again()
 
     def get_nodes(self) -> list[Node]:
-        """Return the nodes, in the order in which they came."""
+        """Return the nodes in the order in which they were added."""
         return list(self._nodes)
 
     def create_task(self, callback: Any, *args: Any, **kwargs: Any) -> Task:
@@ -127,7 +127,7 @@ class Executor(Waiting):
             raise with_facts(AttributeError("'NoneType' object has no attribute 'trigger'"), 'programs.ended-executor')
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
-        """Execute nothing more; a wait ends."""
+        """Stop executing callbacks, and end a wait."""
         self._is_shutdown = True
         self.wake()
         for node in self.get_nodes():
@@ -142,7 +142,7 @@ class Executor(Waiting):
         nodes: list[Node] | None = None,
         condition: Callable[[], bool] = never,
     ) -> tuple[Task, Any, Any]:
-        """Return the next (task, entity, node) for custom executors; call the task to execute it.
+        """Return the next (task, entity, node) for custom executors, which call the task to execute it.
 
         :raises TimeoutException, ShutdownException, ConditionReachedException: as their names say.
         """
@@ -155,7 +155,7 @@ class Executor(Waiting):
         return Task(lambda: self._run_entity(item), executor=self), item, node
 
     def can_execute(self, entity: Entity) -> bool:
-        """Return whether the callback of an entity could begin now, by the rules of its group."""
+        """Return whether the group of an entity allows its callback to start now."""
         return entity.callback_group.can_execute(entity)
 
     def _execute(self, item: Item) -> None:
@@ -215,14 +215,14 @@ class Executor(Waiting):
             self._tasks.append(task)
 
     def note_nested_spin(self) -> bool:
-        """Return whether this thread executes a callback here that has not been reported yet."""
+        """Return whether this thread is executing a callback of this executor that was not reported yet."""
         if self._nested_recorded or self.spinner is not current_task():
             return False
         self._nested_recorded = True
         return True
 
     def cannot_serve(self, entity: Entity) -> tuple[Any, ...] | None:
-        """Not None when the code that runs now, by waiting, keeps this entity from ever being executed.
+        """Return the reason why this entity is never executed while the running code waits, or None.
 
         :returns: a value that stays equal during one callback of the running thread.
         """
@@ -255,7 +255,9 @@ class Executor(Waiting):
             self.spin_once()
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Execute one callback, waiting for it at most `timeout_sec` (None or negative means forever, 0 means no wait)."""
+        """Execute one callback. Wait for it at most `timeout_sec`. None or a negative number waits forever, and 0
+        does not wait.
+        """
         self._check_spins()
         self._spin_once_impl(timeout_sec)
 
@@ -277,13 +279,13 @@ class Executor(Waiting):
         self._spin(timeout_ns, wait_condition, (timeout_ns, wait_condition), once=True)
 
     def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
-        """Execute callbacks until the future is done, at most for `timeout_sec` seconds."""
+        """Execute callbacks until the future is done, for at most `timeout_sec` seconds."""
         self._check_spins()
         over = self._is_over(future)
         self._spin(timeout_sec_to_nsec(timeout_sec), over, over, once=False)
 
     def spin_once_until_future_complete(self, future: Future, timeout_sec: float | TimeoutObject | None = None) -> None:
-        """Execute one callback, unless the future is done before."""
+        """Execute one callback, unless the future is done first."""
         self._check_spins()
         self._spin_once_impl(timeout_sec, self._is_over(future))
 
@@ -312,7 +314,9 @@ class Executor(Waiting):
             self.spinner = outer
 
     def spin_ready(self) -> None:
-        """Execute everything that is ready now, each entity once, without waiting: rclcpp's spin_some, in rclcpp's order."""
+        """Execute everything that is ready, each entity once, without waiting. This is rclcpp's spin_some, with
+        rclcpp's order.
+        """
         self._run_tasks()
         batch = self._collect()
         if batch:

@@ -1,4 +1,4 @@
-"""What is odd in a program that runs, as plain facts of which advice is made; ROS 2 itself keeps silent or only hangs.
+"""Records unusual behaviour of a running program as facts, from which advice is made. ROS 2 itself reports nothing or only hangs.
 
 These are waits that can never end, sleeps in callbacks, and requests that will get no answer. There are also unusual facts about
 a node when it is destroyed, or at the end of a recording.
@@ -44,7 +44,7 @@ POLLS = 5
 
 
 def note_wait(waiting: str, entity: Any, line: dict[str, Any] | None = None) -> None:
-    """Code in a callback waits for a result that only `entity` can provide, which is impossible during the callback.
+    """Record a callback that waits for a result which only `entity` can provide, because that is impossible during the callback.
 
     :param waiting: how: 'call', 'look' (in a loop), 'await', or the function that spins.
     """
@@ -52,7 +52,7 @@ def note_wait(waiting: str, entity: Any, line: dict[str, Any] | None = None) -> 
 
 
 def note_rate(entity: Entity) -> None:
-    """`rate.sleep()` when no executor is left to call the rate's timer."""
+    """Record a `rate.sleep()` while no executor can call the rate's timer."""
     _note('rate in callback', entity, {})
 
 
@@ -62,7 +62,7 @@ def _note(kind: str, entity: Entity, data: dict[str, Any], line: dict[str, Any] 
 
 
 def note_spin(function: str, node: NodeProtocol, executor: ExecutorProtocol) -> None:
-    """A node is spun inside one of its callbacks; that brings nothing when all that could come is shut out by it."""
+    """Record that a node is spun inside one of its callbacks, if nothing can become ready during that callback."""
     core = core_of(node)
     others = [entity for kind in (core.timers, core.subscriptions, core.services, core.clients, core.guards) for entity in kind]
     in_vain = not any(entity.callback_group.can_execute(entity) for entity in others)
@@ -70,7 +70,7 @@ def note_spin(function: str, node: NodeProtocol, executor: ExecutorProtocol) -> 
 
 
 def note_lost_node(function: str, node: NodeProtocol, executor: ExecutorProtocol) -> None:
-    """A callback gives its node to another executor: the one that runs the callback will not spin it any more."""
+    """Record that a callback passes its node to another executor, so that the current executor no longer spins it."""
     _note_spin('node taken away', function, node, executor)
 
 
@@ -80,13 +80,13 @@ def _note_spin(kind: str, function: str, node: NodeProtocol, executor: ExecutorP
 
 
 def note_foreign_future(node: NodeProtocol, entity: Any) -> None:
-    """A node is spun until the client of another node, which no executor spins, gets its answer."""
+    """Record a wait for the client of another node that no executor spins."""
     data = {'node': core_of(node).full_name, 'other': entity.node_name(), **entity.awaited()}
     _keep('other node spun', {**data, **student_line()})
 
 
 def note_no_result(callback: Callable[..., Any]) -> None:
-    """Record a callback for changed parameters that returned no SetParametersResult."""
+    """Record a callback for changed parameters that did not return a SetParametersResult."""
     code = getattr(callback, '__code__', None)
     place = {} if code is None else {'file': code.co_filename, 'line': code.co_firstlineno}
     _keep('no parameter result', {'callback': getattr(callback, '__name__', 'it'), **place})
@@ -107,7 +107,7 @@ SHORT_S = 0.01
 
 
 def note_sleep(seconds: float) -> None:
-    """Called for each `time.sleep` of a program with an executor; when the task that spins sleeps, it does so in a callback."""
+    """Record a `time.sleep` in a callback, that is, in a task that spins. It is called for each `time.sleep`."""
     if not isinstance(seconds, (int, float)) or seconds < SHORT_S:
         return
     task, state = current_task(), process_state()
@@ -124,7 +124,7 @@ LONG_NS = 1_000_000_000
 
 
 def note_lost_request(endpoint: Any, name: str, kind: str) -> None:
-    """A request to a service or action (`kind`) that has no server.
+    """Record a request to a service or action (`kind`) without a server.
 
     :param endpoint: the client in the graph; of an action, the one that sends goals.
     """
@@ -132,12 +132,12 @@ def note_lost_request(endpoint: Any, name: str, kind: str) -> None:
 
 
 def note_long_wait(endpoint: Any, name: str, kind: str) -> None:
-    """A client waits and waits."""
+    """Record that a client has waited for a long time."""
     _note_endpoint('server awaited', endpoint, name, kind)
 
 
 def note_server_came(endpoint: Any, name: str) -> None:
-    """Record that the server appeared for which a client waited."""
+    """Record that the server for which a client waited has appeared."""
     current_process().fact_over('server awaited', (endpoint.node.index, name))
 
 

@@ -1,4 +1,4 @@
-"""The module of the C layer's errors, by the name under which rclpy reaches it."""
+"""The module with the errors of the C layer, under the name that rclpy uses."""
 
 from __future__ import annotations
 

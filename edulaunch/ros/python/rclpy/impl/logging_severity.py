@@ -1,4 +1,4 @@
-"""How grave a log message is."""
+"""The severities of log messages."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from enum import IntEnum
 
 
 class LoggingSeverity(IntEnum):
-    """Severities; a logger that is UNSET takes its parent's."""
+    """Severities. A logger with UNSET uses the level of its parent."""
 
     UNSET = 0
     DEBUG = 10

@@ -1,4 +1,4 @@
-"""Levels and outputs of a program's logging, and how a message looks on the console."""
+"""Levels and outputs of a program's logging, and the format of messages on the console."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ _TOKENS = {
 
 
 class ConsoleFormat:
-    """The console line of a message, by the RCUTILS_* variables of an environment. Colours are off unless these ask for them."""
+    """The format of a message on the console, set by the RCUTILS_* variables of an environment. Colours are off by default."""
 
     def __init__(self, environment: Mapping[str, str]) -> None:
         self.text = environment.get('RCUTILS_CONSOLE_OUTPUT_FORMAT') or DEFAULT_FORMAT
@@ -62,7 +62,7 @@ class ConsoleFormat:
         self.stream = 'stdout' if environment.get('RCUTILS_LOGGING_USE_STDOUT') == '1' else 'stderr'
 
     def line(self, record: Record) -> str:
-        """Return the line, with its end."""
+        """Return the line with its line break."""
         if self.text == DEFAULT_FORMAT:
             text = f'[{SEVERITY_NAMES[record.severity]}] [{_seconds(record)}] [{record.name}]: {record.message}'
         else:
@@ -84,7 +84,7 @@ DEFAULT_LEVEL = 20
 
 
 class LoggingState:
-    """What the C layer keeps for a whole program.
+    """The state of the C layer's logging for a whole program.
 
     :ivar levels: logger name -> level, where one was set; children inherit by dotted prefix.
     :ivar rosout: logger name -> the publisher of /rosout that its messages go out on.
@@ -108,7 +108,7 @@ class LoggingState:
         self.rosout_enabled = arguments.outputs.get('rosout', True)
 
     def set_level(self, name: str, level: int) -> None:
-        """Set the level of a logger, '' for the default; 0 takes it back."""
+        """Set the level of a logger, or the default level for ''. Level 0 removes the setting."""
         if name == '':
             self.default_level = level or DEFAULT_LEVEL
         elif level:
@@ -118,7 +118,7 @@ class LoggingState:
         self._effective.clear()
 
     def effective_level(self, name: str) -> int:
-        """Return the level that counts for a logger."""
+        """Return the level that applies to a logger."""
         level = self._effective.get(name)
         if level is None:
             level = self._effective[name] = self._inherited(name)
@@ -132,7 +132,7 @@ class LoggingState:
         return self.default_level
 
     def output(self, severity: int, name: str, message: str, function: str = '', file: str = '', line: int = 0) -> None:
-        """Write a message to the console, the record and /rosout."""
+        """Write a message to the console, the recording and /rosout."""
         process = self.process
         message = process.streams.steady(message)
         now: int = process.sim.now_ns
@@ -146,7 +146,7 @@ class LoggingState:
 
 
 def logging_state() -> LoggingState:
-    """Return the logging of the program that runs now."""
+    """Return the logging state of the running program."""
     state = process_state()
     if state.logging is None:
         state.logging = LoggingState(state.process)

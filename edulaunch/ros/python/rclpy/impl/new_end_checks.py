@@ -1,4 +1,4 @@
-"""What rclpy refuses of a new endpoint, in its own words, with help: a second type for one name, and wrong names of actions."""
+"""Checks of new endpoints, with rclpy's messages and additional help: a second type for one name, and wrong names of actions."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def _clash(kind: str, name: str, wanted: Any, other: Any) -> dict[str, str]:
 
 
 def checked_action_name(core: NodeCore, name: str, kind: str) -> str:
-    """Return the absolute name; remap rules are for the services and topics of the action.
+    """Return the absolute name. Remapping rules apply to the services and topics of the action instead.
 
     :param kind: 'client' or 'server'.
     :raises InvalidHandle: the node was destroyed.

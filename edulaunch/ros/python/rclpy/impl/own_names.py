@@ -1,4 +1,4 @@
-"""Names of a node that rclpy itself needs. A program that gives one of them another meaning fails in rclpy, or gets a warning."""
+"""Names of a node that rclpy itself needs. A program that uses one of them for something else fails, or gets a warning."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ TO_SPIN = ('subscriptions', 'timers', 'clients', 'services', 'guards', 'waitable
 
 
 def check_own_names(node: NodeProtocol, names: tuple[str, ...]) -> None:
-    """Use what a node has under these names as rclpy does.
+    """Use the attributes of a node under these names as rclpy does.
 
     :raises TypeError, AttributeError: of something else under that name, in Python's words.
     """
@@ -32,7 +32,7 @@ def check_own_names(node: NodeProtocol, names: tuple[str, ...]) -> None:
 
 
 def private_names(node: NodeProtocol) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Yield what a program keeps where the real rclpy keeps something else of a node, which breaks when it next uses that."""
+    """Yield attributes of a program that replace attributes of the real rclpy, which fails when it next uses them."""
     own = vars(node)
     for name in sorted(_PRIVATE_USES.keys() & own.keys()):
         if not hasattr(own[name], _PRIVATE_USES[name]):

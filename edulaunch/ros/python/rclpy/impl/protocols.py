@@ -1,4 +1,4 @@
-"""What the lower files of rclpy need to know of the classes above them, so that no file imports one that imports it.
+"""The methods that the lower files of rclpy need from the classes above them. The protocols avoid imports in a circle.
 
 Each class has more than its protocol says: see `rclpy.context`, `rclpy.executors`, `rclpy.clock` and `rclpy.node`.
 """
@@ -12,73 +12,73 @@ from edulaunch.engine.sim.task import Task as SimTask
 
 
 class ContextProtocol(Protocol):
-    """The life of ROS 2 in a program."""
+    """The state of ROS 2 in a program."""
 
     alive: bool
     ended_by_signal: bool
     executors: list[ExecutorProtocol]
 
     def end_by_signal(self) -> None:
-        """End as Ctrl-C does it."""
+        """Shut down as Ctrl-C does."""
 
 
 class ExecutorProtocol(Protocol):
-    """What runs callbacks."""
+    """An object that runs callbacks."""
 
     spinner: SimTask | None
 
     def running_entity(self) -> Any:
-        """Return the entity whose callback runs, None between callbacks."""
+        """Return the entity whose callback is running; None between callbacks."""
 
     def cannot_serve(self, source: Any) -> tuple[Any, ...] | None:
-        """Not None when the callback that runs now shuts this entity out; changes with each callback."""
+        """Return the reason why the running callback blocks this entity, or None. It changes with each callback."""
 
     def get_nodes(self) -> Any:
         """Return the nodes that it spins."""
 
     def create_task(self, callback: Any, *args: Any, **kwargs: Any) -> Any:
-        """Run a function or coroutine when there is nothing else to do."""
+        """Run a function or coroutine when nothing else is ready."""
 
     def wake(self) -> None:
-        """Look again whether something is ready."""
+        """Check again whether something is ready."""
 
     def remove_node(self, node: Any) -> None:
-        """Spin a node no longer."""
+        """Stop spinning a node."""
 
     def forget_work(self) -> None:
-        """Let go of what was ready."""
+        """Drop what was ready."""
 
 
 class ClockProtocol(Protocol):
-    """The source of the time."""
+    """A source of time."""
 
     def now(self) -> Any:
-        """Return the time now, a `rclpy.time.Time`."""
+        """Return the current time as a `rclpy.time.Time`."""
 
 
 class NodeProtocol(Protocol):
-    """A node, for the services and watches that it has itself."""
+    """The part of a node that its own services and watches use."""
 
     def get_name(self) -> str:
         """Return its name."""
 
     def get_fully_qualified_name(self) -> str:
-        """Return its name with its namespace."""
+        """Return its namespace and name."""
 
     def get_logger(self) -> Any:
         """Return its logger."""
 
     @property
     def create_service(self) -> Callable[..., Any]:
-        """Make a service."""
+        """Create a service."""
 
     @property
     def create_publisher(self) -> Callable[..., Any]:
-        """Make a publisher."""
+        """Create a publisher."""
 
     @property
     def create_subscription(self) -> Callable[..., Any]:
-        """Make a subscription."""
+        """Create a subscription."""
 
     @property
     def destroy_subscription(self) -> Callable[..., bool]:
@@ -86,7 +86,7 @@ class NodeProtocol(Protocol):
 
     @property
     def has_parameter(self) -> Callable[..., bool]:
-        """Whether a parameter is declared."""
+        """Return whether a parameter is declared."""
 
     @property
     def declare_parameter(self) -> Callable[..., Any]:
@@ -94,7 +94,7 @@ class NodeProtocol(Protocol):
 
     @property
     def get_parameter(self) -> Callable[..., Any]:
-        """A parameter by its name."""
+        """Return a parameter by its name."""
 
     @property
     def add_on_set_parameters_callback(self) -> Callable[..., None]:
@@ -102,15 +102,15 @@ class NodeProtocol(Protocol):
 
     @property
     def describe_parameters(self) -> Callable[..., list[Any]]:
-        """The descriptors of parameters."""
+        """Return the descriptors of parameters."""
 
     @property
     def get_parameter_types(self) -> Callable[..., list[Any]]:
-        """The types of parameters."""
+        """Return the types of parameters."""
 
     @property
     def list_parameters(self) -> Callable[..., Any]:
-        """The names of parameters."""
+        """Return the names of parameters."""
 
     @property
     def set_parameters(self) -> Callable[..., list[Any]]:
@@ -118,7 +118,7 @@ class NodeProtocol(Protocol):
 
     @property
     def set_parameters_atomically(self) -> Callable[..., Any]:
-        """Change parameters, all or none."""
+        """Change all parameters, or none."""
 
     @property
     def remove_on_set_parameters_callback(self) -> Callable[..., None]:

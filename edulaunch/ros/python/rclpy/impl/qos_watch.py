@@ -1,4 +1,4 @@
-"""Deadlines and liveliness of endpoints, in simulated time."""
+"""Watch deadlines and liveliness of endpoints, in simulated time."""
 
 from __future__ import annotations
 
@@ -12,7 +12,9 @@ if TYPE_CHECKING:
 
 
 class Countdown:
-    """Calls a function after a time without a sign. It starts with the first sign; with `repeat`, it calls again each period."""
+    """Calls a function after a time without a message or assertion. The first one starts it. With `repeat`, it calls the function
+    again each period.
+    """
 
     def __init__(self, endpoint: Any, period_ns: int, expired: Callable[[], object], *, repeat: bool = False) -> None:
         self._endpoint = endpoint
@@ -23,7 +25,7 @@ class Countdown:
         self._item: Any = None
 
     def seen(self) -> None:
-        """A sign came: count from now."""
+        """Restart the countdown, because a message or assertion arrived."""
         sim = self._endpoint.graph.sim
         self.due_ns = sim.now_ns + self._period_ns
         if self._item is None:
@@ -43,7 +45,7 @@ class Countdown:
 
 
 class Count:
-    """Counts what happens between two calls of the callback.
+    """Counts the events between two calls of the callback.
 
     :param make_info: creates the argument of the callback from the total, the change, and the argument of the last `add`.
     :param tell: called at each change.
@@ -56,21 +58,21 @@ class Count:
         self._last: tuple[Any, ...] = ()
 
     def add(self, *last: Any) -> None:
-        """Count another one."""
+        """Count another event."""
         self._total += 1
         self._change += 1
         self._last = last
         self._tell()
 
     def take(self) -> Any:
-        """Return the info, or None when the callback knows it already."""
+        """Return the info, or None if the callback has already received it."""
         info = self._make_info(self._total, self._change, *self._last) if self._change else None
         self._change = 0
         return info
 
 
 def watch_deadline(endpoint: Any, missed: Callable[[], object]) -> None:
-    """Call `missed` whenever an endpoint with a deadline sees no message in time."""
+    """Call `missed` whenever an endpoint with a deadline receives or sends no message in time."""
     if not endpoint.qos.deadline_ns:
         return
     countdown = Countdown(endpoint, endpoint.qos.deadline_ns, missed, repeat=True)
@@ -87,14 +89,14 @@ def watch_deadline(endpoint: Any, missed: Callable[[], object]) -> None:
 
 
 def watch_lease(publisher: WatchedPublisher, lost: Callable[[], object]) -> None:
-    """Call `lost` when a publisher that must show itself does not do so for its lease."""
+    """Call `lost` when a publisher with a lease does not assert its liveliness in time."""
     if publisher.qos.liveliness == MANUAL_BY_TOPIC and publisher.qos.lease_ns:
         publisher.on_life.append(Countdown(publisher, publisher.qos.lease_ns, lost).seen)
 
 
 class LivelinessWatch:
-    """Return which of a subscription's publishers are alive. A publisher with a lease is alive from its first sign to the end of
-    the lease. Any other one is alive as long as it exists.
+    """Tracks which of a subscription's publishers are alive. A publisher with a lease is alive from its first assertion to the
+    end of the lease. Any other publisher is alive as long as it exists.
     """
 
     def __init__(self, subscription: Subscription, info_class: Any, tell: Callable[[], object]) -> None:
@@ -105,7 +107,7 @@ class LivelinessWatch:
         self._reported = (0, 0)
 
     def look(self) -> None:
-        """Publishers may have come or gone."""
+        """Update the list, because publishers may have been created or destroyed."""
         present = self._subscription.publishers
         for publisher in [known for known in self._alive if known not in present]:
             del self._alive[publisher]
@@ -133,7 +135,9 @@ class LivelinessWatch:
             self._tell()
 
     def take(self) -> Any:
-        """Return how many are alive and how many are not, and what changed, or None when the callback knows it already."""
+        """Return the numbers of publishers that are alive and not alive, and the changes; None if the callback has already
+        received them.
+        """
         alive = sum(self._alive.values())
         lost = len(self._alive) - alive
         before, self._reported = self._reported, (alive, lost)

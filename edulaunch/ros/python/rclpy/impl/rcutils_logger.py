@@ -1,4 +1,4 @@
-"""Loggers, and the keyword arguments of log calls that let only some messages through: once, throttle, skip_first."""
+"""Loggers, and the keyword arguments of log calls that limit how often a message is written: once, throttle, skip_first."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _OPTIONS = ['throttle_duration_sec', 'throttle_time_source_type', 'skip_first', 
 
 
 def filters_of(options: dict[str, Any]) -> tuple[str, ...]:
-    """Return the filters that keyword arguments ask for.
+    """Return the filters of the given keyword arguments.
 
     :raises TypeError: for an unknown keyword, or a throttle without its duration.
     :raises ValueError: for a time source that is not a clock.
@@ -40,7 +40,7 @@ def filters_of(options: dict[str, Any]) -> tuple[str, ...]:
 
 
 class CallSite:
-    """What one place in a program that logs remembers between its calls."""
+    """The filters and their state for one place in a program that logs."""
 
     __slots__ = ('name', 'severity', 'filters', 'settings', 'skipped', 'logged', 'last_ns')
 
@@ -53,7 +53,7 @@ class CallSite:
         self.last_ns = 0
 
     def check(self, name: str, severity: int, filters: tuple[str, ...], options: dict[str, Any]) -> None:
-        """Refuse a call that differs from the first one at this place. Raises ValueError."""
+        """Raise ValueError if a call at this place differs from the first one."""
         if severity != self.severity:
             raise ValueError('Logger severity cannot be changed between calls.')
         if name != self.name:
@@ -64,7 +64,7 @@ class CallSite:
             raise ValueError('Logging filter parameters cannot be changed between calls.')
 
     def lets_through(self, options: dict[str, Any], now_ns: int) -> bool:
-        """Return whether this call's message is to be written. Filters are asked in order, until one says no."""
+        """Return whether the message of this call is written. Filters are applied in order, until one rejects it."""
         return all(self._passes(name, options, now_ns) for name in self.filters)
 
     def _passes(self, name: str, options: dict[str, Any], now_ns: int) -> bool:
@@ -107,7 +107,7 @@ class RcutilsLogger:
         self.contexts: dict[tuple[str, str, int, int], CallSite] = {}
 
     def get_child(self, name: str) -> RcutilsLogger:
-        """Return the logger `<this name>.<name>`. Its messages go out on /rosout as this one's do."""
+        """Return the logger `<this name>.<name>`. It publishes on /rosout as this logger does."""
         if not name:
             raise ValueError('Child logger name must not be empty.')
         if not self.name:
@@ -119,11 +119,11 @@ class RcutilsLogger:
         return child
 
     def set_level(self, level: LoggingSeverity | int) -> None:
-        """Set the level from which on messages are written."""
+        """Set the lowest level of messages that are written."""
         logging_state().set_level(self.name, LoggingSeverity(level))
 
     def get_effective_level(self) -> LoggingSeverity:
-        """Return the level that counts: this logger's, its parents', or the default."""
+        """Return the level that applies: that of this logger, of a parent, or the default."""
         return LoggingSeverity(logging_state().effective_level(self.name))
 
     def is_enabled_for(self, severity: LoggingSeverity | int) -> bool:

@@ -1,6 +1,4 @@
-"""The errors of rclpy, in its own words, with help. They are for unusable arguments of executors, calls before init or after the
-end, and names that are not strings. (`new_end_checks` has the errors for a new endpoint.)
-"""
+"""The errors of rclpy with its own messages and additional help."""
 
 from __future__ import annotations
 
@@ -29,12 +27,14 @@ def student_level() -> int:
 
 
 def invalid_handle() -> InvalidHandle:
-    """Return what ROS 2 raises when something is used after it was destroyed."""
+    """Return the error of ROS 2 for the use of a destroyed object."""
     return InvalidHandle('cannot use Destroyable because destruction was requested')
 
 
 def after_shutdown(what: str) -> RCLError:
-    """What rcl says of an endpoint or node after the end of its context: `what` begins the sentence and names whose that is."""
+    """Return the error of rcl for the use of an endpoint or node after shutdown. The message begins with `what`, and names the
+    node.
+    """
     return with_facts(RCLError(f"{what}'s context is invalid"), 'programs.after-shutdown')
 
 
@@ -74,24 +74,26 @@ def check_executor(executor: Any, attribute: str) -> None:
 
 
 def stopped(error: StopIteration) -> RuntimeError:
-    """What a StopIteration in a callback becomes: rclpy runs callbacks inside coroutines, and no coroutine lets one out."""
+    """Return the error for a StopIteration in a callback. rclpy runs callbacks inside coroutines, which convert
+    this exception.
+    """
     return with_facts(RuntimeError('coroutine raised StopIteration'), 'programs.stop-iteration')
 
 
 def two_spinners(error: ValueError) -> ValueError:
-    """Return what Python raises when two threads take from the same wait: both spin one executor, with equal arguments."""
+    """Return the error of Python for two threads that spin one executor with equal arguments."""
     return with_facts(error, 'programs.two-spinners')
 
 
 def no_context(context: ContextProtocol) -> Exception:
-    """Return what rclpy raises when an executor is made before init or after the end."""
+    """Return the error of rclpy for an executor that is created before init or after shutdown."""
     if context.ended_by_signal:
         return without_context('failed to create guard_condition')
     return with_facts(TypeError("'NoneType' object does not support the context manager protocol"), 'programs.no-init')
 
 
 def without_context(what: str) -> RCLError:
-    """Return what rcl says when something that needs a context is wanted after its end."""
+    """Return the error of rcl for a call that needs a context after its shutdown."""
     return with_facts(
         RCLError(f'{what}: the given context is not valid, either rcl_init() was not called or rcl_shutdown() was called.'),
         'programs.after-shutdown',

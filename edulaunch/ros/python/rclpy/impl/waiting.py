@@ -1,4 +1,4 @@
-"""The waiting half of an executor: which entities are ready, in which order, parking until there are any, and how that ends."""
+"""The waiting part of an executor: it collects ready entities in order, and parks until there are any."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class ExternalShutdownException(Exception):
 
 
 class ConditionReachedException(Exception):
-    """What was waited for happened."""
+    """The condition of the wait became true."""
 
     __module__ = 'rclpy.executors'
 
@@ -50,7 +50,7 @@ _order_of = attrgetter('order')
 
 
 def never() -> bool:
-    """Return the condition of a wait that only something ready ends."""
+    """Return the condition of a wait that ends only when something is ready."""
     return False
 
 
@@ -59,7 +59,7 @@ def _may_begin(timer: Entity) -> bool:
 
 
 class Waiting:
-    """Base of executors: collects ready entities and parks.
+    """The base class of executors, which collects ready entities and parks.
 
     :ivar _lists: the ready lists of the executor's nodes, in the order in which they came.
     :ivar _waiting: the simulated threads that are parked here.
@@ -84,7 +84,7 @@ class Waiting:
         self._seen_ns = 0
 
     def wake(self) -> None:
-        """Make the current wait end, so that it checks again; without one, make the next wait end."""
+        """End the current wait, so that it checks again. Without a wait, end the next one."""
         self._woken = True
         if self._waiting:
             self._look_again()
@@ -239,7 +239,7 @@ class Waiting:
                 raise two_spinners(error) from None
 
     def forget_work(self) -> None:
-        """Start the next wait again; another thread that waits with other arguments continues with its items."""
+        """Start the next wait again. Another thread that waits with other arguments continues with its items."""
         work, self._work = self._work, None
         if work is not None and not work.gi_running:
             work.close()

@@ -1,4 +1,4 @@
-"""Things that follow the life cycle of their node."""
+"""Objects that follow the lifecycle of their node."""
 
 from __future__ import annotations
 
@@ -10,46 +10,46 @@ from rclpy.lifecycle.state_machine import LifecycleState, TransitionCallbackRetu
 
 
 class ManagedEntity:
-    """The base class of managed entities: they are called at each transition of the node, after the node itself."""
+    """The base class of managed entities. Each transition of the node calls them, after the node itself."""
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Return the node is being configured."""
+        """Handle the configuration of the node."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Return the node is being cleaned up."""
+        """Handle the cleanup of the node."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Return the node is being shut down."""
+        """Handle the shutdown of the node."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Return the node is being activated."""
+        """Handle the activation of the node."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Return the node is being deactivated."""
+        """Handle the deactivation of the node."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Return a transition went wrong."""
+        """Handle a failed transition."""
         return TransitionCallbackReturn.SUCCESS
 
 
 class SimpleManagedEntity(ManagedEntity):
-    """A managed entity that only knows whether it is activated."""
+    """A managed entity that stores only whether it is activated."""
 
     def __init__(self) -> None:
         self._enabled = False
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Be enabled."""
+        """Enable the entity."""
         self._enabled = True
         return TransitionCallbackReturn.SUCCESS
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Be enabled no more."""
+        """Disable the entity."""
         self._enabled = False
         return TransitionCallbackReturn.SUCCESS
 
@@ -57,7 +57,9 @@ class SimpleManagedEntity(ManagedEntity):
 
     @staticmethod
     def when_enabled(wrapped: Any = None, *, when_not_enabled: Any = None) -> Any:
-        """Return a decorator for methods that do nothing (or `when_not_enabled`) while the entity is not enabled."""
+        """Return a decorator for methods that have an effect only while the entity is enabled. Otherwise, `when_not_enabled` is
+        called.
+        """
 
         def decorator(method: Any) -> Any:
             @wraps(method)

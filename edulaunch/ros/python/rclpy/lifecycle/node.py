@@ -22,7 +22,7 @@ def _life(core: NodeCore) -> Life:
 
 
 class LifecycleNodeMixin(ManagedEntity):
-    """What makes a managed node of a `Node`, for classes that inherit from both; `Node.__init__` comes first.
+    """Adds a managed lifecycle to a `Node`, for classes that inherit from both. `Node.__init__` comes first.
 
     :param enable_communication_interface: whether to offer the services `~/change_state`, `~/get_state` ... and the topic
         `~/transition_event`.
@@ -42,7 +42,7 @@ class LifecycleNodeMixin(ManagedEntity):
     def create_lifecycle_publisher(
         self, msg_type: Any, topic: str, qos_profile: QoSProfile | int, *, publisher_class: None = None, **kwargs: Any
     ) -> LifecyclePublisher:
-        """Make a publisher that is silent while the node is not active; arguments as of `create_publisher`."""
+        """Create a publisher that sends nothing while the node is inactive. The arguments are those of `create_publisher`."""
         if publisher_class is not None:
             raise TypeError("create_publisher() got an unexpected keyword argument 'publisher_class'")
         publisher = self.create_publisher(msg_type, topic, qos_profile, publisher_class=LifecyclePublisher, **kwargs)
@@ -51,14 +51,14 @@ class LifecycleNodeMixin(ManagedEntity):
         return publisher
 
     def destroy_lifecycle_publisher(self, publisher: LifecyclePublisher) -> bool:
-        """Destroy such a publisher; whether it was one of this node."""
+        """Destroy such a publisher. Return whether it belonged to this node."""
         entities = _life(self._rclpy).entities
         if publisher in entities:
             entities.remove(publisher)
         return bool(self.destroy_publisher(publisher))
 
     def add_managed_entity(self, entity: ManagedEntity) -> None:
-        """Let an entity follow the node's life cycle. Raises TypeError for anything else."""
+        """Let an entity follow the node's lifecycle. Raise TypeError for anything else."""
         if not isinstance(entity, ManagedEntity):
             raise TypeError('Expected a rclpy.lifecycle.ManagedEntity instance.')
         _life(self._rclpy).entities.append(entity)
@@ -88,35 +88,35 @@ class LifecycleNodeMixin(ManagedEntity):
         return _life(self._rclpy).tell_entities('on_error', state)
 
     def register_callback(self, state_id: int, callback: OnTransition) -> bool:
-        """Call this in place of the method of a state of passage (10 configuring ... 15 errorprocessing)."""
+        """Call this function in place of the method of a transition state (10 configuring ... 15 errorprocessing)."""
         if state_id not in _CALLBACKS:
             return False
         _life(self._rclpy).callbacks[_CALLBACKS[state_id]] = callback
         return True
 
     def trigger_configure(self) -> TransitionCallbackReturn:
-        """Configure the node. Raises RCLError in a state that does not allow it."""
+        """Configure the node. Raise RCLError in a state that does not allow it."""
         return _life(self._rclpy).trigger(1)
 
     def trigger_cleanup(self) -> TransitionCallbackReturn:
-        """Clean the node up. Raises RCLError in a state that does not allow it."""
+        """Clean the node up. Raise RCLError in a state that does not allow it."""
         return _life(self._rclpy).trigger(2)
 
     def trigger_shutdown(self) -> TransitionCallbackReturn:
-        """Shut the node down. Raises RCLError in a state that does not allow it."""
+        """Shut the node down. Raise RCLError in a state that does not allow it."""
         return _life(self._rclpy).trigger_shutdown()
 
     def trigger_activate(self) -> TransitionCallbackReturn:
-        """Activate the node. Raises RCLError in a state that does not allow it."""
+        """Activate the node. Raise RCLError in a state that does not allow it."""
         return _life(self._rclpy).trigger(3)
 
     def trigger_deactivate(self) -> TransitionCallbackReturn:
-        """Deactivate the node. Raises RCLError in a state that does not allow it."""
+        """Deactivate the node. Raise RCLError in a state that does not allow it."""
         return _life(self._rclpy).trigger(4)
 
 
 class LifecycleNode(LifecycleNodeMixin, Node):
-    """A node that others configure, activate, deactivate, clean up and shut down.
+    """A node that other nodes configure, activate, deactivate, clean up and shut down.
 
     Override `on_configure(state)` and the like; call `super().on_activate(state)` to activate managed publishers.
 

@@ -1,4 +1,4 @@
-"""A publisher that is silent while its node is not active."""
+"""A publisher that sends nothing while its node is inactive."""
 
 from __future__ import annotations
 

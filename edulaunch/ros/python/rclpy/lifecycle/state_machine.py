@@ -1,4 +1,4 @@
-"""The life of a managed node: its states, the transitions between them, and how others see and steer it."""
+"""The lifecycle of a managed node: its states, its transitions, and its services."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class TransitionCallbackReturnType(Enum):
-    """What a transition's callback returns; students know it as `TransitionCallbackReturn`."""
+    """The return values of a transition's callback. Students know it as `TransitionCallbackReturn`."""
 
     SUCCESS = 97
     FAILURE = 98
@@ -36,7 +36,7 @@ class LifecycleState(NamedTuple):
 
 
 class Transition(NamedTuple):
-    """A transition: what starts it (`label`), where from, through which state, and what its callback is called."""
+    """A transition: its trigger (`label`), its start state, its intermediate state, and the name of its callback."""
 
     number: int
     label: str
@@ -74,7 +74,7 @@ TRANSITIONS = (
 
 
 class Outcome(NamedTuple):
-    """How a state of passage ends: its number, its label, and the state that follows."""
+    """The end of an intermediate state: its number, its label, and the next state."""
 
     number: int
     label: str
@@ -100,7 +100,7 @@ OUTCOMES = {
 
 
 def transition_from(state: str, wanted: int | str) -> Transition | None:
-    """Return the transition of that number or label which starts in a state, or None."""
+    """Return the transition with that number or label that starts in a state, or None."""
     for transition in TRANSITIONS:
         if transition.start == state and wanted in (transition.number, transition.label):
             return transition
@@ -136,7 +136,7 @@ class Life:
         self.services: LifecycleServices | None = None
 
     def tell_entities(self, callback: str, state: LifecycleState) -> TransitionCallbackReturn:
-        """Call a method of all entities, until one does not succeed."""
+        """Call a method of all entities until one does not succeed."""
         for entity in self.entities:
             result: TransitionCallbackReturn = getattr(entity, callback)(state)
             if result is not TransitionCallbackReturn.SUCCESS:
@@ -144,7 +144,7 @@ class Life:
         return TransitionCallbackReturn.SUCCESS
 
     def trigger(self, wanted: int | str) -> TransitionCallbackReturn:
-        """Do a transition, by number or label, with its callback and what follows from that callback's answer.
+        """Make a transition, given by number or label: call its callback, and then make the transition that its result requires.
 
         :raises RCLError: in a state that does not allow it.
         """
@@ -167,7 +167,7 @@ class Life:
         return result
 
     def trigger_shutdown(self) -> TransitionCallbackReturn:
-        """Do the shutdown of the present state. Raises RCLError in a state that has none."""
+        """Make the shutdown transition of the current state. Raise RCLError if the state has no such transition."""
         for transition in TRANSITIONS:
             if transition.start == self.state.label and transition.label == 'shutdown':
                 return self.trigger(transition.number)
@@ -219,7 +219,7 @@ class LifecycleServices:
             node.create_service(kind, f'{node.get_fully_qualified_name()}/{name}', answer, callback_group=group)
 
     def publish_event(self, start: LifecycleState, goal: LifecycleState) -> None:
-        """Publish a step. As in ROS 2, the event has the two states and leaves its time and its transition empty."""
+        """Publish a state change. As in ROS 2, the event contains the two states, but neither time nor transition."""
         from lifecycle_msgs.msg import TransitionEvent
 
         self._events.publish(TransitionEvent(start_state=_state(start), goal_state=_state(goal)))

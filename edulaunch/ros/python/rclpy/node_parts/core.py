@@ -83,25 +83,25 @@ class NodeCore:
         self._number = 0
 
     def next_number(self) -> int:
-        """Return the next number in order of creation, for entities of all kinds."""
+        """Return the next number in order of creation. Entities of all kinds share the numbers."""
         self._number += 1
         return self._number
 
     logger_name: ReadOnly[str] = ReadOnly('The full name with dots: `a.b.c` for node c in /a/b.', 'entry.logger_name')
 
     def check_alive(self) -> None:
-        """Raise InvalidHandle when the node was destroyed."""
+        """Raise InvalidHandle if the node was destroyed."""
         if self.destroyed:
             raise with_facts(invalid_handle(), 'programs.destroyed-node', node=self.full_name)
 
     def check_usable(self, what: str) -> None:
-        """Raise InvalidHandle when the node was destroyed, RCLError `what: ...` after shutdown."""
+        """Raise InvalidHandle if the node was destroyed, and RCLError `what: ...` after shutdown."""
         self.check_alive()
         if not self.context.alive:
             raise after_shutdown(f'{what}: rcl node')
 
     def check_context(self, what: str) -> None:
-        """Raise RCLError after shutdown, for what needs only the context and not the node: timers and guard conditions."""
+        """Raise RCLError after shutdown. Timers and guard conditions need only the context, not the node."""
         if not self.context.alive:
             raise without_context(what)
 
@@ -121,7 +121,7 @@ class NodeCore:
         return expanded if only_expand else remapped_name(self.rules, kind, expanded, self.name, self.namespace)
 
     def given_parameters(self) -> dict[str, Override]:
-        """Return the parameter values from command lines and files, for this node; later sources overwrite earlier ones."""
+        """Return this node's parameter values from command lines and files. Later sources replace earlier ones."""
         found: dict[str, Override] = {}
         origins = self.process.spec.parameter_origins
         for parsed in reversed(self.arguments):
@@ -131,13 +131,13 @@ class NodeCore:
 
 
 def core_of(node: Any) -> NodeCore:
-    """Return the state of a node: the way in for everything of rclpy that is not the node itself."""
+    """Return the state of a node. All of rclpy except the node itself uses this function to reach it."""
     core: NodeCore = node._rclpy
     return core
 
 
 def is_node(thing: Any) -> bool:
-    """Return whether it is a node whose constructor has run."""
+    """Return whether an object is a node whose constructor has run."""
     return isinstance(getattr(thing, '_rclpy', None), NodeCore)
 
 

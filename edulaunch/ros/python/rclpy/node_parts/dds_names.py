@@ -1,4 +1,4 @@
-"""The names under which DDS has the topics and services of ROS 2, for who asks not to have them translated back."""
+"""The names of ROS 2's topics and services in DDS, for callers that request them untranslated."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Making and destroying the entities of a node."""
+"""Create and destroy the entities of a node."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ SHORT_NS, LONG_NS = 100_000, 45_000_000_000
 
 
 class NodeEntities:
-    """The part of `Node` that makes and destroys publishers, subscriptions, clients, services, timers and the like."""
+    """The part of `Node` that creates and destroys publishers, subscriptions, clients, services, timers and similar entities."""
 
     _rclpy: NodeCore
 
@@ -73,7 +73,7 @@ class NodeEntities:
         yield from self._rclpy.waitables
 
     def add_waitable(self, waitable: Waitable) -> None:
-        """Let the node's executor wait for this too."""
+        """Let the node's executor wait for a waitable."""
         core = self._rclpy
         waitable.ready_list = core.ready_list
         waitable.order = core.next_number()
@@ -86,7 +86,7 @@ class NodeEntities:
             waitable.signal()
 
     def remove_waitable(self, waitable: Waitable) -> None:
-        """Wait for it no more."""
+        """Stop waiting for a waitable."""
         waitable.destroyed = True
         for waitables in (self._rclpy.waitables, self._rclpy.ready_list.asked):
             if waitable in waitables:
@@ -103,7 +103,7 @@ class NodeEntities:
         qos_overriding_options: QoSOverridingOptions | None = None,
         publisher_class: type[Publisher] = Publisher,
     ) -> Publisher:
-        """Make a publisher.
+        """Create a publisher.
 
         :param msg_type: the message class.
         :param topic: its name: absolute, relative to the namespace, or private (`~/x`).
@@ -135,7 +135,7 @@ class NodeEntities:
         qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool = False,
     ) -> Subscription:
-        """Make a subscription.
+        """Create a subscription.
 
         :param callback: called with each message, or with (message, info).
         :param raw: give the callback serialized bytes.
@@ -167,7 +167,7 @@ class NodeEntities:
         qos_profile: QoSProfile = qos_profile_services_default,
         callback_group: CallbackGroup | None = None,
     ) -> Client:
-        """Make a client of a service.
+        """Create a client of a service.
 
         :raises InvalidServiceNameException: for a name that breaks the rules.
         :raises RCLError: after shutdown, or when this program uses the service with another type.
@@ -192,7 +192,7 @@ class NodeEntities:
         qos_profile: QoSProfile = qos_profile_services_default,
         callback_group: CallbackGroup | None = None,
     ) -> Service:
-        """Make a service; `callback(request, response)` returns the response.
+        """Create a service. `callback(request, response)` returns the response.
 
         :raises InvalidServiceNameException: for a name that breaks the rules.
         :raises RCLError: after shutdown, or when this program uses the service with another type.
@@ -217,7 +217,7 @@ class NodeEntities:
         clock: Clock | None = None,
         autostart: bool = True,
     ) -> Timer:
-        """Make a timer; the first call is one period from now.
+        """Create a timer. Its first call is one period from now.
 
         :param clock: the clock that it goes by; the node's own by default.
         :param autostart: False makes it cancelled, until `reset()`.
@@ -227,7 +227,7 @@ class NodeEntities:
         return _new_timer(self._rclpy, timer_period_sec, callback, callback_group, clock, autostart)
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
-        """Make a rate of `frequency` per second. Raises ValueError unless that is positive."""
+        """Create a rate of `frequency` per second. Raise ValueError unless `frequency` is positive."""
         if frequency <= 0:
             raise ValueError('frequency must be > 0')
         from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
@@ -238,7 +238,7 @@ class NodeEntities:
         return rate
 
     def create_guard_condition(self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None) -> GuardCondition:
-        """Make a guard condition."""
+        """Create a guard condition."""
         core = self._rclpy
         core.check_context('failed to create guard_condition')
         group = callback_group or core.default_callback_group
@@ -248,27 +248,27 @@ class NodeEntities:
         return guard
 
     def destroy_publisher(self, publisher: Publisher) -> bool:
-        """Destroy a publisher; whether it was one of this node."""
+        """Destroy a publisher. Return whether it belonged to this node."""
         return _destroy(self._rclpy.publishers, publisher)
 
     def destroy_subscription(self, subscription: Subscription) -> bool:
-        """Destroy a subscription; whether it was one of this node."""
+        """Destroy a subscription. Return whether it belonged to this node."""
         return _destroy(self._rclpy.subscriptions, subscription)
 
     def destroy_client(self, client: Client) -> bool:
-        """Destroy a client; whether it was one of this node."""
+        """Destroy a client. Return whether it belonged to this node."""
         return _destroy(self._rclpy.clients, client)
 
     def destroy_service(self, service: Service) -> bool:
-        """Destroy a service; whether it was one of this node."""
+        """Destroy a service. Return whether it belonged to this node."""
         return _destroy(self._rclpy.services, service)
 
     def destroy_timer(self, timer: Timer) -> bool:
-        """Destroy a timer; whether it was one of this node."""
+        """Destroy a timer. Return whether it belonged to this node."""
         return _destroy(self._rclpy.timers, timer)
 
     def destroy_guard_condition(self, guard: GuardCondition) -> bool:
-        """Destroy a guard condition; whether it was one of this node."""
+        """Destroy a guard condition. Return whether it belonged to this node."""
         return _destroy(self._rclpy.guards, guard)
 
     def destroy_rate(self, rate: Rate) -> bool:
@@ -281,25 +281,25 @@ class NodeEntities:
         return True
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        """Return the absolute, remapped form of a topic name. Raises RCLError when the name breaks the rules."""
+        """Return the absolute, remapped form of a topic name. Raise RCLError if the name breaks the rules."""
         return _resolved(self._rclpy, topic, 'topic', only_expand)
 
     def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
-        """Return the absolute, remapped form of a service name. Raises RCLError when the name breaks the rules."""
+        """Return the absolute, remapped form of a service name. Raise RCLError if the name breaks the rules."""
         return _resolved(self._rclpy, service, 'service', only_expand)
 
     def get_name(self) -> str:
-        """Return the node's own name. Raises InvalidHandle when the node was destroyed."""
+        """Return the node's own name. Raise InvalidHandle if the node was destroyed."""
         self._rclpy.check_alive()
         return self._rclpy.name
 
     def get_namespace(self) -> str:
-        """Return the namespace, '/' for the root. Raises InvalidHandle when the node was destroyed."""
+        """Return the namespace, '/' for the root. Raise InvalidHandle if the node was destroyed."""
         self._rclpy.check_alive()
         return self._rclpy.namespace
 
     def get_fully_qualified_name(self) -> str:
-        """Return the namespace and the name. Raises InvalidHandle when the node was destroyed."""
+        """Return the namespace and the name. Raise InvalidHandle if the node was destroyed."""
         return fully_qualified_name(self.get_namespace(), self.get_name())
 
 

@@ -1,4 +1,4 @@
-"""What a node can ask about the graph."""
+"""The queries of a node on the graph."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ if TYPE_CHECKING:
 
 
 class NodeGraphQueries:
-    """The part of `Node` that asks about other nodes, topics and services. Names are fully qualified and sorted."""
+    """The part of `Node` with queries on other nodes, topics and services. Names are fully qualified and sorted."""
 
     _rclpy: NodeCore
 
     def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:
-        """Return all topics with their types; with `no_demangle` as DDS has them, those of services among them."""
+        """Return all topics with their types. With `no_demangle`, return the names of DDS, including those of services."""
         graph = _looked_at(self._rclpy, 'failed to get topic names and types')
         if no_demangle:
             ends = (graph.publishers, graph.subscriptions, graph.services, graph.clients)
@@ -37,7 +37,7 @@ class NodeGraphQueries:
     def get_publisher_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
-        """Return the topics that a node publishes, with `no_demangle` as DDS has them.
+        """Return the topics that a node publishes; with `no_demangle`, under the names of DDS.
 
         :raises NodeNameNonExistentError: for an unknown node.
         """
@@ -46,22 +46,22 @@ class NodeGraphQueries:
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
-        """Return the topics that a node subscribes to, with `no_demangle` as DDS has them.
+        """Return the topics to which a node subscribes; with `no_demangle`, under the names of DDS.
 
         :raises NodeNameNonExistentError: for an unknown node.
         """
         return _topics_by_node(self._rclpy, node_name, node_namespace, 'subscription', READS if no_demangle else None)
 
     def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
-        """Return the services that a node offers. Raises NodeNameNonExistentError for an unknown node."""
+        """Return the services that a node offers. Raise NodeNameNonExistentError for an unknown node."""
         return _by_node(self._rclpy, node_name, node_namespace, 'service', 'service_name')
 
     def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
-        """Return the services that a node has clients of. Raise NodeNameNonExistentError for an unknown node."""
+        """Return the services for which a node has clients. Raise NodeNameNonExistentError for an unknown node."""
         return _by_node(self._rclpy, node_name, node_namespace, 'client', 'service_name')
 
     def get_node_names(self) -> list[str]:
-        """Return the own names of all nodes, in order of creation."""
+        """Return the names of all nodes without namespaces, in order of creation."""
         return [node.name for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
 
     def get_fully_qualified_node_names(self) -> list[str]:
@@ -93,15 +93,15 @@ class NodeGraphQueries:
         return _count(self._rclpy, 'services', self._rclpy.graph.services, service_name)
 
     def get_publishers_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
-        """Return the publishers of a topic; none with `no_mangle`, which means a topic of DDS that is not one of ROS 2."""
+        """Return the publishers of a topic. With `no_mangle`, return none, because only ROS 2 uses the simulated topics."""
         return _infos(self._rclpy, 'publishers', {} if no_mangle else self._rclpy.graph.publishers, topic_name)
 
     def get_subscriptions_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
-        """Return the subscriptions of a topic; none with `no_mangle`, which means a topic of DDS that is not one of ROS 2."""
+        """Return the subscriptions of a topic. With `no_mangle`, return none, because only ROS 2 uses the simulated topics."""
         return _infos(self._rclpy, 'subscriptions', {} if no_mangle else self._rclpy.graph.subscriptions, topic_name)
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
-        """Wait at most `timeout` seconds for a node of that full name; whether it is there.
+        """Wait at most `timeout` seconds for a node with that full name. Return whether it exists.
 
         As in rclpy each look is followed by 0.1 s of sleep, also when it found the node, and without time there is no look.
         """

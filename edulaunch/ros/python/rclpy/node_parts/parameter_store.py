@@ -62,7 +62,7 @@ class ParameterStore:
         return ParameterDescriptor()
 
     def declare(self, parameter: Parameter, descriptor: ParameterDescriptor) -> None:
-        """Add a parameter; its value is checked as in a change, but may be not set, and read-only does not matter.
+        """Add a parameter. Its value is checked as in a change, but it may be not set, and read-only has no effect yet.
 
         :raises InvalidParameterTypeException, InvalidParameterValueException: when the value is refused.
         """
@@ -75,7 +75,7 @@ class ParameterStore:
             raise InvalidParameterValueException(parameter.name, parameter.value, result.reason)
 
     def set_atomically(self, parameters: list[Parameter]) -> SetParametersResult:
-        """Change several parameters, or none of them when one is refused."""
+        """Change several parameters, or none if one change is refused."""
         if self.pre_callbacks:
             parameters = [parameter for callback in self.pre_callbacks for parameter in callback(parameters)]
             if not parameters:
@@ -122,7 +122,7 @@ class ParameterStore:
         return _result(None)
 
     def problem(self, parameter: Parameter, descriptor: ParameterDescriptor, check_read_only: bool) -> str | None:
-        """Return why a descriptor does not allow a value, in rclpy's words, or None."""
+        """Return the reason why a descriptor does not allow a value, in rclpy's words, or None."""
         type_ = parameter.type_
         if check_read_only and descriptor.read_only:
             return f'Trying to set a read-only parameter: {parameter.name}.'
@@ -200,11 +200,11 @@ class ParameterEvents:
 
     @staticmethod
     def from_arguments(parameters: Iterable[Parameter]) -> dict[str, Override]:
-        """Return the constructor's `parameter_overrides`, in the form of those of the command line."""
+        """Return the constructor's `parameter_overrides`, in the form of command-line values."""
         return {parameter.name: Override(parameter.value, 'parameter_overrides') for parameter in parameters}
 
     def publish(self, new: list[Parameter], changed: list[Parameter], deleted: list[Parameter]) -> None:
-        """Report one transaction.
+        """Publish one event for a transaction.
 
         :raises RCLError: after shutdown; the values are in place then, as in ROS 2.
         """

@@ -35,7 +35,7 @@ NAME_ONLY = (
 
 
 class NodeParameters:
-    """The part of `Node` that is about parameters."""
+    """The part of `Node` that handles parameters."""
 
     _rclpy: NodeCore
     PARAM_REL_TOL = 1e-6
@@ -43,7 +43,7 @@ class NodeParameters:
     def declare_parameter(
         self, name: str, value: Any = None, descriptor: ParameterDescriptor | None = None, ignore_override: bool = False
     ) -> Parameter:
-        """Declare a parameter, with a default value or a `Parameter.Type`. A value from outside takes the default's place.
+        """Declare a parameter, with a default value or a `Parameter.Type`. A value from outside replaces the default.
 
         :raises ParameterAlreadyDeclaredException: when it was declared before.
         :raises InvalidParameterTypeException: when the value from outside has another type (5 is not a double, 5.0 is).
@@ -59,7 +59,7 @@ class NodeParameters:
     def declare_parameters(
         self, namespace: str, parameters: Sequence[tuple[Any, ...]], ignore_override: bool = False
     ) -> list[Parameter]:
-        """Declare several: (name,), (name, value) or (name, value, descriptor), with `namespace.` before each name."""
+        """Declare several parameters: (name,), (name, value) or (name, value, descriptor), with `namespace.` before each name."""
         core = self._rclpy
         overrides: Mapping[str, Override] = {} if ignore_override else core.overrides
         prepared = [_prepared(overrides, namespace, index, entry) for index, entry in enumerate(parameters)]
@@ -86,11 +86,11 @@ class NodeParameters:
         self._rclpy.graph.tracer.parameter(self._rclpy.entry, name, None, 'undeclare_parameter')
 
     def has_parameter(self, name: str) -> bool:
-        """Return whether it is declared."""
+        """Return whether a parameter is declared."""
         return name in self._rclpy.parameters.values
 
     def get_parameter(self, name: str) -> Parameter:
-        """Return a parameter; read its `.value`.
+        """Return a parameter, whose value is in `.value`.
 
         :raises ParameterNotDeclaredException: when it was not declared.
         :raises ParameterUninitializedException: when it was declared with a type only and has no value yet.
@@ -106,27 +106,27 @@ class NodeParameters:
         return parameter
 
     def get_parameters(self, names: list[str]) -> list[Parameter]:
-        """Return several parameters. Raises TypeError unless all names are strings."""
+        """Return several parameters. Raise TypeError unless all names are strings."""
         if not all(isinstance(name, str) for name in names):
             raise TypeError('All names must be instances of type str')
         return [self.get_parameter(name) for name in names]
 
     def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
-        """Return a parameter, or `alternative_value` (a Parameter) when it is not declared or has no value."""
+        """Return a parameter, or `alternative_value` (a Parameter) if it is not declared or has no value."""
         parameter: Parameter | None = self._rclpy.parameters.values.get(name)
         if parameter is not None and parameter.type_ is not ParameterType.NOT_SET:
             return parameter
         return Parameter(name, ParameterType.NOT_SET) if alternative_value is None else alternative_value
 
     def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
-        """Return the parameters `prefix.x`, by x."""
+        """Return the parameters `prefix.x`, with the names `x`."""
         prefix = prefix + PARAMETER_SEPARATOR_STRING if prefix else ''
         return {
             name[len(prefix) :]: parameter for name, parameter in self._rclpy.parameters.values.items() if name.startswith(prefix)
         }
 
     def get_parameter_type(self, name: str) -> int | ParameterType:
-        """Return the number of the type of a parameter's value, 0 without one.
+        """Return the number of the type of a parameter's value, or 0 without a value.
 
         As in rclpy it is `Parameter.Type.NOT_SET` itself for an undeclared parameter where those are allowed.
         """
@@ -138,7 +138,7 @@ class NodeParameters:
         return ParameterType.NOT_SET
 
     def get_parameter_types(self, names: list[str]) -> list[int | ParameterType]:
-        """Return the numbers of several types."""
+        """Return the type numbers of several parameters."""
         if not all(isinstance(name, str) for name in names):
             raise TypeError('All names must be instances of type str')
         return [self.get_parameter_type(name) for name in names]
@@ -148,11 +148,11 @@ class NodeParameters:
         return self._rclpy.parameters.descriptor(name)
 
     def describe_parameters(self, names: list[str]) -> list[ParameterDescriptor]:
-        """Return the descriptors of several."""
+        """Return the descriptors of several parameters."""
         return [self.describe_parameter(name) for name in names]
 
     def list_parameters(self, prefixes: list[str], depth: int) -> ListParametersResult:
-        """Return the names of parameters under any of `prefixes` (all when empty), at most `depth` dots below it (0: any)."""
+        """Return the names of parameters with any of the `prefixes` (all if empty), at most `depth` levels below it (0: any)."""
         from rcl_interfaces.msg import ListParametersResult
 
         if not isinstance(prefixes, list):
@@ -168,7 +168,7 @@ class NodeParameters:
         return ListParametersResult(names=names, prefixes=sorted(groups))
 
     def set_parameters(self, parameter_list: list[Parameter]) -> list[SetParametersResult]:
-        """Set each for itself; one result each.
+        """Set each parameter separately. Return one result for each.
 
         :raises ParameterNotDeclaredException: when one is undeclared; those before it are set already.
         """
@@ -180,7 +180,7 @@ class NodeParameters:
         return results
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
-        """Set all, or none when one is refused.
+        """Set all parameters, or none if one is refused.
 
         :raises ParameterNotDeclaredException: when one is undeclared.
         """
@@ -190,7 +190,7 @@ class NodeParameters:
     def set_descriptor(
         self, name: str, descriptor: ParameterDescriptor, alternative_value: ParameterValue | None = None
     ) -> ParameterValue:
-        """Set the descriptor of a parameter; `alternative_value` replaces a value that the descriptor does not allow.
+        """Set the descriptor of a parameter. `alternative_value` replaces a value that the descriptor does not allow.
 
         :raises ParameterNotDeclaredException, ParameterImmutableException, InvalidParameterValueException: as they say.
         """
@@ -216,7 +216,9 @@ class NodeParameters:
         self._rclpy.parameters.pre_callbacks.insert(0, callback)
 
     def add_on_set_parameters_callback(self, callback: OnSet) -> None:
-        """Let `callback(parameters)` accept or refuse: it returns a SetParametersResult. The newest is asked first."""
+        """Let `callback(parameters)` accept or refuse a change. It returns a SetParametersResult. The newest callback is called
+        first.
+        """
         self._rclpy.parameters.on_callbacks.insert(0, callback)
 
     def add_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
@@ -224,15 +226,15 @@ class NodeParameters:
         self._rclpy.parameters.post_callbacks.insert(0, callback)
 
     def remove_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
-        """Undo `add_pre_set_parameters_callback`. Raises ValueError when it was not added."""
+        """Undo `add_pre_set_parameters_callback`. Raise ValueError if it was not added."""
         self._rclpy.parameters.pre_callbacks.remove(callback)
 
     def remove_on_set_parameters_callback(self, callback: OnSet) -> None:
-        """Undo `add_on_set_parameters_callback`. Raises ValueError when it was not added."""
+        """Undo `add_on_set_parameters_callback`. Raise ValueError if it was not added."""
         self._rclpy.parameters.on_callbacks.remove(callback)
 
     def remove_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
-        """Undo `add_post_set_parameters_callback`. Raises ValueError when it was not added."""
+        """Undo `add_post_set_parameters_callback`. Raise ValueError if it was not added."""
         self._rclpy.parameters.post_callbacks.remove(callback)
 
 

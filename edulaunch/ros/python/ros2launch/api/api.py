@@ -1,4 +1,4 @@
-"""Finding a launch file, and showing or launching what is in it."""
+"""Find a launch file, and show or launch its content."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ HEADING = "Arguments (pass arguments as '<name>:=<value>'):"
 
 
 class MultipleLaunchFilesError(Exception):
-    """Several files of a package have the name.
+    """Several files of a package have the requested name.
 
     :ivar paths: all of them.
     """
@@ -29,7 +29,7 @@ class MultipleLaunchFilesError(Exception):
 
 
 def get_share_file_path_from_package(*, package_name: str, file_name: str | None) -> str:
-    """Return the path of the one file of that name anywhere below the package's share directory.
+    """Return the path of the only file with that name below the package's share folder.
 
     :raises PackageNotFoundError: when there is no such package.
     :raises FileNotFoundError: when there is no such file.
@@ -57,7 +57,7 @@ def get_share_file_path_from_package(*, package_name: str, file_name: str | None
 
 
 def is_launch_file(path: str) -> bool:
-    """Return whether it is a file with a name that a launch file may have."""
+    """Return whether a path is a file with the name of a launch file."""
     from launch.frontend.parser import Parser
 
     extensions = ['py', *Parser.get_file_extensions_from_parsers()]
@@ -65,7 +65,7 @@ def is_launch_file(path: str) -> bool:
 
 
 def parse_launch_arguments(launch_arguments: Arguments) -> list[tuple[str, str]]:
-    """Return (name, value) of each `name:=value`; of several with one name the last counts.
+    """Return (name, value) of each `name:=value`. If several have the same name, the last one counts.
 
     :raises RuntimeError: for a string of another form.
     """
@@ -79,7 +79,7 @@ def parse_launch_arguments(launch_arguments: Arguments) -> list[tuple[str, str]]
 
 
 def load_launch_file(path: str) -> LaunchDescription:
-    """Return what the launch file describes, without launching it.
+    """Return the launch description of the file, without launching it.
 
     :raises InvalidLaunchFileError: when it cannot be loaded.
     """
@@ -89,14 +89,14 @@ def load_launch_file(path: str) -> LaunchDescription:
 
 
 def print_a_launch_file(*, launch_file_path: str) -> None:
-    """Write the description as a tree."""
+    """Print the description as a tree."""
     from launch.launch_introspector import LaunchIntrospector
 
     _print(LaunchIntrospector().format_launch_description(load_launch_file(launch_file_path)))
 
 
 def print_arguments_of_launch_file(*, launch_file_path: str) -> None:
-    """Write the launch arguments: what `ros2 launch -s` shows."""
+    """Print the launch arguments, as `ros2 launch -s` does."""
     description = load_launch_file(launch_file_path)
     _print(HEADING)  # printed first, because an error in an included file appears below it
     _print(arguments_text(description).removeprefix(HEADING + '\n'))
@@ -127,7 +127,7 @@ def launch_a_launch_file(
     option_extensions: object = None,
     debug: bool = False,
 ) -> int:
-    """Launch the file and wait for its end; returns the exit code.
+    """Launch the file and wait for its end. Return the exit code.
 
     :param launch_file_arguments: strings `name:=value`.
     :param noninteractive: no terminal is attached.

@@ -6,16 +6,18 @@ from typing import Any, Protocol
 
 
 class ProcessAction(Protocol):
-    """See :class:`~launch.actions.ExecuteLocal`; the events' files and that of the action do not import each other."""
+    """The part of :class:`~launch.actions.ExecuteLocal` that events need. With it, the files of events and actions need not
+    import each other.
+    """
 
     @property
     def process_description(self) -> Any:
-        """The `Executable` that it runs."""
+        """The `Executable` that the action runs."""
 
     @property
     def process_details(self) -> dict[str, Any] | None:
-        """Name, command, folder, environment and number of the process; None before it has started."""
+        """The name, command, folder, environment and number of the process; None before its start."""
 
     @property
     def return_code(self) -> int | None:
-        """The exit code, None while it runs."""
+        """The exit code; None while the process runs."""

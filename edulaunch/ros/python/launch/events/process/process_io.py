@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class ProcessIO(RunningProcessEvent):
-    """A process has written to or reads from one of its streams.
+    """A process has written to one of its streams, or reads from one.
 
     :param text: the bytes, which need not be whole lines.
     :param fd: 0 for stdin, 1 for stdout, 2 for stderr.
@@ -29,15 +29,15 @@ class ProcessIO(RunningProcessEvent):
 
     @property
     def from_stdin(self) -> bool:
-        """Whether the process should read the text."""
+        """Whether the text is input for the process."""
         return self.__fd == 0
 
     @property
     def from_stdout(self) -> bool:
-        """Whether the text is from the standard output."""
+        """Whether the text comes from the standard output."""
         return self.__fd == 1
 
     @property
     def from_stderr(self) -> bool:
-        """Whether the text is from the standard error."""
+        """Whether the text comes from the standard error."""
         return self.__fd == 2

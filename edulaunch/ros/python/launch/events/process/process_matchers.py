@@ -11,15 +11,15 @@ if TYPE_CHECKING:
 
 
 def matches_pid(pid: int) -> ProcessMatcher:
-    """Return the process with this number."""
+    """Return a matcher for the process with this number."""
     return lambda action: action.process_details is not None and action.process_details['pid'] == pid
 
 
 def matches_name(name: str) -> ProcessMatcher:
-    """Return the process with this unique name, such as 'talker-1'."""
+    """Return a matcher for the process with this unique name, such as 'talker-1'."""
     return lambda action: action.process_details is not None and action.process_details['name'] == name
 
 
 def matches_executable(executable: str) -> ProcessMatcher:
-    """Return the processes whose program's path ends with this."""
+    """Return a matcher for processes whose program's path ends with this string."""
     return lambda action: action.process_details is not None and action.process_details['cmd'][0].endswith(executable)

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class ProcessStdin(ProcessIO):
-    """A process should read text from its standard input."""
+    """Input for the standard input of a process."""
 
     name = 'launch.events.process.ProcessStdin'
 

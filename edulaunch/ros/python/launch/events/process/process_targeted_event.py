@@ -12,7 +12,7 @@ ProcessMatcher = Callable[[Any], bool]
 
 
 class ProcessTargetedEvent(Event):
-    """Base of all events that are meant for some processes.
+    """The base class of all events for certain processes.
 
     :param process_matcher: decides for which; called with each action that has started a process.
     """

@@ -10,7 +10,7 @@ from .process_action import ProcessAction
 
 
 class RunningProcessEvent(Event):
-    """Base of all events that come from a process."""
+    """The base class of all events that come from a process."""
 
     name = 'launch.events.process.RunningProcessEvent'
 

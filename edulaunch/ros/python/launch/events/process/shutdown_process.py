@@ -11,6 +11,6 @@ if TYPE_CHECKING:
 
 
 class ShutdownProcess(ProcessTargetedEvent):
-    """Asks processes to end: SIGINT first, SIGTERM and SIGKILL when that does not help."""
+    """Requests the end of processes: with SIGINT first, and with SIGTERM and SIGKILL if they do not end."""
 
     name = 'launch.events.process.ShutdownProcess'

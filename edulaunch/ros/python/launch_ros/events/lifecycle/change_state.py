@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class ChangeState(Event):
-    """Ask the lifecycle nodes that match to make a transition.
+    """Requests a transition of the lifecycle nodes that match.
 
     :param lifecycle_node_matcher: called with each LifecycleNode action.
     :param transition_id: a constant of lifecycle_msgs.msg.Transition.

@@ -1,4 +1,4 @@
-"""An old place of the matcher of node names."""
+"""The deprecated place of the matcher of node names."""
 
 from __future__ import annotations
 

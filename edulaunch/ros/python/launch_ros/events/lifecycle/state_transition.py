@@ -37,7 +37,7 @@ class StateTransition(Event):
 
     @property
     def timestamp(self) -> int:
-        """When, in nanoseconds, as the message says."""
+        """The time of the message, in nanoseconds."""
         return int(self.__msg.timestamp)
 
     @property
@@ -47,10 +47,10 @@ class StateTransition(Event):
 
     @property
     def start_state(self) -> str:
-        """The label of the state before."""
+        """The label of the previous state."""
         return str(self.__msg.start_state.label)
 
     @property
     def goal_state(self) -> str:
-        """The label of the state now."""
+        """The label of the new state."""
         return str(self.__msg.goal_state.label)
