@@ -19,22 +19,29 @@ def run_quietly(module: str, name: str, broken: int = UNUSABLE) -> int:
 
     :param broken: the exit code when the command cannot be loaded, because this computer has no memory or descriptors left.
     """
-    before = signal.getsignal(signal.SIGINT)
-    if before is signal.default_int_handler:
-        signal.signal(signal.SIGINT, signal.SIG_DFL)
     try:
-        gc.disable()  # modules leave little to collect: this takes a tenth less time
-        command: Callable[[], int] = getattr(import_module(module), name)
-    except (ImportError, MemoryError, OSError) as error:
-        if not isinstance(error, MemoryError) and not any(text in str(error) for text in LOADING_FAULTS):
-            raise
-        print(f'error: this computer has no memory or descriptors left: {error}', file=sys.stderr)
-        return broken
-    finally:
-        gc.enable()
-    try:
-        if before is signal.default_int_handler:
-            signal.signal(signal.SIGINT, before)
+        try:
+            command = _loaded(module, name)
+        except (ImportError, MemoryError, OSError) as error:
+            if not isinstance(error, MemoryError) and not any(text in str(error) for text in LOADING_FAULTS):
+                raise
+            print(f'error: this computer has no memory or descriptors left: {error}', file=sys.stderr)
+            return broken
         return command()
     except KeyboardInterrupt:
         return INTERRUPTED
+
+
+def _loaded(module: str, name: str) -> Callable[[], int]:
+    """Return a command. Python's handler of Ctrl-C is set again afterwards, whether the module could be loaded or not."""
+    before = signal.getsignal(signal.SIGINT)
+    if before is signal.default_int_handler:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+    gc.disable()  # modules leave little to collect: this takes a tenth less time
+    try:
+        command: Callable[[], int] = getattr(import_module(module), name)
+        return command
+    finally:
+        gc.enable()
+        if before is signal.default_int_handler:
+            signal.signal(signal.SIGINT, before)

@@ -40,6 +40,7 @@ def test_the_code_of_a_command_is_kept(tmp_path: Path) -> None:
 def test_a_computer_without_memory_for_a_module_is_a_sentence(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    before = signal.getsignal(signal.SIGINT)
     monkeypatch.syspath_prepend(tmp_path)
     (tmp_path / 'without_memory.py').write_text("raise ImportError('math.so: failed to map segment from shared object')")
     (tmp_path / 'damaged.py').write_text("raise ImportError('no such name')")
@@ -49,3 +50,4 @@ def test_a_computer_without_memory_for_a_module_is_a_sentence(
     )
     with pytest.raises(ImportError, match='no such name'):
         run_quietly('damaged', 'main')
+    assert signal.getsignal(signal.SIGINT) is before
