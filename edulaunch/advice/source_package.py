@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from edulaunch.ros.sources.source_package import SourcePackage
 
 
-class Source(NamedTuple):
+class PackageInWorkspace(NamedTuple):
     """One source package, and the index of its workspace."""
 
     package: SourcePackage
@@ -45,9 +45,9 @@ class Workspace(NamedTuple):
     packages: list[SourcePackage]
 
     @property
-    def sources(self) -> list[Source]:
+    def sources(self) -> list[PackageInWorkspace]:
         """Its packages as `Source` objects."""
-        return [Source(package, self.around) for package in self.packages]
+        return [PackageInWorkspace(package, self.around) for package in self.packages]
 
 
 def workspace_at(path: str) -> Workspace:

@@ -78,7 +78,7 @@ class Plugin(NamedTuple):
     functions: Mapping[str, str] = NOTHING
 
 
-class Source(NamedTuple):
+class Provider(NamedTuple):
     """The plug-in of edulaunch that provides something, and how to install it."""
 
     plugin: str
@@ -89,22 +89,22 @@ _NETWORK = "pip install --force-reinstall '.[network]' in the folder of edulaunc
 _EDULAUNCH = "pip install --force-reinstall . in the folder of edulaunch's setup.sh"
 _EDITOR = "pip install --force-reinstall '.[editor]' in the folder of edulaunch's setup.sh"
 SOURCES = {
-    'edulaunch compare': Source('comparing', _NETWORK),
-    'edulaunch course': Source('course', _EDULAUNCH),
-    'edulaunch course template classroom': Source('classes', _EDULAUNCH),
-    'edulaunch course template gradescope': Source('classes', _EDULAUNCH),
-    'edulaunch course template vscode': Source('editor', _EDITOR),
-    'edulaunch launch --network': Source('network', _NETWORK),
-    'edulaunch launch --real': Source('network', _NETWORK),
-    'edulaunch lsp': Source('editor', _EDITOR),
-    'edulaunch.foxglove': Source('foxglove', _EDULAUNCH),
-    'edulaunch view --foxglove': Source('foxglove', _EDULAUNCH),
-    'edulaunch network': Source('network', _NETWORK),
-    'ros2 launch --network': Source('network', _NETWORK),
-    'edulaunch.check': Source('grader', _EDULAUNCH),
-    **{f'edugrade {verb}': Source('grader', _EDULAUNCH) for verb in ('course', 'decoys', 'schema')},
+    'edulaunch compare': Provider('comparing', _NETWORK),
+    'edulaunch course': Provider('course', _EDULAUNCH),
+    'edulaunch course template classroom': Provider('classes', _EDULAUNCH),
+    'edulaunch course template gradescope': Provider('classes', _EDULAUNCH),
+    'edulaunch course template vscode': Provider('editor', _EDITOR),
+    'edulaunch launch --network': Provider('network', _NETWORK),
+    'edulaunch launch --real': Provider('network', _NETWORK),
+    'edulaunch lsp': Provider('editor', _EDITOR),
+    'edulaunch.foxglove': Provider('foxglove', _EDULAUNCH),
+    'edulaunch view --foxglove': Provider('foxglove', _EDULAUNCH),
+    'edulaunch network': Provider('network', _NETWORK),
+    'ros2 launch --network': Provider('network', _NETWORK),
+    'edulaunch.check': Provider('grader', _EDULAUNCH),
+    **{f'edugrade {verb}': Provider('grader', _EDULAUNCH) for verb in ('course', 'decoys', 'schema')},
     **{
-        f'edugrade {verb}': Source('classes', _EDULAUNCH)
+        f'edugrade {verb}': Provider('classes', _EDULAUNCH)
         for verb in ('batch', 'classroom', 'doctor', 'export', 'gradescope', 'sign', 'similar', 'verify')
     },
 }

@@ -16,7 +16,7 @@ from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Seq
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
-from .source import Place, Source
+from .source import Place, SubmittedText
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -102,7 +102,7 @@ class Evidence(Mapping[str, 'Recording']):
         self,
         scenarios: Mapping[str, Scenario],
         recordings: Mapping[str, Recording],
-        source: Source,
+        source: SubmittedText,
         names: Mapping[str, Any] = MappingProxyType({}),
         bags: Mapping[str, Sequence[Mapping[str, Any]]] = MappingProxyType({}),
         bare: Mapping[str, tuple[str, tuple[str, ...]]] = MappingProxyType({}),

@@ -16,7 +16,7 @@ from .faults import REPORT_IT, words_of
 from .library.deaths import words_on_deaths
 from .results import FAILED, GRADER_BROKE, LAUNCHES, NOT_RUN, PASSED, CheckResult
 from .rubric import Check
-from .source import Place, Source
+from .source import Place, SubmittedText
 from .worker import TooLong, cpu_limit, in_worker
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ LAUNCHES_SENTENCE = 'The launch file starts and runs to the end without an error
 
 
 def judge(
-    checks: Sequence[Check], outcomes: Sequence[Outcome], source: Source, names: Mapping[str, Any] = MappingProxyType({})
+    checks: Sequence[Check], outcomes: Sequence[Outcome], source: SubmittedText, names: Mapping[str, Any] = MappingProxyType({})
 ) -> list[CheckResult]:
     """Return the result of each check in the rubric's order, after the check that the launch file runs.
 
@@ -46,7 +46,7 @@ def judge(
     return with_causes(list(results.values()), evidence)
 
 
-def _launches(outcomes: Sequence[Outcome], source: Source) -> CheckResult:
+def _launches(outcomes: Sequence[Outcome], source: SubmittedText) -> CheckResult:
     """Return the result of the outcomes. A fault of the grader comes before a mistake of the student."""
     for kind, status in (('broke', GRADER_BROKE), ('unusable', FAILED), ('stopped', FAILED)):
         bad = [outcome for outcome in outcomes if outcome.kind == kind]
@@ -63,13 +63,13 @@ def _launches(outcomes: Sequence[Outcome], source: Source) -> CheckResult:
     return CheckResult(LAUNCHES, LAUNCHES_SENTENCE, PASSED)
 
 
-def too_much(checks: Sequence[Check], why: str, source: Source) -> list[CheckResult]:
+def too_much(checks: Sequence[Check], why: str, source: SubmittedText) -> list[CheckResult]:
     """Return the results of a submission whose runs could not be judged within the limits of a worker."""
     first = _unseen(CheckResult(LAUNCHES, LAUNCHES_SENTENCE, FAILED), why, source)
     return [first, *(_not_run(check, first, {LAUNCHES: first}) for check in checks)]
 
 
-def _unseen(result: CheckResult, why: str, source: Source) -> CheckResult:
+def _unseen(result: CheckResult, why: str, source: SubmittedText) -> CheckResult:
     return replace(
         result,
         reason=f'the grader cannot judge the recording of this run: {why}',

@@ -11,7 +11,7 @@ from .evidence import Outcome, Scenario
 from .reports.document import digest_of
 from .results import FAILED, PASSED, REPEATS, CheckResult
 from .shortened import shortened
-from .source import Source, comes_with_edulaunch
+from .source import SubmittedText, comes_with_edulaunch
 from .worker import TooLong, cpu_limit
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ def difference(one: Outcome, two: Outcome) -> str | None:
         return 'the recordings differ'
 
 
-def result(differences: Sequence[tuple[Scenario, str | None]], source: Source) -> CheckResult:
+def result(differences: Sequence[tuple[Scenario, str | None]], source: SubmittedText) -> CheckResult:
     """Return the result for the report, which has no points."""
     found = next(((scenario, words) for scenario, words in differences if words), None)
     if found is None:

@@ -53,7 +53,7 @@ class Gap(NamedTuple):
     text: str
 
 
-class Source:
+class SubmittedText:
     """The lines of a submission.
 
     :param file: the launch file, absolute.

@@ -14,7 +14,7 @@ from edulaunch.errors import UnusableInput
 
 from .faults import raise_fault
 from .files import read_regular
-from .source import Source
+from .source import SubmittedText
 
 ENDINGS = tuple(mark + kind for mark in ('.launch', '_launch') for kind in ('.py', '.xml', '.yaml', '.yml'))
 LARGEST_BYTES = 1_000_000
@@ -67,10 +67,10 @@ class Submission:
         return os.path.join(os.path.relpath(self.folder), '')
 
     @cached_property
-    def source(self) -> Source:
+    def source(self) -> SubmittedText:
         """The text of the submission, including all files of a package."""
         others = {os.path.join(self.folder, name): data.decode('utf-8', 'replace') for name, data in self._texts}
-        return Source(self.file, self.data.decode('utf-8', 'replace'), others)
+        return SubmittedText(self.file, self.data.decode('utf-8', 'replace'), others)
 
     @cached_property
     def _texts(self) -> list[tuple[str, bytes]]:

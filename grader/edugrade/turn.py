@@ -20,7 +20,7 @@ from .judging import judge
 from .results import Report
 from .rubric import Rubric
 from .rubrics.catalogue import load_rubric, rubrics_in
-from .source import Place, Source
+from .source import Place, SubmittedText
 from .submission import Submission
 from .verdicts import come_to
 
@@ -60,7 +60,7 @@ def grade_turn(name: str, path: str, names: Mapping[str, Any]) -> Report:
 
 def _of_values(name: str, rubric: Rubric, names: Mapping[str, Any]) -> Report:
     """Return the report on values that a cell has defined."""
-    source = Source(os.path.abspath('cell.py'), '')
+    source = SubmittedText(os.path.abspath('cell.py'), '')
     defined = {each: names[each] for each in rubric.names if each in names}
     results = judge(rubric.checks, (), source, defined)[1:]
     text = '\0'.join(f'{key}={_text_of(value)}' for key, value in defined.items())

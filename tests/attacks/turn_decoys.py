@@ -26,7 +26,7 @@ from edugrade.submission import Submission
 from edugrade.turn import grade_turn
 from edugrade.worker import in_worker
 
-from edulaunch.desk.notebook.terminal import Terminal
+from edulaunch.desk.notebook.terminal import CellTerminal
 from edulaunch.runtime.session import Session
 from tests.attacks.turn_answers import MORE
 from tests.browser.answers import ANSWERS
@@ -60,7 +60,7 @@ def solve(lesson: str, cell: str, folder: Path) -> Walk:
 def _write(student: Walk, path: str, old: str, new: str) -> None:
     if path == 'ros2':
         with _chdir(student.folder):
-            Terminal(lambda stream, text: None).ros2(new)
+            CellTerminal(lambda stream, text: None).ros2(new)
     elif path == 'bag':
         with _chdir(student.folder), Session() as session:
             session.launch(new)

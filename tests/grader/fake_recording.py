@@ -11,7 +11,7 @@ from edugrade import Scenario
 from edugrade.evidence import Outcome
 from edugrade.judging import judge
 from edugrade.rubrics.catalogue import find_rubric
-from edugrade.source import Source, shipped_program
+from edugrade.source import SubmittedText, shipped_program
 
 from edulaunch.engine.recording.records import DeclaredArgument, Frame, LaunchRecord, NodeRecord, Parameter, ProcessRecord
 
@@ -106,4 +106,4 @@ def graded(exercise: str, run: Callable[[Scenario], Any], seed: int = 0, wrote: 
     """The results of a rubric over made-up runs, by name of the check; `wrote` stands in the student's file."""
     rubric = find_rubric(exercise)[1]
     outcomes = [Outcome(scenario, 'recorded', run(scenario)) for scenario in rubric.scenarios(seed)]
-    return {result.name: result for result in judge(rubric.checks, outcomes, Source(FILE, f'{TEXT}{wrote}\n'))}
+    return {result.name: result for result in judge(rubric.checks, outcomes, SubmittedText(FILE, f'{TEXT}{wrote}\n'))}

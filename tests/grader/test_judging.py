@@ -14,7 +14,7 @@ from edugrade.evidence import Outcome
 from edugrade.judging import judge, with_causes
 from edugrade.reports.wording import KIND, ShortPaths, at_level, explained, translated
 from edugrade.results import FAILED, PASSED, CheckResult
-from edugrade.source import Place, Source
+from edugrade.source import Place, SubmittedText
 from fake_recording import FakeRecording, circle_run, graded
 
 from edulaunch.advice import Finding, Reader, found
@@ -22,7 +22,7 @@ from edulaunch.advice import Finding, Reader, found
 ONE = Scenario('one', {'radius': '0.5'})
 TWO = Scenario('two', {'radius': '1.0'})
 RECORDING: Any = SimpleNamespace(advice=[])
-SOURCE = Source('a.launch.py', '')
+SOURCE = SubmittedText('a.launch.py', '')
 
 
 @check(points=1)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from edulaunch.desk.notebook.terminal import Terminal
+from edulaunch.desk.notebook.terminal import CellTerminal
 from tests.lessons.notebook import LESSONS, Walk
 from tests.lessons.student import Student
 from tests.lessons.test_your_turn import turn
@@ -118,7 +118,7 @@ def test_the_fleet_is_built_of_the_parts_of_the_lessons_before(walk: Begin, monk
     student = walk('17_fleet')
     monkeypatch.chdir(student.folder)
     student.run('set-up')
-    Terminal(lambda stream, text: None).ros2('pkg create fleet --build-type ament_python --destination-directory my_ws/src')
+    CellTerminal(lambda stream, text: None).ros2('pkg create fleet --build-type ament_python --destination-directory my_ws/src')
     student.run('folders')
     student.write(NODES + 'steering.py', checkpoint('fleet/steering.py').replace('4.0', '5.0'))
     assert student.run('folders').splitlines()[0].split() == ['fleet/steering.py', 'yours']

@@ -121,7 +121,7 @@ def test_one_of_ours_names_what_it_needs(installed: Installed, monkeypatch: pyte
     installed(
         'ferry', 'ferry_plugin:PLUGIN', "from edulaunch.runtime.plugins import Plugin\nPLUGIN = Plugin(needs=('lake.water',))"
     )
-    monkeypatch.setitem(plugins.SOURCES, 'edulaunch ferry', plugins.Source('ferry', 'pip install ferry'))
+    monkeypatch.setitem(plugins.SOURCES, 'edulaunch ferry', plugins.Provider('ferry', 'pip install ferry'))
     assert str(plugins.absent('edulaunch ferry')) == (
         "edulaunch ferry needs the plug-in 'water', which is not installed.\n  help: install it: pip install ferry"
     )

@@ -13,7 +13,7 @@ from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.ros.sources.source_package import parsed, read_text
 
 if TYPE_CHECKING:
-    from edulaunch.advice.source_package import Source
+    from edulaunch.advice.source_package import PackageInWorkspace
 
 LEVELS_ABOVE = 4
 """So far above a package its workspace is looked for."""
@@ -27,7 +27,7 @@ LEVELS_ABOVE = 4
     level='info',
     lesson='07_packages',
 )
-def changed_after_build(source: Source) -> Iterator[Finding]:
+def changed_after_build(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report source files that differ from the installed ones, or are not installed. The rule compares contents, not times.
 
     Links, and what `--symlink-install` leaves in place of modules, always show the sources.
@@ -82,7 +82,7 @@ INSTALL = 'add install(PROGRAMS {written} DESTINATION lib/${{PROJECT_NAME}}) to 
     lesson=LESSON,
     level='error',
 )
-def no_shebang(source: Source) -> Iterator[Finding]:
+def no_shebang(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report a script without `#!` that install(PROGRAMS) installs."""
     programs = _programs(source)
     for path, text in _scripts(source):
@@ -98,7 +98,7 @@ def no_shebang(source: Source) -> Iterator[Finding]:
     lesson=LESSON,
     level='error',
 )
-def program_not_installed(source: Source) -> Iterator[Finding]:
+def program_not_installed(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report a script that starts rclpy and is not installed, if a launch file of the package starts it, or the package installs
     no program.
     """
@@ -116,7 +116,7 @@ def program_not_installed(source: Source) -> Iterator[Finding]:
     lesson=LESSON,
     level='info',
 )
-def program_left_out(source: Source) -> Iterator[Finding]:
+def program_left_out(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report a script that is not installed in a package that installs other programs, because this may be intended."""
     launched, has_none = executables_launched(source), not _programs(source) and not source.package.contents.native
     for path in _left_out(source):
@@ -124,7 +124,7 @@ def program_left_out(source: Source) -> Iterator[Finding]:
             yield _of_file(source, path)
 
 
-def _left_out(source: Source) -> Iterator[str]:
+def _left_out(source: PackageInWorkspace) -> Iterator[str]:
     """Report scripts that start rclpy, if no build installs them and they are not modules of a Python package."""
     installed = source.installed
     modules = tuple(place + os.sep for place in source.package.contents.python_modules.values())
@@ -135,7 +135,7 @@ def _left_out(source: Source) -> Iterator[str]:
             yield path
 
 
-def executables_launched(source: Source) -> set[str]:
+def executables_launched(source: PackageInWorkspace) -> set[str]:
     """Return what the launch files of a package name as `executable` or `exec`."""
     texts = (read_text(path) for path in source.package.files() if source.package.is_launch_file(path))
     return {name for text in texts for name in _EXECUTABLE.findall(text)}
@@ -152,7 +152,7 @@ _EXECUTABLE = re.compile(r"""\bexec(?:utable)?\s*[=:]\s*["']?([\w.-]+)""")
     lesson=LESSON,
     level='error',
 )
-def program_not_executable(source: Source) -> Iterator[Finding]:
+def program_not_executable(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report a script that install(FILES) puts below lib/."""
     installed, programs = source.installed, _programs(source)
     modules = tuple(place + os.sep for place in source.package.contents.python_modules.values())
@@ -171,7 +171,7 @@ def program_not_executable(source: Source) -> Iterator[Finding]:
     lesson=LESSON,
     level='error',
 )
-def main_never_called(source: Source) -> Iterator[Finding]:
+def main_never_called(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report an installed program that never calls a function at its top level or under `if`."""
     programs = _programs(source)
     for path, text in _scripts(source):
@@ -187,14 +187,14 @@ def _calls(statement: ast.stmt) -> bool:
     return any(isinstance(node, ast.Call) for node in ast.walk(statement))
 
 
-def _scripts(source: Source) -> Iterator[tuple[str, str]]:
+def _scripts(source: PackageInWorkspace) -> Iterator[tuple[str, str]]:
     """Yield (file, text) of the readable Python files of a CMake package."""
     if source.is_readable and not source.package.is_python:
         package = source.package
         yield from ((path, read_text(path)) for path in package.python_files if not package.is_test(path))
 
 
-def _programs(source: Source) -> set[str]:
+def _programs(source: PackageInWorkspace) -> set[str]:
     contents = source.package.contents
     return {os.path.realpath(contents.files[name]) for name in contents.programs}
 
@@ -203,6 +203,6 @@ def _runs(text: str) -> bool:
     return '\nif __name__' in text or 'rclpy.init' in text
 
 
-def _of_file(source: Source, path: str, line: int | None = None) -> Finding:
+def _of_file(source: PackageInWorkspace, path: str, line: int | None = None) -> Finding:
     written = source.package.relative(path)
     return found('file', os.path.basename(path), file=path, line=line, package=source.package.name, written=written)

@@ -13,7 +13,7 @@ from edulaunch.engine.nearest import nearest, nearest_spelling
 from edulaunch.ros.sources.source_package import defined_names, line_with, main_of, module_file, modules_of, parsed, read_text
 
 if TYPE_CHECKING:
-    from edulaunch.advice.source_package import Source
+    from edulaunch.advice.source_package import PackageInWorkspace
     from edulaunch.ros.sources.source_package import SourcePackage
 
 LESSON = '07_packages'
@@ -32,7 +32,7 @@ LESSON = '07_packages'
     level='error',
     edits=(('{module}', '{near}', 'near'),),
 )
-def entry_point_module(source: Source) -> Iterator[Finding]:
+def entry_point_module(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report an entry point in setup.py or setup.cfg whose module setup() does not install."""
     package = source.package
     for executable, module, function in _entry_points(source):
@@ -44,7 +44,7 @@ def entry_point_module(source: Source) -> Iterator[Finding]:
             yield _of_entry(package, executable, module, function, **facts)
 
 
-def _is_of_another(source: Source, module: str) -> bool:
+def _is_of_another(source: PackageInWorkspace, module: str) -> bool:
     """Return whether a module belongs to another package of the workspace, which a build accepts."""
     top, folder = module.partition('.')[0], os.path.dirname(source.package.folder)
     return top != source.package.name and (
@@ -61,7 +61,7 @@ def _is_of_another(source: Source, module: str) -> bool:
     level='error',
     edits=((':{function}', ':{near}', 'near'),),
 )
-def entry_point_function(source: Source) -> Iterator[Finding]:
+def entry_point_function(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report an entry point whose function the module neither defines nor imports at its top level."""
     for package, executable, module, function, path, tree in _read_entry_points(source):
         names, wanted = defined_names(tree), function.partition('.')[0]
@@ -80,7 +80,7 @@ def entry_point_function(source: Source) -> Iterator[Finding]:
     edits=(('{entry}', '{executable} = {near}', 'word'),),
     hides=('packages.entry-point-module',),
 )
-def entry_point_colon(source: Source) -> Iterator[Finding]:
+def entry_point_colon(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report `package.module` and `package.module.main`: a build installs both, but neither starts."""
     package = source.package
     for executable, module, function in _entry_points(source):
@@ -101,7 +101,7 @@ def entry_point_colon(source: Source) -> Iterator[Finding]:
     lesson=LESSON,
     level='error',
 )
-def main_wants_arguments(source: Source) -> Iterator[Finding]:
+def main_wants_arguments(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report a main function with required arguments. The script of setuptools calls it without arguments."""
     for package, executable, module, function, path, tree in _read_entry_points(source):
         called = main_of(tree, function)
@@ -123,7 +123,7 @@ def main_wants_arguments(source: Source) -> Iterator[Finding]:
     level='error',
     edits=(('', "'{executable} = {module}:main'", 'console_scripts'),),
 )
-def node_without_entry_point(source: Source) -> Iterator[Finding]:
+def node_without_entry_point(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report a node without an entry point that a launch file of the package starts, or any node if the package has no entry
     points.
     """
@@ -142,7 +142,7 @@ def node_without_entry_point(source: Source) -> Iterator[Finding]:
     level='info',
     edits=(('', "'{executable} = {module}:main'", 'console_scripts'),),
 )
-def node_left_out(source: Source) -> Iterator[Finding]:
+def node_left_out(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report a node without an entry point in a package with other entry points, because this may be intended."""
     launched = executables_launched(source)
     for one in _unnamed(source):
@@ -150,7 +150,7 @@ def node_left_out(source: Source) -> Iterator[Finding]:
             yield one
 
 
-def _unnamed(source: Source) -> Iterator[Finding]:
+def _unnamed(source: PackageInWorkspace) -> Iterator[Finding]:
     """Yield the modules without an entry point whose main() starts rclpy. Skip a module if a misspelt entry point may mean it."""
     package = source.package
     if not (source.is_readable and package.is_python):
@@ -172,7 +172,7 @@ def _unnamed(source: Source) -> Iterator[Finding]:
     lesson=LESSON,
     level='error',
 )
-def node_in_wrong_folder(source: Source) -> Iterator[Finding]:
+def node_in_wrong_folder(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report a node outside the installed modules and scripts of a package with setup.py."""
     package = source.package
     if not (source.is_readable and package.is_python):
@@ -201,7 +201,7 @@ def node_in_wrong_folder(source: Source) -> Iterator[Finding]:
     level='error',
     hides=('packages.entry-point-module', 'packages.node-in-wrong-folder'),
 )
-def no_init(source: Source) -> Iterator[Finding]:
+def no_init(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report the folder of the package's modules if it has no __init__.py, so that setup() does not install it."""
     package = source.package
     folder = os.path.join(package.folder, package.name)
@@ -211,14 +211,14 @@ def no_init(source: Source) -> Iterator[Finding]:
         yield found('folder', package.name, file=folder)
 
 
-def _entry_points(source: Source) -> Iterator[tuple[str, str, str]]:
+def _entry_points(source: PackageInWorkspace) -> Iterator[tuple[str, str, str]]:
     """Yield (executable, module, function) of a package whose build file is readable."""
     if source.is_readable:
         for place, (module, function) in source.package.contents.entry_points.items():
             yield os.path.basename(place), module, function
 
 
-def _read_entry_points(source: Source) -> Iterator[tuple[SourcePackage, str, str, str, str, ast.Module]]:
+def _read_entry_points(source: PackageInWorkspace) -> Iterator[tuple[SourcePackage, str, str, str, str, ast.Module]]:
     """Yield the entry points whose module is readable Python: package, executable, module, function, file, syntax tree."""
     for executable, module, function in _entry_points(source):
         path = module_file(source.package, module)

@@ -15,7 +15,7 @@ from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.ros.sources.source_package import DATA_FOLDERS, RUNTIME_TAGS, install_facts, parsed, read_text
 
 if TYPE_CHECKING:
-    from edulaunch.advice.source_package import Source
+    from edulaunch.advice.source_package import PackageInWorkspace
 
 INSTALL = (
     'move it into the folder {beside}/, where the installed files are',
@@ -39,7 +39,7 @@ NOT_LAUNCHED = frozenset(('doc', 'docs', 'example', 'examples', 'src'))
     level='error',
     edits=(('', "(os.path.join('share', package_name, '{folder}'), glob('{pattern}'))", 'data_files'),),
 )
-def launch_file_not_installed(source: Source) -> Iterator[Finding]:
+def launch_file_not_installed(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report a launch file that no build installs, by its name or its folder. Launch tests need not be installed."""
     package = source.package
     for path in _not_installed(source):
@@ -55,7 +55,7 @@ def launch_file_not_installed(source: Source) -> Iterator[Finding]:
     lesson='07_packages',
     edits=(('', "(os.path.join('share', package_name, '{folder}'), glob('{pattern}'))", 'data_files'),),
 )
-def data_not_installed(source: Source) -> Iterator[Finding]:
+def data_not_installed(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report a file for parameters, robots or worlds that is not installed, if a launch file or program names it."""
     package = source.package
     written = '\n'.join(_asking_texts(source))
@@ -75,14 +75,14 @@ def data_not_installed(source: Source) -> Iterator[Finding]:
             yield _of_file(package.name, path, install_facts(package, path))
 
 
-def _asking_texts(source: Source) -> Iterator[str]:
+def _asking_texts(source: PackageInWorkspace) -> Iterator[str]:
     """Yield the files of the package that use a share folder, without comments."""
     for text in map(read_text, _used_texts(source)):
         if 'share' in text:
             yield _COMMENT.sub('', text)
 
 
-def _used_texts(source: Source) -> Iterator[str]:
+def _used_texts(source: PackageInWorkspace) -> Iterator[str]:
     """Yield launch files, and the Python files that a build installs. If the installed files are not known, yield all Python
     files.
     """
@@ -96,7 +96,7 @@ def _used_texts(source: Source) -> Iterator[str]:
             yield path
 
 
-def _not_installed(source: Source) -> Iterator[str]:
+def _not_installed(source: PackageInWorkspace) -> Iterator[str]:
     if source.is_certain:
         installed = source.installed
         yield from (path for path in source.package.files() if os.path.realpath(path) not in installed)
@@ -116,7 +116,7 @@ def _of_file(package: str, path: str, facts: dict[str, Any]) -> Finding:
     ),
     level='error',
 )
-def not_python(source: Source) -> Iterator[Finding]:
+def not_python(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report wrong syntax, tabs mixed with spaces, and an encoding other than UTF-8."""
     for path in source.package.python_files:
         name = os.path.basename(path)
@@ -141,7 +141,7 @@ UNUSED = frozenset(('antigravity', 'idlelib', 'this', 'turtle', 'turtledemo'))
     why="with ROS 2, Python searches packages first, so a library that imports Python's {module} gets your package instead",
     do='rename it, for example to my_{module}',
 )
-def hides_python(source: Source) -> Iterator[Finding]:
+def hides_python(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report an installed top-level module that hides a module of Python."""
     for module, file in source.package.contents.python_modules.items():
         if module in sys.stdlib_module_names and module not in UNUSED:
@@ -179,7 +179,7 @@ _XML_LAUNCHED = re.compile(r"""\bpkg\s*[:=]\s*["']?(\w+)["']?""")
     lesson='07_packages',
     edits=(('', '<exec_depend>{dependency}</exec_depend>', 'manifest'),),
 )
-def dependency_missing(source: Source) -> Iterator[Finding]:
+def dependency_missing(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report a package that is imported or launched but not a dependency, once, where it is first used."""
     for name, file, line, how in _missing(source):
         if not _is_of_launch(name, file):
@@ -196,7 +196,7 @@ def dependency_missing(source: Source) -> Iterator[Finding]:
     edits=(('', '<exec_depend>ros2launch</exec_depend>', 'manifest'),),
     level='info',
 )
-def launch_not_named(source: Source) -> Iterator[Finding]:
+def launch_not_named(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report a package whose launch files need dependencies that package.xml does not name, once for each package."""
     for name, file, line, _ in _missing(source):
         if _is_of_launch(name, file):
@@ -208,7 +208,7 @@ def _is_of_launch(name: str, file: str) -> bool:
     return name in OF_LAUNCH or name == 'ament_index_python' and 'launch' in file
 
 
-def _missing(source: Source) -> Iterator[tuple[str, str, int, str]]:
+def _missing(source: PackageInWorkspace) -> Iterator[tuple[str, str, int, str]]:
     package = source.package
     declared = {dependency.name for dependency in package.dependencies if dependency.tag in RUNTIME_TAGS}
     known = source.around.packages()
@@ -219,7 +219,7 @@ def _missing(source: Source) -> Iterator[tuple[str, str, int, str]]:
             yield name, file, line, how
 
 
-def _uses(source: Source) -> Iterator[tuple[str, str, int, str]]:
+def _uses(source: PackageInWorkspace) -> Iterator[tuple[str, str, int, str]]:
     """Yield (package, file, line, 'imported' or 'launched') in the order of files and lines."""
     launched: list[tuple[str, str, int, str]] = []
     for path in _used_texts(source):
@@ -256,7 +256,7 @@ _PROJECT = re.compile(r'^\s*project\s*\(\s*([\w.-]+)', re.MULTILINE | re.IGNOREC
     lesson='07_packages',
     level='error',
 )
-def name_differs(source: Source) -> Iterator[Finding]:
+def name_differs(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report a name in setup.py or in project() of CMakeLists.txt that differs from package.xml."""
     package = source.package
     build = package.build_file()

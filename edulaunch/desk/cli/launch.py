@@ -99,7 +99,7 @@ def launch_verb(arguments: argparse.Namespace) -> int:
         if arguments.record:
             remove_drafts(arguments.record)
         launch = session.launch(package_or_path, file, given, interactive=interactive, debug=arguments.debug)
-        terminal = Terminal(session, arguments.seconds, ending, _clock(arguments, session))
+        terminal = InterruptHandler(session, arguments.seconds, ending, _clock(arguments, session))
         with first_interrupt_waits('still writing the recording; press Ctrl-C again to stop without it'):
             error = _run(terminal, session, ending, arguments)
             recording = session.recording()
@@ -128,7 +128,7 @@ def _clock(arguments: argparse.Namespace, session: Session) -> Callable[[], floa
     return steps.clock
 
 
-def _run(terminal: Terminal, session: Session, ending: Ending, arguments: argparse.Namespace) -> BaseException | None:
+def _run(terminal: InterruptHandler, session: Session, ending: Ending, arguments: argparse.Namespace) -> BaseException | None:
     """Run to the end. Return the exception that ended the run early, if any."""
     reserve, error = Reserve(), None
     try:
@@ -222,7 +222,7 @@ def _print(stream: str, text: str) -> None:
     sys.stdout.flush()
 
 
-class Terminal:
+class InterruptHandler:
     """Handles Ctrl-C for a running session. The first press shuts the system down as ROS 2 does, and later presses force it.
 
     A press only sets a flag, which the session reads between two steps of the simulation. If the flag of the previous press

@@ -19,7 +19,7 @@ from edulaunch.engine.nearest import nearest
 from edulaunch.runtime.session import index_for
 
 if TYPE_CHECKING:
-    from edulaunch.desk.notebook.terminal import Terminal
+    from edulaunch.desk.notebook.terminal import CellTerminal
 
 _LINE = re.compile(r'(?:^|.*=)\s*%{1,2}ros2\s+(.*)$')
 OWN_WORDS = ('view', 'jobs', 'stop', 'wait')
@@ -40,7 +40,7 @@ def unfinished(text: str, line: str) -> str | None:
     return found[1] if found else None
 
 
-def candidates(terminal: Terminal, typed_line: str) -> tuple[str, list[str]]:
+def candidates(terminal: CellTerminal, typed_line: str) -> tuple[str, list[str]]:
     """Return the word before the cursor, and its completions."""
     *words, typed = typed_line.split(' ')
     words = [word for word in words if word]
@@ -55,7 +55,7 @@ def candidates(terminal: Terminal, typed_line: str) -> tuple[str, list[str]]:
     return typed, sorted({word for word in (*found, *own) if word.startswith(typed)})
 
 
-def matcher(terminal: Terminal) -> Any:
+def matcher(terminal: CellTerminal) -> Any:
     """Return a matcher for IPython's completer: the only one on a line of `ros2`, without results elsewhere."""
     from IPython.core.completer import SimpleCompletion, context_matcher
 

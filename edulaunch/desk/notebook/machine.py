@@ -45,7 +45,7 @@ BESIDE = """note: {job} still runs, so this launch starts beside it at t = {time
 """
 
 
-class Job(NamedTuple):
+class BackgroundProgram(NamedTuple):
     """A job, numbered as in a shell."""
 
     number: int
@@ -62,18 +62,18 @@ class Jobs:
     """All jobs, in the order in which they were started."""
 
     def __init__(self) -> None:
-        self._jobs: list[Job] = []
+        self._jobs: list[BackgroundProgram] = []
 
-    def add(self, process: Process, text: str) -> Job:
+    def add(self, process: Process, text: str) -> BackgroundProgram:
         """Add a job."""
-        self._jobs.append(Job(max((job.number for job in self._jobs), default=0) + 1, process, text))
+        self._jobs.append(BackgroundProgram(max((job.number for job in self._jobs), default=0) + 1, process, text))
         return self._jobs[-1]
 
-    def running(self) -> list[Job]:
+    def running(self) -> list[BackgroundProgram]:
         """Return the jobs that have not ended."""
         return [job for job in self._jobs if job.process.returncode is None]
 
-    def chosen(self, number: str) -> list[Job]:
+    def chosen(self, number: str) -> list[BackgroundProgram]:
         """Return all jobs, or the job with that number.
 
         :raises UnusableInput: for an unknown number.
@@ -93,7 +93,7 @@ class Jobs:
         self._jobs.clear()
 
 
-class Machine:
+class NotebookMachine:
     """Runs `ros2` command lines on one machine that terminals can use, too.
 
     A launch starts a new machine, unless a program still runs on purpose (with `&`, or in a terminal). Every other command
@@ -112,7 +112,7 @@ class Machine:
         self._workspaces = workspaces
         self._jobs = Jobs()
         self._foreground: LaunchRun | None = None
-        self._asked: list[Job] = []
+        self._asked: list[BackgroundProgram] = []
         self.show_keyboard: Callable[[Callable[[str], str], str], object] = lambda press, title: None
 
     def _new_session(self, seed: int) -> Session:
@@ -220,7 +220,7 @@ class Machine:
             job = self._asked.pop(0)
             self.show_keyboard(partial(self._press, session, job), job.text)
 
-    def _press(self, session: Session, job: Job, keys: str) -> str:
+    def _press(self, session: Session, job: BackgroundProgram, keys: str) -> str:
         """Press keys for a job, and let some time pass; return the output of that time."""
         printed: list[str] = []
         job.process.on_output = lambda stream, text: printed.append(text)

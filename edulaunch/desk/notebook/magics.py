@@ -1,4 +1,4 @@
-"""The magics: thin wrappers of :class:`~edulaunch.desk.notebook.terminal.Terminal`."""
+"""The magics: thin wrappers of :class:`~edulaunch.desk.notebook.terminal.CellTerminal`."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 
 from IPython.core.magic import Magics, line_cell_magic, line_magic, magics_class, no_var_expand
 
-from edulaunch.desk.notebook.terminal import Terminal
+from edulaunch.desk.notebook.terminal import CellTerminal
 from edulaunch.engine.recording import Recording
 
 
@@ -21,7 +21,7 @@ class RosMagics(Magics):
     def __init__(self, shell: Any) -> None:
         super().__init__(shell)
         self._printed: list[str] = []
-        self.terminal = Terminal(lambda stream, text: self._printed.append(text))
+        self.terminal = CellTerminal(lambda stream, text: self._printed.append(text))
         self.terminal.machine.show_keyboard = _show_keyboard
 
     @no_var_expand

@@ -8,7 +8,7 @@ from typing import Any
 
 from edulaunch.advice.workspace.not_needed import WINDOWS, answer
 from edulaunch.desk.notebook.line import QUIET, read_line
-from edulaunch.desk.notebook.machine import Machine
+from edulaunch.desk.notebook.machine import NotebookMachine
 from edulaunch.engine.packages.discovery import find_workspaces
 from edulaunch.engine.recording import Recording
 from edulaunch.engine.sim.loops import outer_loop_set_aside
@@ -23,7 +23,7 @@ SAID_ALWAYS = ('warning:', 'error:', 'note:')
 """Output that `--quiet` does not hide."""
 
 
-class Terminal:
+class CellTerminal:
     """Reads the lines of a cell, and runs them on the machine.
 
     :param write: called as write(stream, text) with all output.
@@ -32,7 +32,7 @@ class Terminal:
     def __init__(self, write: Callable[[str, str], object]) -> None:
         self._show = write
         self._is_quiet = False
-        self.machine = Machine(self._write, self.workspaces)
+        self.machine = NotebookMachine(self._write, self.workspaces)
         self._sourced: list[str] = []
 
     def ros2(self, text: str) -> Any:

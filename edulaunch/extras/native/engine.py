@@ -26,7 +26,7 @@ DISCOVERY_S, SETTLED_S, LONGEST_DISCOVERY_S = 3.5, 1.0, 15.0
 """A program that misses the first announcements of a node receives the next one after three seconds."""
 
 
-class RealTime:
+class SystemTime:
     """Real time in place of simulated time."""
 
     def __init__(self) -> None:
@@ -45,12 +45,12 @@ class RealTime:
 class RealTask:
     """This thread in place of a task."""
 
-    def __init__(self, sim: RealTime, owner: ThisProcess) -> None:
+    def __init__(self, sim: SystemTime, owner: ThisProcess) -> None:
         self.sim = sim
         self.owner = owner
 
     def sleep_until(self, at_ns: int) -> None:
-        """Sleep until a time of :class:`RealTime`."""
+        """Sleep until a time of :class:`SystemTime`."""
         time.sleep(max(0, at_ns - time.time_ns()) / 1e9)
 
     def poll(self) -> None:
@@ -132,7 +132,7 @@ class ThisProcess:
     def __init__(self, name: str) -> None:
         self.name = name
         self.host = RealHost()
-        self.sim = RealTime()
+        self.sim = SystemTime()
         self.state: dict[str, Any] = {}
         self.loader = _Loader()
         self.streams = RealStreams()

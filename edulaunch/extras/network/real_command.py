@@ -11,7 +11,7 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from edulaunch.desk.cli.launch import Terminal
+from edulaunch.desk.cli.launch import InterruptHandler
 from edulaunch.engine.packages.discovery import workspaces_of_command
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.extras.native.ending import end_with
@@ -54,7 +54,7 @@ def main() -> int:
     with NativeSession(workspaces=workspaces_of_command((), words[1] if len(words) > 1 else '')) as session:
         command: Any = Command(session, words)
         session.launches.append(command)
-        Terminal(session, None).run(1.0)
+        InterruptHandler(session, None).run(1.0)
     return int(command.code)
 
 

@@ -17,7 +17,7 @@ class Violation(EdulaunchError):
     """The other peer sent a frame that our code never sends."""
 
 
-class Kind(IntEnum):
+class FrameKind(IntEnum):
     """The kinds of frames. The sender of a call waits for RETURN; the receiver handles other frames when they arrive."""
 
     TOKEN = 1  # the other peer runs now

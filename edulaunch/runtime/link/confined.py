@@ -22,7 +22,7 @@ from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.processes.streams import streams_of_programs
 from edulaunch.engine.recording.recorder import Recorder
 from edulaunch.runtime.link.clock import PeerSimulation
-from edulaunch.runtime.link.codec import Kind, Messages, dump, load
+from edulaunch.runtime.link.codec import FrameKind, Messages, dump, load
 from edulaunch.runtime.link.peer import Peer
 from edulaunch.runtime.link.replica import Replica
 from edulaunch.runtime.link.trusted_host import is_hosted
@@ -57,12 +57,12 @@ class HostedProgram:
     @is_recorded.setter
     def is_recorded(self, is_recorded: bool) -> None:
         self._is_recorded = is_recorded
-        self.host.peer.send(Kind.HEARD, dump([self.pid, is_recorded]))
+        self.host.peer.send(FrameKind.HEARD, dump([self.pid, is_recorded]))
 
     def send_signal(self, signum: int) -> None:
         """Implement `Process.send_signal`."""
         if self.returncode is None:
-            self.host.peer.call(Kind.SIGNAL, [self.pid, int(signum)])
+            self.host.peer.call(FrameKind.SIGNAL, [self.pid, int(signum)])
 
 
 class ConfinedRecorder(Recorder):
@@ -91,50 +91,50 @@ class ConfinedRecorder(Recorder):
 
     def request(self, client: Any, sequence: int, wire: Any, served: bool) -> None:
         data = self.messages.packed(client.cls.Request, wire)
-        self.peer.send(Kind.ASKED, dump([client.index, sequence, served, data]))
+        self.peer.send(FrameKind.ASKED, dump([client.index, sequence, served, data]))
 
     def response(self, client: Any, sequence: int, wire: Any) -> None:
         if self.replica.is_ours(client):
             data = self.messages.packed(client.cls.Response, wire)
-            self.peer.send(Kind.ANSWERED, dump([client.index, sequence, data]))
+            self.peer.send(FrameKind.ANSWERED, dump([client.index, sequence, data]))
 
     def incompatible(self, publisher: Any, subscription: Any, policy: str) -> None:
         """Do nothing: the trusted peer observes it, too."""
 
     def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
-        self.peer.send(Kind.PARAMETER, dump([node.index, name, value, origin]))
+        self.peer.send(FrameKind.PARAMETER, dump([node.index, name, value, origin]))
 
     def descriptor(
         self, node: NodeEntry, name: str, description: str, read_only: bool, limits: tuple[float, float, float] | None
     ) -> None:
-        self.peer.send(Kind.DESCRIPTOR, dump([node.index, name, description, read_only, limits]))
+        self.peer.send(FrameKind.DESCRIPTOR, dump([node.index, name, description, read_only, limits]))
 
     def process_started(self, process: Any) -> None:
         if not isinstance(process, HostedProgram):
-            self.peer.send(Kind.STARTED, dump([process.pid, spec_as_data(process.spec)]))
+            self.peer.send(FrameKind.STARTED, dump([process.pid, spec_as_data(process.spec)]))
 
     def process_exited(self, process: Any) -> None:
         if not isinstance(process, HostedProgram):
-            self.peer.send(Kind.ENDED, dump([process.pid, process.returncode, process.exception]))
+            self.peer.send(FrameKind.ENDED, dump([process.pid, process.returncode, process.exception]))
 
     def output(self, process: Any, stream: str, text: str) -> None:
-        self.peer.send(Kind.WROTE, dump([process.pid, stream, text]))
+        self.peer.send(FrameKind.WROTE, dump([process.pid, stream, text]))
 
     def log(self, process: Process, level: int, logger: str, message: str) -> None:
-        self.peer.send(Kind.LOG, dump([process.pid, level, logger, message]))
+        self.peer.send(FrameKind.LOG, dump([process.pid, level, logger, message]))
 
     def note(self, process: Process | None, kind: str, text: str) -> None:
-        self.peer.send(Kind.NOTE, dump([None if process is None else process.pid, kind, text]))
+        self.peer.send(FrameKind.NOTE, dump([None if process is None else process.pid, kind, text]))
 
     def fact(self, process: Process, kind: str, key: Hashable, data: dict[str, Any]) -> None:
-        self.peer.send(Kind.FACT, dump([process.pid, kind, key, data]))
+        self.peer.send(FrameKind.FACT, dump([process.pid, kind, key, data]))
 
     def fact_over(self, process: Process, kind: str, key: Hashable) -> None:
-        self.peer.send(Kind.FACT_OVER, dump([process.pid, kind, key]))
+        self.peer.send(FrameKind.FACT_OVER, dump([process.pid, kind, key]))
 
     def watch(self, node: NodeEntry, look: Look) -> None:
         super().watch(node, look)
-        self.peer.send(Kind.WATCH, dump(node.index))
+        self.peer.send(FrameKind.WATCH, dump(node.index))
 
     def seen_now(self) -> list[list[Any]]:
         """Return the facts of the live nodes, by their numbers."""
@@ -175,7 +175,7 @@ class ConfinedHost(Host):
         self.processes.append(hosted)  # type: ignore[arg-type]
         self.tracer.process_started(hosted)
         spec = spec if spec.env is not None else spec._replace(env=self.env)
-        self.peer.tell(Kind.SPAWN, dump([hosted.pid, known.argv, program.package, program.executable, spec_as_data(spec)]))
+        self.peer.tell(FrameKind.SPAWN, dump([hosted.pid, known.argv, program.package, program.executable, spec_as_data(spec)]))
         return hosted
 
     def hosted(self, pid: int) -> Any:
@@ -205,7 +205,12 @@ class ConfinedSession(Session):
         recorder.replica = Replica(peer, self.graph, recorder.messages, host.hosted)
         peer.fatal = lambda error: os._exit(0)  # type: ignore[method-assign]
         peer.calls.update(
-            {Kind.OUTPUT: self._on_output, Kind.EXIT: self._on_exit, Kind.ENTRIES: self._entries, Kind.FINISH: self._finish}
+            {
+                FrameKind.OUTPUT: self._on_output,
+                FrameKind.EXIT: self._on_exit,
+                FrameKind.ENTRIES: self._entries,
+                FrameKind.FINISH: self._finish,
+            }
         )
 
     def run_as_asked(self) -> None:

@@ -9,7 +9,7 @@ from typing import Any, NoReturn
 
 from edulaunch.runtime.framing import BadFrame, Frames, frame
 from edulaunch.runtime.link.clock import BEFORE_ALL, Key, PeerSimulation
-from edulaunch.runtime.link.codec import LONGEST_FRAME, Kind, Violation, dump, load
+from edulaunch.runtime.link.codec import LONGEST_FRAME, FrameKind, Violation, dump, load
 
 FLUSH_BYTES = 1 << 17
 CHUNK_BYTES = 1 << 18
@@ -49,53 +49,53 @@ class Peer:
         """React to a failed link. Programs can catch this exception, so the owner of this peer may end the process here."""
         raise error
 
-    def send(self, kind: Kind, payload: bytes) -> None:
+    def send(self, kind: FrameKind, payload: bytes) -> None:
         """Send the other peer a frame for the recording, or one that wakes no task there."""
         if self._told_ns != self.sim.now_ns:
             self._told_ns = self.sim.now_ns
-            self._add(Kind.ADVANCE, TIME.pack(self._told_ns))
+            self._add(FrameKind.ADVANCE, TIME.pack(self._told_ns))
         self._add(kind, payload)
 
-    def tell(self, kind: Kind, payload: bytes) -> None:
+    def tell(self, kind: FrameKind, payload: bytes) -> None:
         """Send a frame that may wake tasks there, in the order of the items scheduled here before and after."""
         sim = self.sim
         if self._marked != sim.last_number or not sim.is_marked():
-            self.send(Kind.MARK, NUMBER.pack(sim.number_for_the_other()))
+            self.send(FrameKind.MARK, NUMBER.pack(sim.number_for_the_other()))
             self._marked = sim.last_number
         self.send(kind, payload)
 
     _marked = -1
 
-    def call(self, kind: Kind, value: Any) -> Any:
+    def call(self, kind: FrameKind, value: Any) -> Any:
         """Make the other peer act now, and return its answer."""
         self.send(kind, NUMBER.pack(self.sim.sequence()) + dump(value))
         self._flush()
-        return self._take_until(Kind.RETURN)
+        return self._take_until(FrameKind.RETURN)
 
     def _answer(self, kind: int, payload: memoryview) -> None:
         self._continue(payload)
         value = self.calls[kind](payload[NUMBER.size :])
-        self._hand_over(Kind.RETURN, self.sim.head(), dump(value))
+        self._hand_over(FrameKind.RETURN, self.sim.head(), dump(value))
 
-    def _hand_over(self, kind: Kind, key: Key, value: bytes = b'null') -> None:
+    def _hand_over(self, kind: FrameKind, key: Key, value: bytes = b'null') -> None:
         self.send(kind, TOKEN.pack(self.sim.sequence(), *key) + value)
         self._flush()
 
     def _pass_token(self, key: Key) -> None:
-        self._hand_over(Kind.TOKEN, key)
+        self._hand_over(FrameKind.TOKEN, key)
         self.await_token(key[0] if key[1] != BEFORE_ALL else key[0] - 1)
 
     def await_token(self, grant_ns: int) -> None:
         """Let the other peer run until it passes the token, at most until the time is `grant_ns`."""
         self._grant_ns = grant_ns
-        self._take_until(Kind.TOKEN)
+        self._take_until(FrameKind.TOKEN)
         self._grant_ns = self.sim.now_ns
 
-    def _take_until(self, kind: Kind) -> Any:
+    def _take_until(self, kind: FrameKind) -> Any:
         """Receive frames until one of this kind arrives; return its payload."""
         return self.checked(lambda: self._until(kind))
 
-    def _until(self, kind: Kind) -> Any:
+    def _until(self, kind: FrameKind) -> Any:
         while True:
             found, payload = self._next()
             if found == kind:
@@ -135,7 +135,7 @@ class Peer:
             raise Violation('time must increase, and not pass the next item of the other peer')
         self._told_ns = self.sim.now_ns = now_ns
 
-    def _add(self, kind: Kind, payload: bytes) -> None:
+    def _add(self, kind: FrameKind, payload: bytes) -> None:
         self._out += frame(kind, payload)
         if len(self._out) > FLUSH_BYTES:
             self._flush()
@@ -148,9 +148,9 @@ class Peer:
             self.fatal(Gone())
 
     def _dispatch(self, kind: int, payload: memoryview) -> None:
-        if kind == Kind.ADVANCE:
+        if kind == FrameKind.ADVANCE:
             self.advance(payload)
-        elif kind == Kind.MARK:
+        elif kind == FrameKind.MARK:
             self._continue(payload)
         elif kind in self.calls:
             self._answer(kind, payload)

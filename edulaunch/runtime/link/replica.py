@@ -26,7 +26,7 @@ from edulaunch.engine.graph.qos import (
 )
 from edulaunch.engine.graph.services import ServiceClient, ServiceServer
 from edulaunch.engine.graph.topics import Publisher, Subscription, WatchedPublisher, connect
-from edulaunch.runtime.link.codec import AS_BEFORE, Kind, Messages, Violation, dump, load
+from edulaunch.runtime.link.codec import AS_BEFORE, FrameKind, Messages, Violation, dump, load
 from edulaunch.runtime.link.peer import Peer
 
 if TYPE_CHECKING:
@@ -77,29 +77,29 @@ class Replica:
         self._known: dict[int, tuple[Any, int, int]] = {}  # last message of each publisher that the other peer received
         peer.handlers.update(
             {
-                Kind.NODE: self._node,
-                Kind.NODE_GONE: self._node_gone,
-                Kind.END: self._end,
-                Kind.END_GONE: self._end_gone,
-                Kind.PUBLISH: self._publish,
-                Kind.READY: self._ready,
-                Kind.ALIVE: lambda payload: self._of(payload, WatchedPublisher).show_life(),
-                Kind.RESPONSE: self._response,
+                FrameKind.NODE: self._node,
+                FrameKind.NODE_GONE: self._node_gone,
+                FrameKind.END: self._end,
+                FrameKind.END_GONE: self._end_gone,
+                FrameKind.PUBLISH: self._publish,
+                FrameKind.READY: self._ready,
+                FrameKind.ALIVE: lambda payload: self._of(payload, WatchedPublisher).show_life(),
+                FrameKind.RESPONSE: self._response,
             }
         )
-        peer.calls[Kind.REQUEST] = self._request
+        peer.calls[FrameKind.REQUEST] = self._request
 
     # Changes here are sent to the other peer
 
     def node_added(self, node: NodeEntry) -> None:
         """Implement `Tracer`."""
         if not self.is_repeating:
-            self.peer.tell(Kind.NODE, dump([node.index, node.process.pid, node.name, node.namespace]))
+            self.peer.tell(FrameKind.NODE, dump([node.index, node.process.pid, node.name, node.namespace]))
 
     def node_removed(self, node: NodeEntry) -> None:
         """Implement `Tracer`."""
         if not self.is_repeating:
-            self.peer.tell(Kind.NODE_GONE, END.pack(node.index))
+            self.peer.tell(FrameKind.NODE_GONE, END.pack(node.index))
 
     def endpoint_added(self, kind: str, end: Any) -> None:
         """Implement `Tracer`."""
@@ -107,16 +107,16 @@ class Replica:
             return
         self._ours[end.index] = end
         name = end.topic_name if kind in ('publisher', 'subscription') else end.service_name
-        self.peer.tell(Kind.END, dump([kind, end.index, end.node.index, name, end.type_name, list(end.qos)]))
+        self.peer.tell(FrameKind.END, dump([kind, end.index, end.node.index, name, end.type_name, list(end.qos)]))
         if isinstance(end, WatchedPublisher):
-            end.on_life.append(lambda: self.peer.tell(Kind.ALIVE, END.pack(end.index)))
+            end.on_life.append(lambda: self.peer.tell(FrameKind.ALIVE, END.pack(end.index)))
 
     def endpoint_removed(self, kind: str, end: Any) -> None:
         """Implement `Tracer`."""
         self._known.pop(end.index, None)
         if not self.is_repeating:
             del self._ours[end.index]
-            self.peer.tell(Kind.END_GONE, END.pack(end.index))
+            self.peer.tell(FrameKind.END_GONE, END.pack(end.index))
 
     def is_ours(self, end: Any) -> bool:
         """Return whether an endpoint belongs to a node of this peer."""
@@ -126,7 +126,7 @@ class Replica:
         """Send a message to the other peer before its delivery."""
         _, index, wire = record
         self._known[index] = wire, record[0], publisher.published
-        self.peer.send(Kind.PUBLISH, END.pack(index) + self.messages.packed(publisher.cls, wire))
+        self.peer.send(FrameKind.PUBLISH, END.pack(index) + self.messages.packed(publisher.cls, wire))
 
     def _deliver(self, subscription: Any) -> None:
         """Send a message that has reached a remote subscription."""
@@ -139,19 +139,19 @@ class Replica:
         else:
             self._known[publisher.index] = wire, now_ns, number
             message = self.messages.packed(publisher.cls, wire) + NUMBER.pack(number)
-        self.peer.tell(Kind.READY, ENDS.pack(subscription.index, publisher.index) + message)
+        self.peer.tell(FrameKind.READY, ENDS.pack(subscription.index, publisher.index) + message)
 
     def _ask(self, server: Any) -> None:
         """Send a request that has reached a remote server."""
         wire, (client, sequence) = server.queue.item
         data = self.messages.packed(client.cls.Request, wire)
-        self.peer.call(Kind.REQUEST, [server.index, client.index, sequence, data])
+        self.peer.call(FrameKind.REQUEST, [server.index, client.index, sequence, data])
 
     def _respond(self, client: Any) -> None:
         """Send a reply that has reached a remote client."""
         sequence, wire = client.queue.item
         data = self.messages.packed(client.cls.Response, wire)
-        self.peer.tell(Kind.RESPONSE, dump([client.index, sequence, data]))
+        self.peer.tell(FrameKind.RESPONSE, dump([client.index, sequence, data]))
 
     # Changes of the other peer are repeated here
 

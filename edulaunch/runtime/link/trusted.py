@@ -26,7 +26,7 @@ from edulaunch.engine.underlay_place import underlay_prefix
 from edulaunch.ros.sourcing import source
 from edulaunch.runtime.fittings import hint_of
 from edulaunch.runtime.link.clock import PeerSimulation
-from edulaunch.runtime.link.codec import Kind, Messages, Violation, load, tuples
+from edulaunch.runtime.link.codec import FrameKind, Messages, Violation, load, tuples
 from edulaunch.runtime.link.peer import Peer
 from edulaunch.runtime.link.provenance import HostedProgram, Provenance
 from edulaunch.runtime.link.replica import Replica
@@ -154,23 +154,23 @@ class Trusted:
         self.replica.answered = self.recorder.response  # type: ignore[method-assign]
         self._programs: dict[int, ConfinedProgram] = {}
         self._seen: dict[int, list[tuple[str, dict[str, Any]]]] = {}  # facts about the nodes of the other peer, by node number
-        self.peer.calls[Kind.SIGNAL] = self.host.send_signal
+        self.peer.calls[FrameKind.SIGNAL] = self.host.send_signal
         self.peer.handlers.update(
             {
-                Kind.ASKED: self._asked,
-                Kind.ANSWERED: self._answered,
-                Kind.PARAMETER: self._parameter,
-                Kind.DESCRIPTOR: self._descriptor,
-                Kind.STARTED: self._started,
-                Kind.ENDED: self._ended,
-                Kind.WROTE: self._wrote,
-                Kind.LOG: self._log,
-                Kind.NOTE: self._note,
-                Kind.FACT: self._fact,
-                Kind.FACT_OVER: self._fact_over,
-                Kind.WATCH: self._watch,
-                Kind.SPAWN: self.host.spawn,
-                Kind.HEARD: self.host.hear,
+                FrameKind.ASKED: self._asked,
+                FrameKind.ANSWERED: self._answered,
+                FrameKind.PARAMETER: self._parameter,
+                FrameKind.DESCRIPTOR: self._descriptor,
+                FrameKind.STARTED: self._started,
+                FrameKind.ENDED: self._ended,
+                FrameKind.WROTE: self._wrote,
+                FrameKind.LOG: self._log,
+                FrameKind.NOTE: self._note,
+                FrameKind.FACT: self._fact,
+                FrameKind.FACT_OVER: self._fact_over,
+                FrameKind.WATCH: self._watch,
+                FrameKind.SPAWN: self.host.spawn,
+                FrameKind.HEARD: self.host.hear,
             }
         )
 
@@ -202,7 +202,7 @@ class Trusted:
         recorder = self.recorder
         types = {row[2] for row in (*recorder.endpoints, *recorder.calls)}
         files = {place['file'] for row in recorder.processes for place in (row, row['exception']) if place and place['file']}
-        answer = self.peer.call(Kind.FINISH, [sorted(types), sorted(files)])
+        answer = self.peer.call(FrameKind.FINISH, [sorted(types), sorted(files)])
         recorder.launch, recorder.roots, recorder.texts = answer['launch'], answer['roots'], answer['interfaces']
         recorder.beside = {text_of(name): [ToldBeside(dict(one)) for one in many] for name, many in answer['beside'].items()}
         self._seen.update({index: [(text_of(kind), dict(data)) for kind, data in seen] for index, seen in answer['seen']})

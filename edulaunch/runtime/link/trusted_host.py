@@ -23,7 +23,7 @@ from edulaunch.engine.processes.programs import run_program
 from edulaunch.engine.processes.spec import Origin, ProcessSpec
 from edulaunch.engine.sim.task import current_task
 from edulaunch.engine.underlay_place import underlay_prefix
-from edulaunch.runtime.link.codec import Kind, Violation, load
+from edulaunch.runtime.link.codec import FrameKind, Violation, load
 from edulaunch.runtime.link.peer import Peer
 from edulaunch.runtime.link.provenance import HostedProgram
 
@@ -111,8 +111,8 @@ class TrustedHost(Host):
             return run_program(process, program)
 
         process = Process(self, spec, pid, argv, main)
-        process.on_output = lambda stream, text: self.peer.call(Kind.OUTPUT, [pid, stream, text])
-        process.on_exit = lambda code: self.peer.call(Kind.EXIT, [pid, code, process.exception])
+        process.on_output = lambda stream, text: self.peer.call(FrameKind.OUTPUT, [pid, stream, text])
+        process.on_exit = lambda code: self.peer.call(FrameKind.EXIT, [pid, code, process.exception])
         self.adopt(process)
 
     def their_pid(self, pid: Any) -> int:
@@ -142,7 +142,7 @@ class TrustedHost(Host):
     def parameter_entries(self, path: str) -> Sequence[Entry]:
         """See `Host.parameter_entries`: the confined peer reads the file."""
         program = self.program_here()
-        answer = self.peer.call(Kind.ENTRIES, [path, (program and program.cwd) or ''])
+        answer = self.peer.call(FrameKind.ENTRIES, [path, (program and program.cwd) or ''])
         if isinstance(answer, list):
             return [_entry(row) for row in answer]
         raise _reading_error(answer)

@@ -32,7 +32,7 @@ MEASURE = 'tolerance near share'
 PROGRAM = 'package executable'
 
 
-class Kind(NamedTuple):
+class CheckKind(NamedTuple):
     """A kind of check: its function, its fields, its required fields, and the sentence for the student."""
 
     function: Function
@@ -41,14 +41,14 @@ class Kind(NamedTuple):
     sentence: str
 
 
-KINDS: dict[str, Kind] = {}
+KINDS: dict[str, CheckKind] = {}
 
 
 def kind(sentence: str, needs: str = '', may: str = '') -> Callable[[Function], Function]:
     """Register a function as a kind of check, with its required and its optional fields."""
 
     def make(function: Function) -> Function:
-        KINDS[function.__name__] = Kind(function, (*needs.split(), *may.split()), tuple(needs.split()), sentence)
+        KINDS[function.__name__] = CheckKind(function, (*needs.split(), *may.split()), tuple(needs.split()), sentence)
         return function
 
     return make

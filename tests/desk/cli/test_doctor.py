@@ -104,10 +104,10 @@ def test_what_is_not_there(capsys: pytest.CaptureFixture[str]) -> None:
 def test_ros2_doctor_says_what_the_rules_find_behind_ros_own_checks(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    from edulaunch.desk.notebook.terminal import Terminal
+    from edulaunch.desk.notebook.terminal import CellTerminal
 
     said: list[str] = []
-    terminal = Terminal(lambda stream, text: said.append(text))
+    terminal = CellTerminal(lambda stream, text: said.append(text))
     monkeypatch.chdir(tmp_path)
     terminal.ros2(f'launch {SAME} --for 1 --quiet')
     assert 'two nodes' not in ''.join(said)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from edulaunch.desk.notebook.terminal import Terminal
+from edulaunch.desk.notebook.terminal import CellTerminal
 from edulaunch.engine.recording import Recording
 
 LAUNCH = """from launch import LaunchDescription
@@ -26,7 +26,7 @@ class Desk:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.said: list[str] = []
-        self.terminal = Terminal(lambda stream, text: self.said.append(text))
+        self.terminal = CellTerminal(lambda stream, text: self.said.append(text))
         self.write('sim.launch.py', LAUNCH)
 
     def write(self, name: str, text: str) -> None:

@@ -12,7 +12,7 @@ import pytest
 
 import edulaunch
 from edulaunch.desk.notebook.line import read_line
-from edulaunch.desk.notebook.machine import Machine
+from edulaunch.desk.notebook.machine import NotebookMachine
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.engine.sim.loops import outer_loop_set_aside
@@ -84,7 +84,7 @@ def test_the_machine_of_cells_joins_and_cells_hear_real_nodes(joystick: Any) -> 
     said: list[str] = []
 
     async def body() -> None:
-        machine = Machine(lambda stream, text: said.append(text), lambda: ())
+        machine = NotebookMachine(lambda stream, text: said.append(text), lambda: ())
 
         def cell(line: str) -> Any:
             with machine.hosting.cell(), outer_loop_set_aside():

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from edulaunch.engine.sim.simulation import EPOCH_NS, Simulation
 from edulaunch.runtime.link.clock import PeerSimulation
-from edulaunch.runtime.link.codec import Kind, dump, load
+from edulaunch.runtime.link.codec import FrameKind, dump, load
 from edulaunch.runtime.link.peer import Gone, Peer
 from tests.house import EXAMPLES
 
@@ -77,14 +77,14 @@ def in_two(item: Item) -> list[tuple[int, Item]]:
             if one.is_confined == bool(here):
                 peer.sim.schedule(peer.sim.now_ns + one.delay_ns, lambda: run(one), one.priority)
             else:
-                peer.tell(Kind.NODE, dump(next(number for number, each in enumerate(everything) if each is one)))
+                peer.tell(FrameKind.NODE, dump(next(number for number, each in enumerate(everything) if each is one)))
 
         def run(one: Item) -> None:
             log.append((peer.sim.now_ns, one))
             for child in one.then:
                 ask(child)
 
-        peer.handlers[Kind.NODE] = lambda payload: ask(everything[load(bytes(payload))])
+        peer.handlers[FrameKind.NODE] = lambda payload: ask(everything[load(bytes(payload))])
         return ask
 
     near, _ = asker(0), asker(1)

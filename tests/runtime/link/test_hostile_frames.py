@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.sim.simulation import EPOCH_NS
 from edulaunch.runtime.framing import frame
-from edulaunch.runtime.link.codec import AS_CDR, LONGEST_FRAME, Kind, Violation, dump
+from edulaunch.runtime.link.codec import AS_CDR, LONGEST_FRAME, FrameKind, Violation, dump
 from edulaunch.runtime.link.peer import NUMBER, TIME, TOKEN, Gone, TooMuch
 from edulaunch.runtime.link.replica import END as NUMBERED
 from edulaunch.runtime.link.replica import ENDS
@@ -27,7 +27,7 @@ LAST = 1 << 40  # a number that is later than any before it
 
 
 def token(at_ns: int = EPOCH_NS + 10**12, number: int = LAST) -> bytes:
-    return frame(Kind.TOKEN, TOKEN.pack(number, at_ns, 0, 0, number) + b'null')
+    return frame(FrameKind.TOKEN, TOKEN.pack(number, at_ns, 0, 0, number) + b'null')
 
 
 def spec(argv: Sequence[str], package: str | None = None, executable: str | None = None, name: str = 'p-1') -> list[Any]:
@@ -35,22 +35,22 @@ def spec(argv: Sequence[str], package: str | None = None, executable: str | None
 
 
 def started(pid: int, *of: Any) -> bytes:
-    return frame(Kind.STARTED, dump([pid, spec(*of)]))
+    return frame(FrameKind.STARTED, dump([pid, spec(*of)]))
 
 
 def spawn(pid: int, argv: Sequence[str], package: str, executable: str, of: list[Any] | None = None) -> bytes:
-    return frame(Kind.SPAWN, dump([pid, list(argv), package, executable, of or spec(argv, package, executable)]))
+    return frame(FrameKind.SPAWN, dump([pid, list(argv), package, executable, of or spec(argv, package, executable)]))
 
 
 def node(index: int, pid: int = 1001, name: str = 'mine', namespace: str = '/') -> bytes:
-    return frame(Kind.NODE, dump([index, pid, name, namespace]))
+    return frame(FrameKind.NODE, dump([index, pid, name, namespace]))
 
 
 def end(kind: str, index: int, of: int, name: str, type_name: str = POSE, qos: Any = None) -> bytes:
-    return frame(Kind.END, dump([kind, index, of, name, type_name, list(qos or QoS())]))
+    return frame(FrameKind.END, dump([kind, index, of, name, type_name, list(qos or QoS())]))
 
 
-def call(kind: Kind, value: Any, number: int = LAST) -> bytes:
+def call(kind: FrameKind, value: Any, number: int = LAST) -> bytes:
     return frame(kind, NUMBER.pack(number) + dump(value))
 
 
@@ -59,7 +59,7 @@ MINE = started(1001, [FAKE]) + node(1)
 
 
 def returned(number: int) -> bytes:
-    return frame(Kind.RETURN, TOKEN.pack(number, EPOCH_NS + 10**6, 0, 0, number) + b'null')
+    return frame(FrameKind.RETURN, TOKEN.pack(number, EPOCH_NS + 10**6, 0, 0, number) + b'null')
 
 
 WITH_SIM = (
@@ -115,7 +115,7 @@ def fake_stock() -> Iterator[tuple[str, bytes]]:
     yield 'a path for a name', spawn(1001, ['x'], '../../..', 'x')
     yield 'a number that is not next', started(1005, [FAKE])
     yield 'a number twice', started(1001, [FAKE]) + started(1001, [FAKE])
-    yield 'what is no command', frame(Kind.STARTED, dump([1001, ['x']]))
+    yield 'what is no command', frame(FrameKind.STARTED, dump([1001, ['x']]))
 
 
 def fake_graph() -> Iterator[tuple[str, bytes]]:
@@ -131,34 +131,34 @@ def fake_graph() -> Iterator[tuple[str, bytes]]:
     yield 'no quality', MINE + end('publisher', 2, 1, '/a', qos=[1, 2])
     yield 'a negative depth', MINE + end('publisher', 2, 1, '/a', qos=QoS(depth=-1))
     yield 'an unknown word', MINE + end('publisher', 2, 1, '/a', qos=QoS(reliability='best'))
-    yield 'an end twice gone', MINE + end('publisher', 2, 1, '/a') + 2 * frame(Kind.END_GONE, NUMBERED.pack(2))
+    yield 'an end twice gone', MINE + end('publisher', 2, 1, '/a') + 2 * frame(FrameKind.END_GONE, NUMBERED.pack(2))
 
 
 def fake_messages() -> Iterator[tuple[str, bytes]]:
     mine = (
         MINE + end('publisher', 2, 1, '/a') + end('subscription', 3, 1, '/a') + end('client', 4, 1, '/s', 'turtlesim/srv/Spawn')
     )
-    yield 'no CDR', mine + frame(Kind.PUBLISH, NUMBERED.pack(2) + bytes((AS_CDR,)) + b'\x00\x01\x00\x00\x00')
-    yield 'another message', mine + frame(Kind.PUBLISH, NUMBERED.pack(2) + b'\x02["x"]')
-    yield 'deep JSON', mine + frame(Kind.PUBLISH, NUMBERED.pack(2) + b'\x02' + b'[' * 100_000)
-    yield 'a long number', mine + frame(Kind.PUBLISH, NUMBERED.pack(2) + b'\x02[' + b'9' * 100_000 + b']')
-    yield 'published by a subscription', mine + frame(Kind.PUBLISH, NUMBERED.pack(3) + b'\x02[]')
-    yield 'a message that nobody sent', mine + frame(Kind.READY, ENDS.pack(3, 2) + b'\x00')
-    yield 'a reply that nobody waits for', mine + frame(Kind.ANSWERED, dump([4, 1, b'\x02["x"]']))
-    yield 'a request of a publisher', mine + call(Kind.REQUEST, [4, 2, 1, b''])
+    yield 'no CDR', mine + frame(FrameKind.PUBLISH, NUMBERED.pack(2) + bytes((AS_CDR,)) + b'\x00\x01\x00\x00\x00')
+    yield 'another message', mine + frame(FrameKind.PUBLISH, NUMBERED.pack(2) + b'\x02["x"]')
+    yield 'deep JSON', mine + frame(FrameKind.PUBLISH, NUMBERED.pack(2) + b'\x02' + b'[' * 100_000)
+    yield 'a long number', mine + frame(FrameKind.PUBLISH, NUMBERED.pack(2) + b'\x02[' + b'9' * 100_000 + b']')
+    yield 'published by a subscription', mine + frame(FrameKind.PUBLISH, NUMBERED.pack(3) + b'\x02[]')
+    yield 'a message that nobody sent', mine + frame(FrameKind.READY, ENDS.pack(3, 2) + b'\x00')
+    yield 'a reply that nobody waits for', mine + frame(FrameKind.ANSWERED, dump([4, 1, b'\x02["x"]']))
+    yield 'a request of a publisher', mine + call(FrameKind.REQUEST, [4, 2, 1, b''])
 
 
 def fake_order() -> Iterator[tuple[str, bytes]]:
-    yield 'the past', frame(Kind.ADVANCE, TIME.pack(EPOCH_NS - 1))
-    yield 'the future', frame(Kind.ADVANCE, TIME.pack(EPOCH_NS + 1))
+    yield 'the past', frame(FrameKind.ADVANCE, TIME.pack(EPOCH_NS - 1))
+    yield 'the future', frame(FrameKind.ADVANCE, TIME.pack(EPOCH_NS + 1))
     yield 'a number of the past', token(number=9) + token(number=3)
-    yield 'a number too large', frame(Kind.MARK, NUMBER.pack(1 << 63))
-    yield 'an answer to nothing', frame(Kind.RETURN, TOKEN.pack(LAST, EPOCH_NS, 0, 0, 1) + b'null')
+    yield 'a number too large', frame(FrameKind.MARK, NUMBER.pack(1 << 63))
+    yield 'an answer to nothing', frame(FrameKind.RETURN, TOKEN.pack(LAST, EPOCH_NS, 0, 0, 1) + b'null')
     yield 'an unknown kind', frame(200, b'')
-    yield 'a call that only we make', call(Kind.OUTPUT, [1001, 'stdout', 'x'])
-    yield 'an endless frame', (LONGEST_FRAME + 1).to_bytes(4, 'little') + bytes((Kind.NOTE,))
-    yield 'no JSON', frame(Kind.NOTE, b'\xff')
-    yield 'nothing in it', b''.join(frame(kind, b'') for kind in Kind)
+    yield 'a call that only we make', call(FrameKind.OUTPUT, [1001, 'stdout', 'x'])
+    yield 'an endless frame', (LONGEST_FRAME + 1).to_bytes(4, 'little') + bytes((FrameKind.NOTE,))
+    yield 'no JSON', frame(FrameKind.NOTE, b'\xff')
+    yield 'nothing in it', b''.join(frame(kind, b'') for kind in FrameKind)
 
 
 CASES = [*fake_stock(), *fake_graph(), *fake_messages(), *fake_order()]
@@ -190,16 +190,16 @@ def numbers() -> tuple[int, int, int]:
 def test_nothing_is_done_in_the_name_of_a_stock_node(numbers: tuple[int, int, int]) -> None:
     sim, pose, free = numbers
     fakes = {
-        'publish': frame(Kind.PUBLISH, NUMBERED.pack(pose) + b'\x02[1.0,1.0,1.0,1.0,1.0]'),
+        'publish': frame(FrameKind.PUBLISH, NUMBERED.pack(pose) + b'\x02[1.0,1.0,1.0,1.0,1.0]'),
         'a publisher': end('publisher', free, sim, '/turtle1/pose'),
-        'a parameter': frame(Kind.PARAMETER, dump([sim, 'background_r', 1, 'mine'])),
-        'its end': frame(Kind.NODE_GONE, NUMBERED.pack(sim)),
-        'the end of its publisher': frame(Kind.END_GONE, NUMBERED.pack(pose)),
+        'a parameter': frame(FrameKind.PARAMETER, dump([sim, 'background_r', 1, 'mine'])),
+        'its end': frame(FrameKind.NODE_GONE, NUMBERED.pack(sim)),
+        'the end of its publisher': frame(FrameKind.END_GONE, NUMBERED.pack(pose)),
         'a node of its program': node(free, pid=1002),
-        'its output': frame(Kind.WROTE, dump([1002, 'stdout', 'x'])),
-        'its log': frame(Kind.LOG, dump([1002, 20, 'sim', 'x'])),
-        'its exit': frame(Kind.ENDED, dump([1002, 0, None])),
-        'a fact of it': frame(Kind.FACT, dump([1002, 'odd', 1, {}])),
+        'its output': frame(FrameKind.WROTE, dump([1002, 'stdout', 'x'])),
+        'its log': frame(FrameKind.LOG, dump([1002, 20, 'sim', 'x'])),
+        'its exit': frame(FrameKind.ENDED, dump([1002, 0, None])),
+        'a fact of it': frame(FrameKind.FACT, dump([1002, 'odd', 1, {}])),
     }
     honest = meet(WITH_SIM)[0].recorder
     for name, fake in fakes.items():
@@ -215,11 +215,11 @@ def test_what_reaches_a_stock_node_has_come_by_its_topic_and_service(numbers: tu
     served = next(row[4] for row in honest.endpoints if row[:2] == ['service', '/turtle1/teleport_absolute'])
     mine = node(free) + end('publisher', free + 1, free, '/mine', 'geometry_msgs/msg/Twist')
     mine += end('client', free + 2, free, '/mine', 'turtlesim/srv/TeleportAbsolute')
-    twist = frame(Kind.PUBLISH, NUMBERED.pack(free + 1) + b'\x02[1.0,0.0,0.0,0.0,0.0,0.0]')
-    asked = frame(Kind.ASKED, dump([free + 2, 1, True, b'\x02[1.0,1.0,0.0]']))
+    twist = frame(FrameKind.PUBLISH, NUMBERED.pack(free + 1) + b'\x02[1.0,0.0,0.0,0.0,0.0,0.0]')
+    asked = frame(FrameKind.ASKED, dump([free + 2, 1, True, b'\x02[1.0,1.0,0.0]']))
     for fake in (
-        twist + frame(Kind.READY, ENDS.pack(heard, free + 1) + b'\x00'),
-        asked + call(Kind.REQUEST, [served, free + 2, 1, b'\x02[1.0,1.0,0.0]'], 1 << 35),
+        twist + frame(FrameKind.READY, ENDS.pack(heard, free + 1) + b'\x00'),
+        asked + call(FrameKind.REQUEST, [served, free + 2, 1, b'\x02[1.0,1.0,0.0]'], 1 << 35),
     ):
         assert isinstance(after_the_sim(mine + fake)[1], Violation)
 
@@ -230,7 +230,7 @@ def test_a_topic_of_a_world_has_the_world_among_its_publishers_and_says_who_else
     mine = (
         node(free)
         + end('publisher', free + 1, free, '/turtle1/pose')
-        + frame(Kind.PUBLISH, NUMBERED.pack(free + 1) + b'\x02[1.0,1.0,1.0,1.0,1.0]')
+        + frame(FrameKind.PUBLISH, NUMBERED.pack(free + 1) + b'\x02[1.0,1.0,1.0,1.0,1.0]')
     )
     trusted, error = after_the_sim(mine)
     assert isinstance(error, Gone)
@@ -241,7 +241,7 @@ def test_a_topic_of_a_world_has_the_world_among_its_publishers_and_says_who_else
 
 
 def test_too_many_bytes_are_too_many() -> None:
-    note = frame(Kind.NOTE, dump([None, 'x', 'y' * 1000]))
+    note = frame(FrameKind.NOTE, dump([None, 'x', 'y' * 1000]))
     assert isinstance(meet(note * 100 + token(), quota=50_000)[1], TooMuch)
 
 
@@ -249,7 +249,7 @@ def test_half_a_frame_and_silence_is_an_end() -> None:
     assert isinstance(meet(token()[:-3])[1], Gone)
 
 
-PARTS = [MINE, WITH_SIM, token(EPOCH_NS, 7), node(3), end('publisher', 4, 1, '/a'), frame(Kind.ADVANCE, TIME.pack(EPOCH_NS))]
+PARTS = [MINE, WITH_SIM, token(EPOCH_NS, 7), node(3), end('publisher', 4, 1, '/a'), frame(FrameKind.ADVANCE, TIME.pack(EPOCH_NS))]
 
 
 @settings(max_examples=2 * EXAMPLES)

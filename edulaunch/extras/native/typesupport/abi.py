@@ -73,7 +73,7 @@ class Description(c.Structure):
     _fields_ = (('type', DescribedOne), ('referenced', Sequence))
 
 
-class Source(c.Structure):
+class TypeSource(c.Structure):
     """type_description_interfaces/TypeSource."""
 
     _fields_ = (('type_name', String), ('encoding', String), ('contents', String))

@@ -21,7 +21,7 @@ def described(type_name: str, registry: Registry) -> tuple[int, int, int]:
         abi.Description(
             _one(data['type_description']), _sequence(map(_one, data['referenced_type_descriptions']), abi.DescribedOne)
         ),
-        _sequence((_source(name, registry) for name in names), abi.Source),
+        _sequence((_source(name, registry) for name in names), abi.TypeSource),
     )
     return tuple(_giving(each) for each in made)  # type: ignore[return-value]
 
@@ -54,8 +54,8 @@ def _field(data: dict[str, Any]) -> abi.DescribedField:
     return abi.DescribedField(_string(data['name']), described, _string(''))
 
 
-def _source(type_name: str, registry: Registry) -> abi.Source:
+def _source(type_name: str, registry: Registry) -> abi.TypeSource:
     """Return the text of a type's file; a part of a service or action has no text of its own."""
     is_part = '_' in type_name.rpartition('/')[2]
     text = '' if is_part else registry.text(type_name)
-    return abi.Source(_string(type_name), _string('implicit' if is_part else type_name.split('/')[1]), _string(text))
+    return abi.TypeSource(_string(type_name), _string('implicit' if is_part else type_name.split('/')[1]), _string(text))
