@@ -46,7 +46,7 @@ class Workspace(NamedTuple):
 
     @property
     def sources(self) -> list[PackageInWorkspace]:
-        """Its packages as `Source` objects."""
+        """Its packages as `PackageInWorkspace` objects."""
         return [PackageInWorkspace(package, self.around) for package in self.packages]
 
 

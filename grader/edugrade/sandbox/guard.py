@@ -21,7 +21,7 @@ from .remove_tree import remove_tree
 from .system import PR_SET_CHILD_SUBREAPER, PR_SET_PDEATHSIG, fork, prctl
 
 LOOK_S = 0.1
-GLANCE_S = 0.02  # a program can start thousands of threads between two measurements
+GLANCE_S = 0.01  # a program can start thousands of threads between two measurements
 PAGE_BYTES = os.sysconf('SC_PAGE_SIZE')
 MANY_DESCRIPTORS = 64  # a process with fewer descriptors has little memory in buffers
 SOCKET_BYTES = 212_992  # bytes in the buffer of one socket if the system does not report them; a run cannot enlarge it
