@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from hypothesis import settings
+from hypothesis.internal.conjecture import providers
 
 import edulaunch
 from edulaunch.engine.sim.task import AmbientTask, current_task
@@ -28,6 +29,9 @@ HERE = (Path(__file__).parent, Path(__file__).parents[1])
 gc.set_threshold(20_000, 20, 20)
 settings.register_profile('repository', deadline=None, derandomize=True, max_examples=EXAMPLES)  # the same in every run
 settings.load_profile('repository')
+# Else hypothesis reads the source of every module that is loaded by then, and tries its numbers and texts: a property would meet
+# other examples beside other tests.
+providers._get_local_constants = providers.Constants
 
 
 def pytest_configure(config: pytest.Config) -> None:

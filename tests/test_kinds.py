@@ -7,8 +7,12 @@ import re
 import subprocess
 import sys
 from functools import cache
+from pathlib import Path
+from types import ModuleType
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from tests.house import ROOT
 from tests.kinds import ALL_TESTS, KINDS, kinds_of
@@ -76,3 +80,18 @@ def test_each_path_in_the_steps_is_there() -> None:
     plain = [word.rstrip(';') for word in words if '{' not in word]
     assert not [word for word in plain + spread if not list(ROOT.glob(word))]
     assert spread  # the braces are read
+
+
+def test_a_property_meets_the_same_examples_whatever_is_loaded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    module = ModuleType('many_texts')
+    module.__file__ = str(tmp_path / 'many_texts.py')
+    Path(module.__file__).write_text(repr([f'text {number}' for number in range(400)]))
+    first = texts()
+    monkeypatch.setitem(sys.modules, 'many_texts', module)
+    assert texts() == first and len(set(first)) > 20
+
+
+def texts() -> list[str]:
+    met: list[str] = []
+    given(st.text())(lambda text: met.append(text))()
+    return met
