@@ -1,15 +1,67 @@
-"""A file is written whole or not at all."""
+"""A file of a stranger is read only if it is a regular one, and up to a size; ours are written whole or not at all."""
 
 from __future__ import annotations
 
+import errno
 import os
 import stat
 from pathlib import Path
 
 import pytest
-from edugrade.files import write_whole
+from edugrade.faults import ComputerFault
+from edugrade.files import files_below, read_given, read_regular, write_whole
 
 from edulaunch.errors import UnusableInput
+
+
+def test_the_first_bytes_of_a_regular_file_are_read(tmp_path: Path) -> None:
+    (tmp_path / 'a').write_bytes(b'one\r\ntwo')
+    assert [read(str(tmp_path / 'a'), most) for read in (read_regular, read_given) for most in (4, 99)] == [
+        b'one\r',
+        b'one\r\ntwo',
+    ] * 2
+
+
+@pytest.mark.parametrize('kind', ['pipe', 'device', 'folder'])
+def test_what_is_no_regular_file_is_not_read(tmp_path: Path, kind: str) -> None:
+    os.mkfifo(tmp_path / 'pipe')
+    path = {'pipe': str(tmp_path / 'pipe'), 'device': '/dev/zero', 'folder': str(tmp_path)}[kind]
+    with pytest.raises(OSError) as caught:
+        read_regular(path, 9)
+    assert kind == 'folder' or (caught.value.errno, caught.value.filename) == (errno.EINVAL, path)
+    with pytest.raises(UnusableInput, match=f'^the key {path} cannot be read: (it is not a regular file|Is a directory)') as told:
+        read_given(path, 9, 'the key ', help='name another one')
+    assert 'name another one' in str(told.value)
+
+
+@pytest.mark.parametrize(('path', 'why'), [('no/such', 'No such file or directory'), ('a\0b', 'embedded null byte')])
+def test_what_cannot_be_read_says_why(path: str, why: str) -> None:
+    with pytest.raises(UnusableInput) as caught:
+        read_given(path, 9)
+    assert str(caught.value) == f'{path} cannot be read: {why}'
+
+
+def test_a_fault_of_the_computer_is_not_blamed_on_the_file(monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(*_: object) -> int:
+        raise OSError(errno.EMFILE, os.strerror(errno.EMFILE))
+
+    monkeypatch.setattr(os, 'open', full)
+    with pytest.raises(ComputerFault):
+        read_given('a', 9)
+
+
+def test_files_are_found_in_order_and_folders_can_be_left_out(tmp_path: Path) -> None:
+    for name in ('b/z', 'b/left/x', 'a', 'c', 'left'):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text('') if not (tmp_path / name).is_dir() else None
+    asked: list[tuple[str, str]] = []
+
+    def is_taken(name: str, inside: str) -> bool:
+        asked.append((name, inside))
+        return (name, inside) != ('left', 'b/')
+
+    assert list(files_below(str(tmp_path), is_taken)) == ['a', 'c', 'left', 'b/z']
+    assert asked[-2:] == [('left', 'b/'), ('z', 'b/')]
 
 
 def test_the_file_has_the_text_and_nothing_is_left_beside_it(tmp_path: Path) -> None:

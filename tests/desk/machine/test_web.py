@@ -7,7 +7,7 @@ import contextlib
 import os
 import socket
 import sys
-from collections.abc import Awaitable, Callable
+from collections.abc import AsyncIterator, Awaitable, Callable
 from typing import Any
 from urllib.parse import urlsplit
 
@@ -16,7 +16,7 @@ import pytest
 pytest.importorskip('tornado')
 
 from tornado.httpclient import AsyncHTTPClient, HTTPRequest, HTTPResponse  # noqa: E402
-from tornado.websocket import websocket_connect  # noqa: E402
+from tornado.websocket import WebSocketClientConnection, websocket_connect  # noqa: E402
 
 from edulaunch.desk.machine import wire  # noqa: E402
 from edulaunch.desk.machine.web import serve  # noqa: E402
@@ -58,7 +58,8 @@ def test_the_page_needs_its_token_and_its_name() -> None:
             await get(address, Host='evil.example'),
         ]
         assert b'openDesk' in answers[0].body
-        assert answers[0].headers['X-Frame-Options'] == 'DENY'
+        kept = ('Cache-Control', 'Referrer-Policy', 'X-Frame-Options', 'X-Content-Type-Options')
+        assert [answers[0].headers[name] for name in kept] == ['no-store', 'no-referrer', 'DENY', 'nosniff']
         return [answer.code for answer in answers]
 
     assert with_server(body) == [200, 404, 404, 404]
@@ -77,21 +78,76 @@ def test_a_page_of_another_origin_gets_no_socket(origin: str) -> None:
     assert '403' in with_server(body)
 
 
+@contextlib.asynccontextmanager
+async def page_of(address: str) -> AsyncIterator[WebSocketClientConnection]:
+    headers = {'Origin': address[: address.index('/', 8)]}
+    page = await websocket_connect(HTTPRequest(address.replace('http', 'ws', 1) + 'socket', headers=headers))
+    yield page
+    page.close()
+
+
 def test_words_and_film_cross_in_both_directions() -> None:
     async def body(address: str, machine: socket.socket) -> None:
         loop = asyncio.get_running_loop()
-        origin = address[: address.index('/', 8)]
-        page = await websocket_connect(HTTPRequest(address.replace('http', 'ws', 1) + 'socket', headers={'Origin': origin}))
-        assert await loop.sock_recv(machine, 5) == b'hello'
-        await page.write_message('{"op": "next"}')
-        assert await loop.sock_recv(machine, 100) == frame(wire.INPUT, b'{"op": "next"}\n')
-        await loop.sock_sendall(machine, frame(wire.OUTPUT, b'{"delta"') + frame(wire.OUTPUT, b': {}}\n{"said": "x"}\n'))
-        assert [await page.read_message(), await page.read_message()] == ['{"delta": {}}', '{"said": "x"}']
-        machine.close()
-        assert await page.read_message() is None
-        page.close()
+        async with page_of(address) as page:
+            assert await loop.sock_recv(machine, 5) == b'hello'
+            await page.write_message('{"op": "next"}')
+            assert await loop.sock_recv(machine, 100) == frame(wire.INPUT, b'{"op": "next"}\n')
+            await loop.sock_sendall(machine, frame(wire.OUTPUT, b'{"delta"') + frame(wire.OUTPUT, b': {}}\n{"said": "x"}\n'))
+            assert [await page.read_message(), await page.read_message()] == ['{"delta": {}}', '{"said": "x"}']
+            machine.close()
+            assert await page.read_message() is None
 
     with_server(body)
+
+
+async def received(machine: socket.socket, most: int) -> bytes:
+    """What comes to the machine: `most` bytes, or all until the page has gone."""
+    got = b''
+    receive = asyncio.get_running_loop().sock_recv
+    while len(got) < most and (data := await asyncio.wait_for(receive(machine, 1 << 17), 60)):
+        got += data
+    return got
+
+
+@pytest.mark.parametrize(('more', 'passes'), [(0, True), (1, False)])
+def test_a_message_of_the_page_has_at_most_65536_bytes(more: int, passes: bool) -> None:
+    async def body(address: str, machine: socket.socket) -> bytes:
+        async with page_of(address) as page:
+            await page.write_message('x' * (65536 + more))
+            return await received(machine, len(b'hello' + frame(wire.INPUT, b'x' * 65536 + b'\n')))
+
+    assert with_server(body) == b'hello' + (frame(wire.INPUT, b'x' * 65536 + b'\n') if passes else b'')
+
+
+def test_lines_within_a_message_are_not_passed_on() -> None:
+    async def body(address: str, machine: socket.socket) -> None:
+        expected = b'hello' + frame(wire.INPUT, b'c\n')
+        async with page_of(address) as page:
+            await page.write_message('a\nb')
+            await page.write_message('c')
+            assert await received(machine, len(expected)) == expected
+
+    with_server(body)
+
+
+def test_the_machine_hears_that_a_page_was_closed() -> None:
+    async def body(address: str, machine: socket.socket) -> bytes:
+        async with page_of(address):
+            pass
+        return await received(machine, 100)
+
+    assert with_server(body) == b'hello'
+
+
+def test_a_page_too_many_is_closed_and_told_so(capsys: pytest.CaptureFixture[str]) -> None:
+    async def body(address: str, machine: socket.socket) -> tuple[Any, ...]:
+        async with page_of(address) as page:
+            await asyncio.get_running_loop().sock_sendall(machine, frame(wire.ERRORS, b'30 pages are open'))
+            return await page.read_message(), page.close_code, page.close_reason
+
+    assert with_server(body) == (None, 1013, 'too many pages')
+    assert capsys.readouterr().err == 'warning: 30 pages are open\n'
 
 
 GUESS = """

@@ -71,6 +71,10 @@ def test_an_integer_does_not_fit_a_double() -> None:
         ('null', 'null'),
         ('a b', 'a b'),
         ('99999999999999999999', 1e20),
+        ('9223372036854775807', 2**63 - 1),
+        ('9223372036854775808', 2.0**63),
+        ('-9223372036854775808', -(2**63)),
+        ('-9223372036854775809', -(2.0**63)),
         ('0o17', '0o17'),
         ('\N{FULLWIDTH DIGIT ONE}', '\N{FULLWIDTH DIGIT ONE}'),
     ],
@@ -108,6 +112,8 @@ def test_range_texts() -> None:
 def test_float_ends_and_steps_have_a_tolerance() -> None:
     assert rules.float_range_problem('p', 1.0000000001, 0.0, 1.0, 0.0) is None
     assert rules.float_range_problem('p', 0.1 + 0.2, 0.0, 1.0, 0.1) is None
+    assert rules.float_range_problem('p', 1.0000009, 0.0, 1.0, 0.0) is None
+    assert rules.float_range_problem('p', 1.0000011, 0.0, 1.0, 0.0) is not None
 
 
 @pytest.mark.parametrize(

@@ -46,8 +46,23 @@ def test_a_root_counts_where_a_path_begins_with_it(text: str, short: str) -> Non
 
 def test_calls_and_messages_of_any_type_may_name_files() -> None:
     topic = {'type': 'mine/msg/Where', 'messages': [[1, ['/tmp/a', []]]]}
-    short = canonical({**EMPTY, 'calls': [[0, ['/tmp/b']]], 'topics': [topic]})
+    content = {**EMPTY, 'calls': [[0, ['/tmp/b']]], 'topics': [topic], 'launch': {'arguments': {'map': '/tmp/c'}, 'count': 2}}
+    short = canonical(content)
+    assert short['launch'] == {'arguments': {'map': '@tmp/c'}, 'count': 2}
     assert short['calls'] == [[0, ['@tmp/b']]] and short['topics'][0]['messages'] == [[1, ['@tmp/a', []]]]
+
+
+@pytest.mark.parametrize('part', ['facts', 'descriptors', 'beside', 'processes', 'logs', 'output'])
+def test_every_other_part_may_name_files(part: str) -> None:
+    rows: Any = {'x': '/tmp/a'} if part == 'beside' else [[0, 'x', 'stdout', '/tmp/a']]
+    short = canonical({**EMPTY, part: rows})
+    assert short[part] == ({'x': '@tmp/a'} if part == 'beside' else [[0, 'x', 'stdout', '@tmp/a']]) and short['roots'] == []
+
+
+@pytest.mark.parametrize('package', ['tf2_msgs', 'geometry_msgs', 'sensor_msgs', 'nav_msgs'])
+def test_names_of_frames_are_no_files(package: str) -> None:
+    topic = {'type': f'{package}/msg/Any', 'messages': [[1, ['/tmp']]]}
+    assert canonical({**EMPTY, 'topics': [topic]})['topics'] == [topic]
 
 
 DIED = """Traceback (most recent call last):

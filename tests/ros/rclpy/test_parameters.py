@@ -167,3 +167,40 @@ def test_an_empty_list_from_outside_leaves_a_parameter_without_value(ros: Ros, w
         world.say(raised(node.get_parameter, 'p'))
 
     assert ros(body) == [None, "ParameterUninitializedException: The parameter 'p' is not initialized: p"]
+
+
+def test_a_new_descriptor_is_checked_against_the_value_and_replaces_the_old_one(ros: Ros, world: World) -> None:
+    def ranged(low: float, high: float, **more: Any) -> ParameterDescriptor:
+        return ParameterDescriptor(
+            type=3, floating_point_range=[FloatingPointRange(from_value=low, to_value=high)], description='speed', **more
+        )
+
+    def body() -> None:
+        node = Node('n')
+        node.declare_parameter('p', 1.5)
+        world.say(raised(node.set_descriptor, 'q', ParameterDescriptor()))
+        world.say(raised(node.set_descriptor, 'p', ranged(5.0, 9.0)))
+        world.say((node.describe_parameter('p').description, node.get_parameter('p').value))
+        other = Parameter('p', value=6.5).get_parameter_value()
+        world.say(node.set_descriptor('p', ranged(5.0, 9.0), other).double_value)
+        world.say((node.describe_parameter('p').description, node.describe_parameter('p').name, results(node, 10.0)))
+        world.say(raised(node.set_descriptor, 'p', ranged(7.0, 9.0), Parameter('p', value=2.5).get_parameter_value()))
+        world.say(
+            node.set_descriptor(
+                'p', ranged(7.0, 9.0, read_only=True), Parameter('p', value=8.5).get_parameter_value()
+            ).double_value
+        )
+        world.say((results(node, 8.0), raised(node.set_descriptor, 'p', ranged(1.0, 9.0))))
+
+    out_of_range = 'Parameter p out of range Min: {}, Max: 9.0, value: {}'
+    refused = 'InvalidParameterValueException: Invalid parameter value ({}) for parameter. Reason: {}: p'
+    assert ros(body) == [
+        'ParameterNotDeclaredException: Invalid access to undeclared parameter(s): q',
+        refused.format('1.5', out_of_range.format(5.0, 1.5)),
+        ('', 1.5),
+        6.5,
+        ('speed', 'p', [out_of_range.format(5.0, 10.0)]),
+        refused.format('2.5', out_of_range.format(7.0, 2.5)),
+        8.5,
+        (['Trying to set a read-only parameter: p.'], 'ParameterImmutableException: Attempted to modify read-only parameter: p'),
+    ]

@@ -57,6 +57,13 @@ def test_policies_are_found_by_their_short_key() -> None:
     assert qos.LivelinessPolicy.short_keys() == ['system_default', 'automatic', 'manual_by_topic', 'unknown', 'best_available']
 
 
+def test_policies_have_the_numbers_of_rmw() -> None:
+    numbers = {policy: [value.value for value in policy] for policy in qos.QoSPolicyEnum.__subclasses__()}
+    assert numbers[qos.HistoryPolicy] == [0, 1, 2, 3]
+    assert numbers[qos.ReliabilityPolicy] == numbers[qos.DurabilityPolicy] == [0, 1, 2, 3, 4]
+    assert numbers[qos.LivelinessPolicy] == [0, 1, 3, 4, 5]
+
+
 @pytest.mark.parametrize(
     ('offered', 'requested', 'reason'),
     [
