@@ -38,7 +38,7 @@ def run_lessons(course: str, names: list[str], wanted: list[str], say: Say = lam
 
     :param names: all lessons up to the last wanted one, in their order.
     :param wanted: the lessons whose outputs are needed.
-    :param say: called with one line for each lesson that has run.
+    :param say: called with one line before the run, and one for each lesson that has run.
     :raises UnusableInput: when a cell fails that is not tagged `raises-exception`.
     """
     files = student_files(course, rubrics=True)
@@ -47,6 +47,8 @@ def run_lessons(course: str, names: list[str], wanted: list[str], say: Say = lam
     missing = [name for name in wanted if name not in found]
     if found:
         say(f'{len(found)} of {len(wanted)} lessons have not changed since their last run')
+    if missing:
+        say(f'running {len(missing)} {"lesson" if len(missing) == 1 else "lessons"}')
     try:
         run = dict(_apart(files, names, missing, say))
     except UnusableInput:

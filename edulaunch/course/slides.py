@@ -1,8 +1,7 @@
 """`edulaunch course slides`: a lesson as slides, in one HTML file.
 
 The lesson alone decides the content of a slide. A heading begins a slide. The answer to a prediction is on the next slide. A
-slide
-shows the first sentence of a paragraph; the speaker's text below has the whole paragraph.
+slide shows the first sentence of a paragraph. The speaker's text below has the whole paragraph.
 """
 
 from __future__ import annotations
@@ -46,7 +45,7 @@ def write_slides(
 
     :param lesson: its name, or the beginning of its name.
     :param kept: use the stored outputs, which have no pictures; without it, run the lesson.
-    :param say: called with one line when it has run.
+    :param say: called with one line before the run, and one when the lesson has run.
     :raises UnusableInput: when there is no such lesson, or it cannot be run.
     """
     names = [found.name for found in read_lessons(os.path.join(course, LESSONS))]

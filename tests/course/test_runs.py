@@ -52,7 +52,10 @@ def test_a_lesson_runs_alone_with_the_files_that_earlier_ones_write(course: Path
     said: list[str] = []
     gave = run_lessons(str(course), ['01_one', '02_two'], ['02_two'], said.append)
     assert ran == [('02_two', {'a.py': 'x = 2\n'})]
-    assert gave == {'02_two': {'c0': [{**PRINTED, 'text': 'in my_launch'}]}} and said == ['02_two: lesson 1 of 1']
+    assert gave == {'02_two': {'c0': [{**PRINTED, 'text': 'in my_launch'}]}} and said == [
+        'running 1 lesson',
+        '02_two: lesson 1 of 1',
+    ]
 
 
 def test_nothing_runs_again_until_something_changes(course: Path, ran: list[tuple[str, dict[str, str]]]) -> None:
