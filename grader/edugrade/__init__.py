@@ -37,7 +37,7 @@ __all__ = ['Check', 'Evidence', 'Failure', 'Mismatch', 'Missing', 'Rubric', 'Sce
 
 
 def __getattr__(name: str) -> Any:
-    """Return each name when it is first used: a command that looks for plug-ins loads no rubrics."""
+    """Import each name when it is first used, so that a command that only looks for plug-ins loads no rubrics."""
     if name not in _MODULES:
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
     return getattr(import_module(f'{__name__}.{_MODULES[name]}'), name)

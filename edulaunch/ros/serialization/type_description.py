@@ -43,7 +43,9 @@ def type_hash(type_name: str, spec_of: SpecOf) -> str:
 
 
 def _fields(spec: InterfaceSpec) -> tuple[Field, ...]:
-    """Return a service is described as a struct of its messages, an action as one of its messages and services."""
+    """Return the fields of a type. A service is described as a struct of its messages, and an action as a struct of its messages
+    and services.
+    """
     if isinstance(spec, MessageSpec):
         return spec.fields or (EMPTY_FIELD,)
     if isinstance(spec, ServiceSpec):

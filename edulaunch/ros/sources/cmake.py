@@ -118,7 +118,9 @@ class _CMakeLists:
                 self._obey(command)
 
     def _follow_tests(self, todo: list[Command]) -> None:
-        """Only the programs of tests count: launch tests start them. Whatever else is there, no build of the package needs it."""
+        """Follow only commands that add programs of tests, which launch tests start. A build of the package needs nothing else
+        there.
+        """
         for command in todo:
             words = expand(command, self.variables, lambda name: None)
             if command.name in _TEST_PROGRAMS and words:
@@ -144,7 +146,7 @@ class _CMakeLists:
         getattr(self, f'_{command.name}')(command.line, words)
 
     def _call(self, command: Command) -> None:
-        """A function or macro of the file: its body with the arguments in place. One that calls itself is left alone."""
+        """Evaluate the body of a function or macro of the file with its arguments. A recursive call is skipped."""
         names, body = self.functions.pop(command.name)
         given = expand(command, self.variables, lambda name: None)
         values = {'ARGN': given[len(names) :], 'ARGV': given}
@@ -245,7 +247,7 @@ class _CMakeLists:
             self.warn(line, f'rosidl_generate_interfaces({words[0]} ...) must name the package, {self.package}')
 
     def _add_subdirectory(self, line: int, words: list[str]) -> None:
-        """Follow the CMakeLists.txt of a folder below; its variables are its own."""
+        """Evaluate the CMakeLists.txt of a subfolder with its own variables."""
         outer = self.folder, self.file, self.variables
         folder = os.path.normpath(os.path.join(self.folder, words[0])) if words else self.folder
         if not folder.startswith(self.folder + os.sep) or not os.path.isfile(os.path.join(folder, 'CMakeLists.txt')):
@@ -345,7 +347,7 @@ def _end(todo: list[Command], start: int, word: str) -> int:
 
 
 def _clauses(words: list[str]) -> tuple[str, list[str], str, list[str]]:
-    """Mode, items, destination and everything else of an install()."""
+    """Return mode, items, destination and all other words of an install()."""
     if not words:
         return '', [], '', []
     end = next((i for i, word in enumerate(words) if i and word in _WORDS), len(words))

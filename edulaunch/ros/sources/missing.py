@@ -56,7 +56,9 @@ def _is_another(name: str, package: str) -> bool:
 
 
 def _without_manifest(package: str, here: str) -> str | None:
-    """The folder of a package in a workspace in which no package has a package.xml, so that it is not seen as a workspace."""
+    """Return the folder of a package without package.xml in a workspace that is not recognised, because none of its packages has
+    one.
+    """
     for source in ('src', *(os.path.join(name, 'src') for name in sorted(os.listdir(here)))):
         folder = os.path.join(here, source, package)
         if os.path.isfile(os.path.join(folder, 'setup.py')) and not os.path.isfile(os.path.join(folder, 'package.xml')):
@@ -195,7 +197,7 @@ def installed_file(index: Index, path: str) -> Facts:
 
 
 def _built(index: Index, package: str) -> Facts:
-    """Of a package that colcon built: what was written since is not in it."""
+    """Return facts about a package that colcon built before its newest files were written."""
     prefix = index.packages().get(package)
     if prefix is None or 'install' not in prefix.split(os.sep):
         return {}

@@ -60,7 +60,7 @@ def _evaluated(node: ast.AST) -> Iterator[ast.Name]:
 
 
 def _surely(node: ast.AST) -> Sequence[ast.AST]:
-    """Return those parts of a node that are evaluated in any case."""
+    """Return the parts of a node that are always evaluated."""
     if isinstance(node, (ast.If, ast.While, ast.IfExp)):
         return [node.test]
     if isinstance(node, (ast.For, ast.comprehension)):
@@ -201,7 +201,7 @@ class _SetupScript:
             self.warn(f'data_files lists {source!r}, which is {kind} (a build stops with "can\'t copy {source!r}")')
 
     def _modules(self, options: dict[str, Any]) -> None:
-        """Top-level import names, from packages= and py_modules=."""
+        """Return the top-level import names from packages= and py_modules=."""
         folders = self._known(options, 'package_dir') or {}
         for name in self._known(options, 'packages') or ():
             if not isinstance(name, str) or '.' in name:
@@ -237,7 +237,7 @@ class _SetupScript:
                 self.warn(f'scripts= lists {script!r}, which is not there')
 
     def _groups(self, options: dict[str, Any]) -> dict[Any, Any]:
-        """Group -> lines of entry_points=, which may be an ini-like text."""
+        """Return the lines of entry_points= by group. The argument may be text in ini format."""
         given = self._known(options, 'entry_points')
         if isinstance(given, str):
             return dict(_ini_sections(given))
@@ -263,7 +263,7 @@ class _SetupScript:
         return not all(map(os.path.isfile, files)) or any('rclpy' in read_text(path) for path in files)
 
     def _script_folder(self, modules: Iterable[str]) -> str:
-        """Return where executables go: what setup.cfg says below [install], `bin` when it says nothing."""
+        """Return the folder of executables: the one in section [install] of setup.cfg, or `bin`."""
         section = self.configuration['install'] if self.configuration.has_section('install') else {}
         value = section.get('install_scripts') or section.get('install-scripts') or ''
         if not value:

@@ -115,6 +115,6 @@ def _expanded(folder: str, pattern: str) -> list[str]:
 
 
 def _listed(text: str) -> list[str]:
-    """Lines, or words between commas when it is one line."""
+    """Return the lines of a value, or the words between commas of a single line."""
     parts = text.splitlines() if '\n' in text else text.split(',')
     return [part.strip() for part in parts if part.strip() and not part.strip().startswith('#')]

@@ -34,7 +34,7 @@ _COMPARE: dict[type[ast.cmpop], Callable[[Any, Any], Any]] = {
 
 
 class _Returned(Exception):
-    """Carries the value of a `return` out of the function that is being read."""
+    """Carries the value of a `return` out of an evaluated function."""
 
 
 class StaticPython:
@@ -81,7 +81,7 @@ class StaticPython:
     # statements
 
     def _skip(self, statement: ast.stmt) -> None:
-        """Classes, deletions and the like say nothing about what is installed."""
+        """Skip classes, deletions and similar statements, which do not affect what is installed."""
 
     def _do_Expr(self, node: ast.Expr) -> None:
         self.value(node.value)
@@ -302,7 +302,7 @@ class StaticPython:
         return method
 
     def _callable(self, value: Any) -> Any:
-        """Return a function that is handed to another one (`map`, `filter`, `sorted(key=)`) as something that can be called."""
+        """Return a function that is passed to another one (`map`, `filter`, `sorted(key=)`) as a callable."""
         if isinstance(value, ast.FunctionDef | ast.Lambda):
             return lambda *arguments: self._call_own(value, list(arguments), {})
         return self._functions.get(value.name, value) if isinstance(value, Module) else value

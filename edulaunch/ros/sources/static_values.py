@@ -185,7 +185,7 @@ def callables(folder: str) -> dict[str, Callable[..., Any]]:
 
 
 class _Listing:
-    """Looks at files below a folder. Everything comes out sorted, so that it is the same on every machine."""
+    """Lists files below a folder, sorted, so that the result is the same on every computer."""
 
     def __init__(self, folder: str) -> None:
         self._folder = folder
@@ -195,14 +195,14 @@ class _Listing:
         return os.path.join(self._folder, os.fspath(path))
 
     def glob(self, pattern: str, recursive: bool = False) -> list[str]:
-        """glob.glob."""
+        """Return paths as glob.glob does."""
         from glob import glob as real_glob
 
         found = sorted(real_glob(self.local(pattern), recursive=recursive))
         return found if os.path.isabs(pattern) else [os.path.relpath(path, self._folder) for path in found]
 
     def walk(self, top: str) -> list[tuple[str, list[str], list[str]]]:
-        """os.walk."""
+        """Yield folders as os.walk does."""
         start = self.local(top)
         found = sorted((path, sorted(folders), sorted(files)) for path, folders, files in os.walk(start))
         return [
@@ -210,11 +210,11 @@ class _Listing:
         ]
 
     def find_packages(self, where: str = '.', exclude: Any = (), include: Any = ('*',)) -> list[str]:
-        """setuptools.find_packages."""
+        """Return names as setuptools.find_packages does."""
         return find_packages(self.local(where), exclude, include)
 
     def find_namespace_packages(self, where: str = '.', exclude: Any = (), include: Any = ('*',)) -> list[str]:
-        """setuptools.find_namespace_packages."""
+        """Return names as setuptools.find_namespace_packages does."""
         return find_packages(self.local(where), exclude, include, '')
 
 

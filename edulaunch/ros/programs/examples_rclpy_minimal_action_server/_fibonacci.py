@@ -18,7 +18,7 @@ STEP_S = 1.0
 
 
 class MinimalActionServer(Node):
-    """Serves `fibonacci`; each number takes a second.
+    """Serves `fibonacci`. Each number takes a second.
 
     :param options: further callbacks of the ActionServer.
     """
@@ -52,7 +52,7 @@ class MinimalActionServer(Node):
         return CancelResponse.ACCEPT
 
     def execute_callback(self, goal_handle: ServerGoalHandle) -> Fibonacci.Result:
-        """Work on a goal: one number per second, each published as feedback."""
+        """Execute a goal: compute one number per second, and publish each as feedback."""
         self.get_logger().info('Executing goal...')
         feedback = Fibonacci.Feedback(sequence=[0, 1])
         for index in range(1, goal_handle.request.order):

@@ -66,7 +66,7 @@ def get_packages_with_prefixes() -> dict[str, str]:
 
 
 def _share(package_name: str, called: str | None) -> str:
-    """Return the share folder; unless it is `called` nothing, a warning says that it is missing."""
+    """Return the share folder. If it is missing and `called` names it, log a warning."""
     path = os.path.join(get_package_prefix(package_name), 'share', package_name)
     if called is not None and not os.path.exists(path) and _left_out_by_launch(package_name) is None:
         warnings.warn(f'Share {called} for {package_name} ({path}) does not exist.', stacklevel=3)

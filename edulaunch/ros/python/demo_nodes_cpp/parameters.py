@@ -24,7 +24,7 @@ def make_node(node_name: str) -> CppNode:
 
 
 def _list() -> None:
-    """List the parameters, log them, and end."""
+    """Log a list of the parameters, and end."""
     node = make_node('list_parameters')
     log = node.get_logger()
     log.info('Listing parameters...')

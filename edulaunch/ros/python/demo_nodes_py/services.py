@@ -35,7 +35,7 @@ def _client() -> tuple[Node, Client]:
 
 
 def _ask() -> None:
-    """Ask once and wait for the reply."""
+    """Send one request and wait for the reply."""
     node, client = _client()
     reply = client.call_async(AddTwoInts.Request(a=2, b=3))
     rclpy.spin_until_future_complete(node, reply)
@@ -47,7 +47,7 @@ def _ask() -> None:
 
 
 def _ask_async() -> None:
-    """Ask once, look for the reply after each turn of the executor."""
+    """Send one request, and check for the reply after each turn of the executor."""
     node, client = _client()
     reply = client.call_async(AddTwoInts.Request(a=2, b=3))
     while rclpy.ok() and not reply.done():

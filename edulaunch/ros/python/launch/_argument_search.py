@@ -25,7 +25,7 @@ _KEY = 'launch.look'
 
 
 class Look:
-    """The results for files that were only searched.
+    """The results of files that were searched without being launched.
 
     :ivar descriptions: by kind of source and location; None for what cannot be loaded.
     :ivar findings: by the identity of such a description what was found in it and below; None before the search.

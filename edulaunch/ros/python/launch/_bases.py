@@ -25,7 +25,7 @@ Parse = Callable[..., tuple[type, dict[str, Any]]]
 
 
 class ParsedByFrontend:
-    """Descriptor for `parse`: reads as the nearest class that the frontend knows, and answers with the class it was asked of.
+    """A descriptor for `parse`. It returns the nearest class that the frontend knows, together with the class that was asked.
 
     So `super().parse(entity, parser)` in a student's sub-class gives the keyword arguments of the base class.
 

@@ -74,7 +74,7 @@ def state_of(context: OfProcess) -> dict[str, Any]:
 
 
 def process_counter(context: OfProcess) -> list[int]:
-    """Return the number of the process that was numbered last, as the only item of a list; for any context, as above."""
+    """Return the number of the last numbered process, as the only item of a list. It is the same for any context, as above."""
     try:
         return context.process_counter
     except AttributeError:
@@ -99,8 +99,8 @@ def load_module(path: str, module_name: str) -> ModuleType:
 
 
 def import_for_expression(name: str) -> ModuleType:
-    """Return a module for a Python expression in a launch file: the simulation's own `time`, `random` ... where it
-    has one.
+    """Return a module for a Python expression in a launch file. If the simulation has its own module, such as `time` or `random`,
+    return that one.
     """
     return running_process().loader.import_(name, fromlist=('*',))
 

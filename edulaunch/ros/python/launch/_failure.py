@@ -28,7 +28,7 @@ CALL_LINES = 8
 
 
 def note_failure(error: BaseException, message: str) -> None:
-    """An error ended the launch, and `message` will be written; add advice for its readers.
+    """Record that an error ended the launch, and add advice to `message` for its readers.
 
     The launch process's `state['launch.exceptions']` collects them; `state['launch.on_error']` can replace the report.
     """
@@ -42,7 +42,7 @@ def note_failure(error: BaseException, message: str) -> None:
 
 
 def failure_data(error: BaseException, index: Index | None = None) -> dict[str, Any]:
-    """`type`, `message`, `place` (in the student's own file) and `facts` of an error.
+    """Return `type`, `message`, `place` (in the student's own file) and `facts` of an error.
 
     :param index: knows the student's own files (default: that of the running process).
     """

@@ -9,7 +9,7 @@ from ._engine import running_process
 
 
 class Observer(Protocol):
-    """Is called by the launch service while it visits entities and handles events."""
+    """An object that the launch service calls while it visits entities and handles events."""
 
     def enter(self, entity: Any, context: Any) -> None:
         """The service begins to visit an entity. Entities that are entered before :meth:`leave` belong to it."""

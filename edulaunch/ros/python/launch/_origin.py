@@ -1,4 +1,4 @@
-"""Finds the launch file and the line that created an action.
+"""Find the launch file and the line that created an action.
 
 ROS 2 has no such record; errors, `edulaunch doctor` and grades use it. It must cost next to nothing, because every action pays
 for it. Two numbers are stored, and converted to a readable form on request.
@@ -20,7 +20,7 @@ Place = tuple[str, int] | tuple[CodeType, int]
 
 
 class Inherited(tuple):  # type: ignore[type-arg]
-    """The place of an action that launch itself made during the visit of another one: the place of that other action."""
+    """The place of an action that launch itself created while it visited another one, which is the place of that other action."""
 
 
 MAKERS: dict[int, CodeType] = {}

@@ -21,20 +21,20 @@ class Declared(Protocol):
 
 
 def note_declared(argument: Declared) -> None:
-    """A launch argument was declared; the first declaration of a name is kept, in `launch.declared`."""
+    """Record the first declaration of a launch argument in `launch.declared`."""
     declared: list[Declared] = process_state('launch.declared', list)
     if all(argument.name != known.name for known in declared):
         declared.append(argument)
 
 
 def note_include(path: str) -> None:
-    """A launch file was included; its path goes to `launch.includes`."""
+    """Record the path of an included launch file in `launch.includes`."""
     includes: list[str] = process_state('launch.includes', list)
     includes.append(path)
 
 
 def note_undeclared(names: Iterable[str], declared: Iterable[str], file: str, origin: Origin | None) -> None:
-    """A launch file passes arguments to an included file that does not declare them; ROS 2 sets them silently.
+    """Record arguments that an included file does not declare. ROS 2 sets them without a message.
 
     They are kept in `launch.undeclared`.
     """

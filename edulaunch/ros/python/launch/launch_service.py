@@ -340,7 +340,7 @@ def _check_thread() -> None:
 
 
 def _cancel_all_tasks(loop: asyncio.AbstractEventLoop) -> None:
-    """Cancel the remaining tasks of a failed or interrupted launch, like `asyncio.run`."""
+    """Cancel the remaining tasks of a failed or interrupted launch, as `asyncio.run` does."""
     from edulaunch.engine.sim.loops import cancel_all_tasks
 
     cancel_all_tasks(loop)

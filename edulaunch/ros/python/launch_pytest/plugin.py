@@ -132,7 +132,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def _shared_launch(item: pytest.Item, options: dict[str, Any]) -> tuple[Any, ...]:
-    """Return what is equal for items that share a launch: the fixture, its parameters, and the node that is its scope."""
+    """Return the key of items that share a launch: the fixture, its parameters, and the node that is its scope."""
     node = item.getparent(NODES.get(options['scope'], pytest.Session)) or item.getparent(pytest.Module)
     parameter = getattr(item, 'callspec', None)
     value = parameter.indices.get(options['name']) if parameter is not None else None

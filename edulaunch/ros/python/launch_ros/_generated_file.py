@@ -1,4 +1,6 @@
-"""Parameter files that launch makes: named on command lines, and on the disk only while a real program may read them."""
+"""Parameter files that launch creates. Command lines name them, and they are on the disk only while a real program
+may read them.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +23,7 @@ _PATHS = 'launch_ros.parameter_files'
 
 
 class GeneratedFile:
-    """A file that is read by name: simulated programs get its content, real ones find it on the disk.
+    """A file with a name. Simulated programs receive its content, and real programs find it on the disk.
 
     :param path: its name on command lines; see :func:`temporary_path`.
     """
@@ -39,7 +41,7 @@ class GeneratedFile:
 
     @property
     def content(self) -> Any:
-        """What YAML reads in it."""
+        """The content as YAML reads it."""
         import yaml
 
         return yaml.safe_load(self.text)
@@ -84,13 +86,13 @@ class GeneratedParameters(GeneratedFile):
 
     @property
     def content(self) -> dict[str, Any]:
-        """What YAML reads in it."""
+        """The content as YAML reads it."""
         plain = {name: list(value) if isinstance(value, tuple) else value for name, value in self._values.items()}
         return {self._node_key: {PARAMETERS_KEY: plain}}
 
     @property
     def text(self) -> str:
-        """The value in YAML."""
+        """The value as YAML."""
         import yaml
 
         dumper: Any = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)
@@ -98,7 +100,7 @@ class GeneratedParameters(GeneratedFile):
         return text
 
     def entries(self) -> list[Entry]:
-        """The parameters in it; they take the way through its text only when one is not certain to come through it unchanged."""
+        """The parameters in the file. They are written and read as text only if the text could change one of them."""
         entries: list[Entry] = []
         line = 3
         for name in sorted(self._values):

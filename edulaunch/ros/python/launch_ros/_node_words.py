@@ -1,4 +1,4 @@
-"""The name and the namespace of a node: checked, with rclpy's own errors, and as words of its command line."""
+"""Check the name and the namespace of a node with rclpy's own errors, and convert them to words of its command line."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class _SpecificArgument(LocalSubstitution):
         self._key = key
 
     def perform(self, context: LaunchContext) -> str:
-        """Do the same as the base class, without compiling an expression."""
+        """Return the argument as the base class does, without compiling an expression."""
         arguments: dict[str, str] = context.local('ros_specific_arguments')
         return arguments[self._key]
 

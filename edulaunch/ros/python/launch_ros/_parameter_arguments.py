@@ -1,4 +1,4 @@
-"""From evaluated parameters to the words of a node's command line."""
+"""Convert evaluated parameters to the words of a node's command line."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class ParameterArguments:
         self._origins: ParameterOrigins | None = None
 
     def add_global(self, entries: Iterable[str | tuple[str, Any]]) -> None:
-        """What SetParameter and SetParametersFromFile left: pairs, and paths of files."""
+        """Add the pairs and the paths of files from SetParameter and SetParametersFromFile."""
         for entry in entries:
             if isinstance(entry, tuple):
                 name, value = entry
@@ -64,7 +64,7 @@ class ParameterArguments:
                 self._add((path, True))
 
     def add_own(self, context: LaunchContext, parameters: Parameters) -> None:
-        """The node's own, normalized ones."""
+        """Add the node's own, normalized parameters."""
         state, files = state_of(context), generated_files()
         for written in parameters:
             if isinstance(written, dict):
@@ -110,7 +110,7 @@ class ParameterArguments:
         self._add((f'{name}:={yaml.safe_dump(value)}', False), {name: value}, {name: parameter})
 
     def in_force(self, node: Origin | None) -> list[Given]:
-        """Return everything that is given to this node's parameters, the last for each is the one that counts.
+        """Return everything that is given to this node's parameters. The last value for each parameter is the one that counts.
 
         :param node: where the launch file made the node.
         """
@@ -123,7 +123,7 @@ class ParameterArguments:
         return in_force(found, self._full_name)
 
     def origins(self, node: Origin | None) -> ParameterOrigins:
-        """Return the parameter name -> where its value was written, for values that do not come from a parameter file.
+        """Return the place of each value by parameter name, for values that do not come from a parameter file.
 
         :param node: where the launch file made the node.
         """

@@ -1,4 +1,4 @@
-"""Where the values of a node's parameters were written, for people."""
+"""Descriptions of the places at which the values of a node's parameters were written."""
 
 from __future__ import annotations
 
@@ -120,7 +120,7 @@ class ParameterOrigins(Mapping[str, str]):
 class GlobalParameter(tuple[str, Any]):
     """Name and value from a SetParameter action, with the place of that action.
 
-    Upstream keeps a plain pair, and so it looks.
+    Upstream stores a plain pair, so the object looks like one.
     """
 
     origin: Origin | None = None
@@ -132,7 +132,7 @@ def place_text(file: str, line: int) -> str:
 
 
 def given_by_global(parameter: tuple[str, Any]) -> list[Given]:
-    """By SetParameter."""
+    """Return the value of a SetParameter action."""
     name, value = parameter
     origin = getattr(parameter, 'origin', None)
     if origin is None:
@@ -141,7 +141,7 @@ def given_by_global(parameter: tuple[str, Any]) -> list[Given]:
 
 
 def given_by_file(path: str, entries_of: Callable[[str], Sequence[Entry]]) -> list[Given]:
-    """By a parameter file; nothing when it cannot be read, for then the node says what is wrong."""
+    """Return the values of a parameter file, or none if it cannot be read, because the node reports that."""
     try:
         entries = entries_of(path)
     except (OSError, ValueError):
@@ -152,7 +152,8 @@ def given_by_file(path: str, entries_of: Callable[[str], Sequence[Entry]]) -> li
 def given_by_launch_file(
     pattern: str, values: Mapping[str, Any], written: Mapping[Any, Any], node: Origin | None
 ) -> Iterator[Given]:
-    """By one dict: the origin is the launch argument that decides a value, else the line that names it, else that of the node.
+    """Return the values of one dict. The origin is the launch argument that decides a value, or else the line that names it, or
+    that of the node.
 
     :param values: evaluated.
     :param written: normalized; in the same order, unless two names came out equal.

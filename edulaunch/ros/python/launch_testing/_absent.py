@@ -1,4 +1,6 @@
-"""What ROS 2's test tools have and these do not, as fewer than five public repositories use it; and what to use instead."""
+"""Names of ROS 2's test tools that are missing here, because fewer than five public repositories use them, and their
+alternatives.
+"""
 
 _RUNNING = 'run the test file with `pytest` or `launch_test`'
 _OUTPUT = 'compare with proc_output.assertWaitFor, or with assertInStdout of launch_testing.asserts'

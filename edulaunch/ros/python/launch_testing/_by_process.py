@@ -1,4 +1,4 @@
-"""What is kept of each process of a launch test."""
+"""Records of each process of a launch test."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Recorded = TypeVar('Recorded')
 
 
 class _ByProcess(Generic[Recorded]):
-    """What was noted of each process, by its action or by part of its launch name."""
+    """The records of each process, by its action or by a part of its launch name."""
 
     def __init__(self) -> None:
         self._recorded: dict[Any, Recorded] = {}

@@ -1,4 +1,4 @@
-"""The program of `KeepAliveProc`: waits for SIGINT."""
+"""The program of `KeepAliveProc`, which waits for SIGINT."""
 
 from __future__ import annotations
 

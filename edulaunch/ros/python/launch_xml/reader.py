@@ -42,7 +42,7 @@ def read(text: str) -> Element:
 
 
 class _Reading:
-    """One run of expat: the elements that are open right now, outermost the document itself."""
+    """One run of expat, with the elements that are open, outermost the document itself."""
 
     def __init__(self) -> None:
         from pyexpat import ParserCreate
@@ -104,5 +104,5 @@ class _Reading:
 
 
 def _qualified(name: str) -> str:
-    """`{namespace}name`, as the standard library writes it; expat leaves the first brace out."""
+    """Return `{namespace}name`, as the standard library writes it. expat leaves the first brace out."""
     return f'{{{name}' if '}' in name else name

@@ -77,7 +77,7 @@ class Entity(BaseEntity):
         return Entity(element, type_name, parent=self, line=getattr(item, 'line', 0))
 
     def _no_single_element(self, item: Any) -> RuntimeError:
-        """For an item of the list of children that is not one element."""
+        """Return the error for an item of the list of children that is not one element."""
         error = RuntimeError('Subentities must be a dictionary with only one key, which is the entity type')
         if not isinstance(item, dict) or not item:
             return places.at(error, self, 'launch.yaml-item')
@@ -165,7 +165,7 @@ class Entity(BaseEntity):
 
 
 def _as_wanted(value: Any, data_type: Any) -> str | None:
-    """Return how to write a value of the type; None if that is unknown."""
+    """Return how to write a value of the type; None if that is not known."""
     if data_type is str and isinstance(value, (int, float)):
         return f"'{str(value).lower() if isinstance(value, bool) else value}'"
     if data_type is str and isinstance(value, list) and all(isinstance(item, str) for item in value):

@@ -186,7 +186,7 @@ class TimeSynchronizer(SimpleFilter):
             del queue[min(queue)]
 
     def _pass(self, stamps: Sequence[int]) -> None:
-        """Give out one message of each queue, by their stamps, and forget them afterwards."""
+        """Pass on one message of each queue, selected by their stamps, and remove them."""
         chosen = list(zip(self.queues, stamps, strict=True))
         self.signalMessage(*(queue[stamp] for queue, stamp in chosen))
         for queue, stamp in chosen:
@@ -221,7 +221,9 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
                     break
 
     def _near(self, queue: Queue, stamp_ns: int, is_own: bool) -> list[int]:
-        """Return the stamps of a queue that are near enough, nearest first; of the message's own queue only its own stamp."""
+        """Return the stamps of a queue that are near enough, nearest first. For the message's own queue, return only its own
+        stamp.
+        """
         if is_own:
             return [stamp_ns]
         return sorted(

@@ -86,7 +86,7 @@ class ComponentManager(CppNode):
         response.full_node_name = node.get_fully_qualified_name()
 
     def _why_not(self, request: Any) -> str:
-        """For what is not there: which components there are, or that a C++ compiler would be needed."""
+        """Return the reason why a component is missing: the existing components, or the missing C++ compiler."""
         index, package = current_process().index, request.package_name
         if index.contents(package) is not None:
             return f'{request.plugin_name} of {package} is built from C++, which does not run here'

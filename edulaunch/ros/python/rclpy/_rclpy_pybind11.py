@@ -1,4 +1,4 @@
-"""The errors that ROS 2's C layer raises, under the name by which tracebacks show them."""
+"""The errors of ROS 2's C layer, under the names in tracebacks."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ class RCLError(RuntimeError):
 
 
 class RCLInvalidROSArgsError(RCLError):
-    """The arguments after `--ros-args` cannot be understood."""
+    """The arguments after `--ros-args` are invalid."""
 
 
 class UnknownROSArgsError(RuntimeError):
-    """There are arguments after `--ros-args` that mean nothing; the text is the Python list of them."""
+    """There are unknown arguments after `--ros-args`. The message is the Python list of them."""
 
 
 class RMWError(RuntimeError):
@@ -20,7 +20,7 @@ class RMWError(RuntimeError):
 
 
 class InvalidHandle(RuntimeError):
-    """Something was used after it was destroyed."""
+    """A destroyed object was used."""
 
 
 class NodeNameNonExistentError(RCLError):
@@ -28,12 +28,12 @@ class NodeNameNonExistentError(RCLError):
 
 
 class UnsupportedEventTypeError(RCLError):
-    """An event callback is for an event that the middleware does not have."""
+    """The middleware does not have the event of an event callback."""
 
 
 class NotImplementedByRMWError(Exception):
-    """The middleware cannot do this."""
+    """The middleware does not support this."""
 
 
 class TimerCancelledError(RCLError):
-    """A timer that was cancelled was asked when it fires."""
+    """A program asked a cancelled timer for its next call."""

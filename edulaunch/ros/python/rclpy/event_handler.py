@@ -136,7 +136,7 @@ class _MatchCount:
 
 
 class _EventCallbacks:
-    """What both kinds of callbacks share. `incompatible_qos` defaults to a warning in the log."""
+    """The common part of both kinds of callbacks. `incompatible_qos` logs a warning by default."""
 
     _warning: str
 
@@ -158,7 +158,7 @@ class _EventCallbacks:
         self.use_default_callbacks = use_default_callbacks
 
     def attach(self, node: Any, entity: Any, impl: Any, group: CallbackGroup) -> None:
-        """Watch an endpoint that was just made; partners that it found at once count too."""
+        """Watch a new endpoint. Partners that it found at once also count."""
         incompatible_qos = self.incompatible_qos or (self._warn_of(node, entity) if self.use_default_callbacks else None)
         if incompatible_qos is not None:
             self._watch_incompatible(node, entity, impl, group, incompatible_qos)
@@ -185,7 +185,7 @@ class _EventCallbacks:
         return warn_of
 
     def _watch_liveliness(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
-        """Of a publisher or of a subscription's publishers."""
+        """Watch the liveliness of a publisher or of a subscription's publishers."""
         raise TypeError(f'{type(self).__name__} is neither of a publisher nor of a subscription')
 
     def _watch_incompatible(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:

@@ -65,7 +65,7 @@ class MultiThreadedExecutor(Executor):
         self._ending: SimTask | None = None
 
     def _execute(self, item: Item) -> None:
-        """Hand an item to a thread, and let that run until it blocks.
+        """Give an item to a thread, and let the thread run until it blocks.
 
         Raises what a callback has raised until then (as rclpy: when it blocks first, that comes out at the next item).
         """
@@ -101,13 +101,13 @@ class MultiThreadedExecutor(Executor):
             self._threads.append(process.start_thread(self._work_off, f'executor-{len(self._threads)}', True))
 
     def _finish(self) -> None:
-        """At the end of the program: wait for the callbacks that are executed, as Python waits for the threads of its pools."""
+        """Wait for running callbacks at the end of the program, as Python waits for the threads of its pools."""
         self._ending = current_task()
         while len(self._idle) < len(self._threads):
             self._ending.park()
 
     def _work_off(self) -> None:
-        """The loop of each thread: take jobs, and park without one. A real thread, which checks again by itself, ends with the
+        """Run the loop of a thread: take jobs, and park without one. A real thread, which checks again by itself, ends with the
         executor.
         """
         thread = current_task()

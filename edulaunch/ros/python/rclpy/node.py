@@ -230,7 +230,7 @@ def _start_services(node: Node, parameters: bool, logger: bool) -> None:
 
 
 def _create_rosout(core: NodeCore) -> None:
-    """The publisher of the node's log messages; the first node of a name keeps it."""
+    """Create the publisher of the node's log messages. If nodes share a name, the first one owns it."""
     from rcl_interfaces.msg import Log
 
     publisher = core.graph.create_publisher(core.entry, '/rosout', Log, engine_qos(qos_profile_rosout_default))

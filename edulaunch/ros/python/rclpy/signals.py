@@ -12,7 +12,7 @@ from rclpy.process_state import ProcessState, process_state
 
 
 class _Pybind11Type(EnumMeta):
-    """The class of ROS 2's enumerations in C++, which have members but cannot be iterated."""
+    """The class of ROS 2's C++ enumerations, which have members but cannot be iterated."""
 
     def __iter__(cls) -> NoReturn:
         raise TypeError("'pybind11_type' object is not iterable")

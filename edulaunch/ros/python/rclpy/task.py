@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class _UnfetchedException:
-    """Lives as long as a future whose exception was never read, and then reports it.
+    """Exists as long as a future whose exception was never read, and then reports the exception.
 
     Not in the future itself: hardly any needs it, and an object with a `__del__` costs more to make and to drop.
     """
@@ -90,7 +90,7 @@ class Future:
         return self._done
 
     def _count_look(self, source: Any) -> None:
-        """Note a deadlock when one callback keeps looking at a future that cannot be done before that callback ends."""
+        """Record a deadlock if a callback repeatedly checks a future that cannot be done before the callback ends."""
         executor = source.ready_list.executor
         turn = None if executor is None else executor.cannot_serve(source)
         if turn is None:
@@ -252,7 +252,7 @@ class Task(Future):
                 self._note_deadlock(self._entity, awaited._source)
 
     def _note_deadlock(self, entity: Entity, source: Any) -> None:
-        """A callback that waits keeps its group: a client of the same group gets no answer."""
+        """Record a deadlock: a waiting callback blocks its group, so a client of the same group receives no reply."""
         if source.callback_group is entity.callback_group and source.callback_group.busy_with is entity:
             from rclpy.impl.facts import note_wait
 

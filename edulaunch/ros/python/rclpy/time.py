@@ -121,7 +121,7 @@ class Time:
 
 
 def _message_of(wire: tuple[int, int]) -> Any:
-    """builtin_interfaces/Time from (sec, nanosec): this is asked for with every stamp."""
+    """Return builtin_interfaces/Time from (sec, nanosec). It is called for every stamp."""
     cls = _time_message_class()
     return cls.from_wire(wire)
 

@@ -75,7 +75,7 @@ class Timer(TimedEntity):
         self._period_ns = int(value)
 
     def _plan(self) -> None:
-        """Work out when the timer is due in simulated time, and let the executor look again."""
+        """Compute when the timer is due in simulated time, and let the executor check again."""
         if self._canceled:
             self.due_ns = NEVER_NS
         elif self._clock.override_ns is None:
@@ -127,7 +127,7 @@ class Timer(TimedEntity):
         return self.callback()  # type: ignore[misc]  # None ends the program, as in ROS 2
 
     def _note_skipped(self, now_ns: int) -> None:
-        """The executor comes a whole period late, or later: something holds it up."""
+        """Record that the executor came at least one whole period late, because something blocked it."""
         from rclpy.impl.facts import callback_name, node_name
 
         late_s = round((now_ns - self._next_ns) / 1e9, 9)

@@ -62,7 +62,7 @@ def wrong_class(given: Any, interface: Any, part: str) -> TypeError:
 
 
 def _has(cls: Any, name: str) -> bool:
-    """As `hasattr`, without making the parts of services and actions, which are made when first read."""
+    """Return whether an attribute exists, without creating the parts of services and actions, which are created on first use."""
     for base in getattr(cls, '__mro__', ()):  # noqa: SIM110 - a loop takes half the time, and each service asks twice
         if name in base.__dict__:
             return True

@@ -1,4 +1,4 @@
-"""A robot description read with urdf_parser_py: its joints, and the transform of each at a position."""
+"""The joints of a robot description that urdf_parser_py has read, and the transform of each joint at a position."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Quaternion = tuple[float, float, float, float]
 
 
 class Mimic(NamedTuple):
-    """A joint goes where another one is: multiplier * position + offset."""
+    """A joint that follows another one: multiplier * position + offset."""
 
     joint: str
     multiplier: float
@@ -95,7 +95,7 @@ def read_joints(description: str) -> list[Joint]:
 
 
 def _check_tree(links: list[str], joints: list[Joint]) -> None:
-    """All links are there and hang together at one root.
+    """Check that all links exist and that they form a tree with one root.
 
     :raises ValueError: as the original's parser refuses the whole description.
     """

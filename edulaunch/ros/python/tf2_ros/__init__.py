@@ -51,7 +51,7 @@ def __getattr__(name: str) -> Any:
 
 
 def _of_a_module(name: str) -> Any:
-    """Upstream takes in whatever its modules have, so `from tf2_ros import TransformStamped` works."""
+    """Return a name of one of the modules. Upstream exports all their names, so `from tf2_ros import TransformStamped` works."""
     if not name.startswith('_'):
         for module in _MODULES:
             found = import_module(f'tf2_ros.{module}')

@@ -115,7 +115,10 @@ class Buffer(BufferCore, BufferInterface):
             self._call_new_data_callbacks()
 
     def _set_wire(self, wire: tuple[Any, ...], authority: str) -> None:
-        """:meth:`set_transform` with the wire tuple of a transform."""
+        """Add the wire tuple of a transform; see :meth:`set_transform`.
+
+        :meth:`set_transform` with the wire tuple of a transform.
+        """
         rejections = self._tf.set(wire[2], wire[3], wire[0] * NS_PER_S + wire[1], wire[4:], authority)
         if rejections:
             report(rejections)
@@ -196,7 +199,7 @@ class Buffer(BufferCore, BufferInterface):
         return answer if return_debug_tuple else answer[0]
 
     def _wait_for(self, check: Callable[[], tuple[int, str]], timeout: object) -> tuple[int, str]:
-        """Ask every 20 ms of simulated time until the answer is yes or the timeout is over.
+        """Check every 20 ms of simulated time until the condition is true or the timeout ends.
 
         :raises TypeError: the timeout is not an rclpy Duration, which ROS 2 notices when it adds it to the time.
         """

@@ -40,7 +40,7 @@ class StaticTransformBroadcaster:
         self.pub_tf.publish(TFMessage(transforms=list(self._sent.values())))
 
     def _note_repeated(self, new: TransformStamped) -> None:
-        """A frame is sent again with other values, which no subscription will receive."""
+        """Record that a frame is sent again with other values, which no subscription will receive."""
         old = self._sent[new.child_frame_id]
         if (old.header.frame_id, old.transform) == (new.header.frame_id, new.transform):
             return

@@ -102,7 +102,7 @@ def _from_flags(flags: dict[str, str]) -> Request:
 
 
 def _from_positions(words: list[str]) -> Request:
-    """x y z yaw pitch roll frame child, or x y z qx qy qz qw frame child."""
+    """Return the request for arguments without names: x y z yaw pitch roll frame child, or x y z qx qy qz qw frame child."""
     if len(words) < 8:
         raise ArgumentError('Not enough arguments to parse')
     if len(words) > 9:

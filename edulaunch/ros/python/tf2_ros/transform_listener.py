@@ -118,14 +118,14 @@ class TransformListener:
 
 
 def _note_dropped(node: Node, line: dict[str, Any]) -> None:
-    """A listener is deleted although its node still exists, because no object refers to it."""
+    """Record that a listener was deleted although its node still exists, because no object refers to it."""
     core = core_of(node)
     if not core.destroyed and core.context.alive and core.process.returncode is None:
         core.process.fact('listener dropped', core.full_name, {'node': core.full_name, **line})
 
 
 def _nowhere(message: TFMessage) -> None:
-    """The callback until there is a buffer."""
+    """Do nothing. This is the callback before there is a buffer."""
 
 
 def _receiver(set_transform: Any) -> Any:

@@ -1,4 +1,4 @@
-"""A node that first needs another turtle: the once-a-second steps to get one."""
+"""A node that first spawns another turtle, in one step per second."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from turtlesim.srv import Spawn
 
 
 class SpawningNode(Node):
-    """Asks for a turtle at (4, 2, 0). Each second does one thing: ask, see the reply, then `on_step`."""
+    """Spawns a turtle at (4, 2, 0). Each second it does one step: send the request, read the reply, and then call `on_step`."""
 
     def __init__(self, node_name: str, turtle: str) -> None:
         super().__init__(node_name)

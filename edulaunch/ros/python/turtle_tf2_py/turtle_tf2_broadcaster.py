@@ -24,7 +24,7 @@ class FramePublisher(Node):
         self._poses.take_wires(self._on_pose)
 
     def _on_pose(self, pose: tuple[float, ...]) -> None:
-        """Broadcast a pose. Both messages are wires, with their fields in order, because this runs 62.5 times a second for
+        """Broadcast a pose. Both messages are wire tuples, with their fields in order, because this runs 62.5 times a second for
         each turtle.
         """
         x, y, theta, _, _ = pose

@@ -162,7 +162,7 @@ class TurtlePorts:
             self._log.debug(f'[{self._node.get_namespace()}]: pos_x: {turtle.x:f} pos_y: {turtle.down:f} theta: {turtle.theta:f}')
 
     def _on_command(self, twist: tuple[float, ...]) -> None:
-        """Follow a command, given as the wire of a Twist: of three objects nothing else would be used."""
+        """Follow a command, given as the wire tuple of a Twist, because only its numbers are needed."""
         forward, left, _, _, _, turning = twist
         turtle = self.turtle
         holonomic = (left or turtle.sideways) and self._node.get_parameter('holonomic').value

@@ -1,4 +1,4 @@
-"""Ends a process that does not end after the first signal."""
+"""End a process that does not end after the first signal."""
 
 from __future__ import annotations
 

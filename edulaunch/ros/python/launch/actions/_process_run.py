@@ -1,4 +1,4 @@
-"""One run of a program, from launch's side: its output and its end arrive on launch's own loop."""
+"""One run of a program as launch sees it. Its output and its end arrive on launch's own loop."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class ProcessRun:
 
 
 class OutputLines:
-    """Cuts text that comes in pieces into lines; a line is passed on when it is complete.
+    """Splits output that arrives in pieces into lines, and passes each complete line on.
 
     :param emit: called with each line, without its end.
     :param cached: keep everything, for :attr:`text`.
@@ -101,8 +101,8 @@ DEFAULT_OUTPUT_FORMAT = '[{this.process_description.final_name}] {line}'
 
 
 class ProcessOptions(NamedTuple):
-    """See :class:`launch.actions.ExecuteLocal`. Only `respawn` may consist of substitutions, until the action is prepared. As
-    upstream, the other arguments are used unchanged.
+    """See :class:`launch.actions.ExecuteLocal`. Only `respawn` may be substitutions before the action is prepared. As upstream,
+    the other arguments are used unchanged.
     """
 
     shell: Any = False
@@ -115,7 +115,7 @@ class ProcessOptions(NamedTuple):
     respawn_max_retries: Any = -1
 
     def wants_respawn(self, retries: int) -> bool:
-        """Return whether a process that has ended is to be started again.
+        """Return whether a process that has ended should be started again.
 
         :param retries: how often it was already.
         :raises TypeError: when the number of retries is invalid.

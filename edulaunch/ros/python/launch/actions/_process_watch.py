@@ -81,7 +81,7 @@ class ProcessWatch(BaseEventHandler):
         return '' if lines is None else lines.text
 
     def _lines_of(self, stream: str) -> OutputLines:
-        """Made when the first text comes: many programs never print."""
+        """Return the lines of a stream. The object is created with the first output, because many programs never print."""
         lines = self._lines.get(stream)
         if lines is None:
             stdout, stderr = get_output_loggers(self._details['name'], self._output)
@@ -132,7 +132,7 @@ class ProcessWatch(BaseEventHandler):
         self._run.complete.add_done_callback(lambda complete: self._end(context, complete.result()))
 
     def _end(self, context: LaunchContext, returncode: int, patience: int = PATIENCE) -> None:
-        """The program has ended: log it if its output goes to the screen, and start it again if requested.
+        """Log the end of the program if its output goes to the screen, and start it again if requested.
 
         :param patience: how many more rounds of the loop to wait for events of output (after its end launch handles none).
         """
@@ -262,7 +262,7 @@ class ProcessWatch(BaseEventHandler):
         self._run.send_signal(event.signal)
 
     def _shut_down(self, context: LaunchContext, *, send_sigint: bool) -> Entities | None:
-        """Begin to end the process: timers for stronger signals to visit, and the first signal."""
+        """Start to end the process: send the first signal, and return the timers for stronger signals."""
         if self._is_asked_to_end or self.completed.done():
             return None
         if self._run is None:
@@ -288,7 +288,7 @@ def _wants_terminal(context: LaunchContext, options: ProcessOptions) -> bool:
 
 
 def start_failure(error: Exception, action: ExecuteLocal, details: dict[str, Any]) -> str:
-    """Python's own last line about `error`, and a line of help with the place of the action.
+    """Return Python's own last line about `error`, and a line of help with the place of the action.
 
     ROS 2 shows a traceback of launch instead, in which nothing is the student's.
     """

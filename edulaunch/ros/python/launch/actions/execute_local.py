@@ -220,7 +220,7 @@ class ExecuteLocal(Action):
 
 @lru_cache(maxsize=1)
 def _watch_type() -> type[ProcessWatch]:
-    """Imported when the first process is scheduled; the statement itself takes time, too."""
+    """Import the class when the first process is scheduled, because the statement takes time."""
     from ._process_watch import ProcessWatch
 
     return ProcessWatch

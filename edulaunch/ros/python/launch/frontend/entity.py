@@ -100,14 +100,14 @@ class Entity(ABC):
         return places.at(error, self, 'launch.unknown-attribute', attribute=name, kind_of=kind, near=nearest(name, self._known))
 
     def _missing(self, error: AttributeError, name: str) -> AttributeError:
-        """Return the error for a name that is needed, with what the element has instead."""
+        """Return the error for a required name, with the names that the element has."""
         kind, _, wanted = name.rpartition(' ')
         given = [str(one) for one in self._names if one not in self.asked]
         return places.at(error, self, 'launch.missing-attribute', needed=wanted.strip("'"), given_names=given)
 
     @property
     def _known(self) -> Collection[str]:
-        """The names that the element could have, as far as they were asked for."""
+        """The names that the element could have, as far as parse functions have requested them."""
         return self.asked
 
     @property

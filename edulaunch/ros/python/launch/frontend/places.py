@@ -47,12 +47,12 @@ def complete_unreadable(error: Any, file: str) -> None:
 
 
 def _first_or_bad_line(error: Exception) -> int:
-    """Return the place of a byte that is not UTF-8; any other problem concerns the whole text, which begins at line 1."""
+    """Return the place of a byte that is not UTF-8. Any other problem concerns the whole text, so its place is line 1."""
     return error.object.count(b'\n', 0, error.start) + 1 if isinstance(error, UnicodeDecodeError) else 1
 
 
 def _point_to(error: Any, file: str, line: int) -> None:
-    """The same place as an error of a Python launch file has it (see `launch._origin`)."""
+    """Store the place in the same form as for an error of a Python launch file (see `launch._origin`)."""
     error.edulaunch_file, error.edulaunch_line = file, line
     if file and not hasattr(error, 'edulaunch_origin'):
         error.edulaunch_origin = origin_of((file, line))

@@ -42,7 +42,7 @@ _TIME_AND_LINE = logging.Formatter('{created:.7f} {msg}', style='{')
 
 
 class _CurrentLaunchConfig:
-    """Stands for the `LaunchConfig` of whichever process is running."""
+    """Represents the `LaunchConfig` of the running process."""
 
     def __getattr__(self, name: str) -> Any:
         return getattr(logging_state().config, name)

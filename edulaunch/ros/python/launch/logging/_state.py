@@ -91,7 +91,7 @@ class LaunchConfig:
         self.reset()
 
     def reset(self) -> None:
-        """Go back to the formats, level and places of the beginning. Loggers keep the handlers that they have."""
+        """Restore the formats, level and places of the start. Loggers keep their handlers."""
         self._log_dir: str | None = None
         self.file_handlers: dict[str, Any] = {}
         self.screen_handler: Any = None
@@ -105,7 +105,7 @@ class LaunchConfig:
 
     @property
     def level(self) -> int:
-        """Records below this level are dropped."""
+        """The lowest level of records that are written."""
         return self._root.level
 
     @level.setter
@@ -171,7 +171,7 @@ class LaunchConfig:
         return self.screen_handler
 
     def get_log_file_path(self, file_name: str = 'launch.log') -> str:
-        """Return where a log file of that name is."""
+        """Return the path of a log file with that name."""
         return os.path.join(self.log_dir, file_name)
 
     def get_log_file_handler(self, file_name: str = 'launch.log') -> Any:
@@ -206,7 +206,7 @@ def _formatter(
 
 
 class LaunchLogger(logging.Logger):
-    """A logger that keeps its records to itself and stamps them with simulated time."""
+    """A logger that does not pass records to other loggers, and stamps them with simulated time."""
 
     def __init__(self, name: str, level: int = logging.NOTSET) -> None:
         super().__init__(name, level)
@@ -226,16 +226,14 @@ class LaunchLogger(logging.Logger):
         return record
 
     def handle(self, record: logging.LogRecord) -> None:
-        """Write the record, and (unless it is a line that a program printed) let the simulation record it
-        too.
-        """
+        """Write the record. Also let the simulation record it, unless it is a line that a program printed."""
         if not self._is_output:
             running_process().log(record.levelno, record.name, record.getMessage())
         super().handle(record)
 
 
 class LoggingState:
-    """The values that upstream keeps in globals: `root`, the loggers below it, and the `config`."""
+    """The values that upstream stores in globals: `root`, the loggers below it, and the `config`."""
 
     def __init__(self) -> None:
         self.config: LaunchConfig

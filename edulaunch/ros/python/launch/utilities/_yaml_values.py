@@ -1,4 +1,4 @@
-"""Single values by the rules of YAML 1.1."""
+"""Read single values by the rules of YAML 1.1."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ _NULLS = ('null', 'Null', 'NULL')
 
 
 def load_yaml_value(text: str) -> Any:
-    """Do the same as `yaml.safe_load`, but read words and plain numbers, which are nearly all values, without the parser (50 us
-    each).
+    """Return a value as `yaml.safe_load` does. Words and plain numbers, which are nearly all values, are read without the parser
+    (50 us each).
 
     :raises yaml.YAMLError: when the text is not YAML.
     :raises ValueError: when it is nested too deep, or its aliases multiply it too much.

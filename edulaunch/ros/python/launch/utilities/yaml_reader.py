@@ -150,7 +150,7 @@ def _refused(text: str, line: int) -> ValueError:
 
 
 class _Size:
-    """Counts what a node stands for; nodes that aliases share are counted each time but looked at once."""
+    """Counts the values below a node. Nodes that aliases share count each time, but are visited once."""
 
     def __init__(self, limit: int) -> None:
         self.limit = limit

@@ -21,7 +21,7 @@ Holds = Callable[[], bool]
 
 
 async def _wait(context: LaunchContext, handler: Callable[[Any], Any], holds: Holds, timeout: float | None) -> bool:
-    """Look whether it holds, now and after each event."""
+    """Check the condition now and after each event."""
     news = asyncio.Event()
     on_event = handler(lambda event, context=None: news.set())
     context.register_event_handler(on_event)
@@ -95,20 +95,20 @@ def _for_output(stream: str) -> tuple[Any, Any, Any, Any]:
     def wait_sync(
         launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
     ) -> bool:
-        """Do the same as the coroutine, for tests that are plain functions."""
+        """Wait in a plain function; see the coroutine."""
         return _wait_sync(launch_context, *_look(process_action, validate_output, stream), timeout)
 
     async def check(
         launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
     ) -> None:
-        """As `wait_for_...`. Raises AssertionError when it is not in time: that of `validate_output`, if it makes any."""
+        """Wait as `wait_for_...` does. Raise AssertionError after the timeout: the one of `validate_output`, if it raises one."""
         if not await wait(launch_context, process_action, validate_output, timeout):
             _complain(process_action, validate_output, stream)
 
     def check_sync(
         launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
     ) -> None:
-        """Do the same as the coroutine, for tests that are plain functions."""
+        """Check in a plain function; see the coroutine."""
         if not wait_sync(launch_context, process_action, validate_output, timeout):
             _complain(process_action, validate_output, stream)
 
@@ -126,7 +126,7 @@ def _for_event(handler: Callable[..., Any], argument: str, has_come: Callable[[E
         return await _wait(launch_context, *look(process_action), timeout)
 
     def wait_sync(launch_context: LaunchContext, process_action: ExecuteLocal, timeout: float | None = None) -> bool:
-        """Do the same as the coroutine, for tests that are plain functions."""
+        """Wait in a plain function; see the coroutine."""
         return _wait_sync(launch_context, *look(process_action), timeout)
 
     return wait, wait_sync

@@ -1,4 +1,4 @@
-"""What installed packages add to each node that is started: classes announced as entry points of `launch_ros.node_action`."""
+"""Extensions of installed packages for each started node: classes that are entry points of `launch_ros.node_action`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ FOLDER_ENDINGS = ('.dist-info', '.egg-info')
 
 
 class NodeActionExtension:
-    """Base of such a class. `NAME` is the name of its entry point."""
+    """The base class of such an extension. `NAME` is the name of its entry point."""
 
     NAME: str | None = None
     EXTENSION_POINT_VERSION = '0.1'
@@ -30,8 +30,9 @@ class NodeActionExtension:
     def prepare_for_execute(
         self, context: LaunchContext, ros_specific_arguments: dict[str, Any], node_action: Node
     ) -> tuple[list[Any], dict[str, Any]]:
-        """Called before a node is started; gives further words of its command line, and the local variable
-        `ros_specific_arguments` as it is to be."""
+        """Return further words of the command line and the new value of the local variable `ros_specific_arguments`. It is called
+        before a node starts.
+        """
         return [], ros_specific_arguments
 
 

@@ -88,7 +88,7 @@ async def _change_state(context: LaunchContext, node: LifecycleNode, event: Any)
 
 
 async def _ask(context: LaunchContext, node: LifecycleNode, event: Any) -> bool | None:
-    """Whether the node has made the transition; None when launch shuts down before it answers."""
+    """Return whether the node has made the transition; None if launch shuts down before the node replies."""
     from lifecycle_msgs.srv import ChangeState as ChangeStateService
 
     request: Any = ChangeStateService.Request()

@@ -176,8 +176,7 @@ class Node(ExecuteProcess):
         }
 
     def _perform_substitutions(self, context: LaunchContext) -> None:
-        """Complete the command line; the parts that belong to the process itself stay for :meth:`execute`.
-        Works once."""
+        """Complete the command line. The parts of the process itself are left for :meth:`execute`."""
         if self.__substitutions_performed:
             return
         self.__substitutions_performed = True

@@ -72,7 +72,7 @@ def _is_lifecycle_node(target: Any) -> bool:
 
 
 def _label(value: SomeSubstitutionsType) -> str:
-    """Return a label is needed before there is a context, so only plain strings can be used."""
+    """Return a label, which must be a plain string because it is needed before a context exists."""
     from launch.launch_context import LaunchContext
 
     return perform_substitutions(LaunchContext(), normalize_to_list_of_substitutions(value))

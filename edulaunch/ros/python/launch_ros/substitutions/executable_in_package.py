@@ -73,7 +73,7 @@ class ExecutableInPackage(FindPackagePrefix):
 
 
 def _failure(message: str, index: Any, package: str, executable: str) -> SubstitutionFailure:
-    """ROS's own error, with what is known of such an executable."""
+    """Return ROS's own error, with facts about such an executable."""
     from edulaunch.ros.sources.missing import missing_executable
 
     return with_facts(SubstitutionFailure(message), **missing_executable(index, package, executable))

@@ -124,7 +124,7 @@ class ActionServer(Waitable):
 
     @property
     def _goal_handles(self) -> dict[bytes, ServerGoalHandle]:
-        """The goals that are not forgotten, by id."""
+        """The stored goals, by id."""
         self._forget_old_goals()
         return self._goals
 
@@ -200,7 +200,9 @@ class ActionServer(Waitable):
         self._cancel_service.respond(request_id, service.Response.to_wire(response))
 
     def _goals_to_cancel(self, info: Any, response: Any) -> list[ServerGoalHandle]:
-        """Return which goals a request means: one by id, all up to a time, or (neither given) all that can be cancelled."""
+        """Return the goals that a request selects: one by id, or all up to a time. If it gives neither, return all goals that can
+        be cancelled.
+        """
         goal_uuid = bytes(info.goal_id.uuid)
         limit = (info.stamp.sec, info.stamp.nanosec)
         stoppable = [goal for goal in self._goals.values() if goal.status in (GoalState.ACCEPTED, GoalState.EXECUTING)]
@@ -265,7 +267,7 @@ class ActionServer(Waitable):
         self._give_result(goal_handle, result)
 
     def _give_result(self, goal_handle: ServerGoalHandle, result: Any) -> None:
-        """Answer the requests for the result of a goal; the first result counts."""
+        """Reply to the requests for the result of a goal. The first result counts."""
         future = self._result_futures.get(bytes(goal_handle.goal_id.uuid))
         if future is not None and not future.ended:
             if not isinstance(result, self._action_type.Result):

@@ -269,7 +269,7 @@ class Executor(Waiting):
     def _spin_once_impl(
         self, timeout_sec: float | TimeoutObject | None = None, wait_condition: Callable[[], bool] = never
     ) -> None:
-        """What both kinds of `spin_once` do, for executors of one's own that change it.
+        """Execute one callback. Both kinds of `spin_once` use it, and custom executors can override it.
 
         :param wait_condition: ends the wait when it holds.
         """

@@ -209,7 +209,7 @@ def _waiting(core: NodeCore) -> Facts:
 
 
 def _going_on(core: NodeCore, something_waits: bool) -> Facts:
-    """A callback that does not end: it waits without a time limit while something else waits, or timers are due since long."""
+    """Record a callback that does not end. It waits without a timeout while other callbacks wait or timers are overdue."""
     executor = core.ready_list.executor
     task = None if executor is None else executor.spinner
     if executor is None or task is None or task is running_task():

@@ -71,7 +71,7 @@ class ConsoleFormat:
         return f'{text}\n' if color is None else f'{color}{text}{_NORMAL}\n'
 
     def _expanded(self, record: Record) -> str:
-        """Known tokens in braces replaced; anything else stays as it is."""
+        """Return the text with its known tokens replaced. Anything else does not change."""
         head, *parts = self.text.split('{')
         for part in parts:
             token, brace, rest = part.partition('}')

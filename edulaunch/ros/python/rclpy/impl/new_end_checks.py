@@ -102,7 +102,7 @@ def checked_action_name(core: NodeCore, name: str, kind: str) -> str:
 
 
 def _problem(core: NodeCore, name: str) -> str | None:
-    """Return what is wrong with a name, as ROS 2 sees it on the name of the action's first service."""
+    """Return what is wrong with a name, as ROS 2 reports it for the name of the action's first service."""
     if not name:
         return 'invalid empty action name'
     service = f'{name}/_action/send_goal'

@@ -41,7 +41,7 @@ def private_names(node: NodeProtocol) -> Iterator[tuple[str, dict[str, Any]]]:
 
 
 def _line_of(node: NodeProtocol, name: str) -> dict[str, Any]:
-    """Return where the student's class gives it a value first; nothing where the class has no constructor of its own."""
+    """Return the line where the student's class first assigns the name, or None if the class has no constructor."""
     code = getattr(type(node).__init__, '__code__', None)
     if code is None or type(node).__init__.__module__.partition('.')[0] == 'rclpy':
         return {}

@@ -121,7 +121,7 @@ class Waiting:
                 entity.ready_list.entities.append(entity)
 
     def _wait(self, deadline_ns: int | None) -> None:
-        """Park until something may be ready, a timer is due, or the deadline.
+        """Park until something may be ready, a timer is due, or the deadline is reached.
 
         :raises ShutdownException: when the executor was shut down meanwhile.
         :raises ExternalShutdownException: when the context was.
@@ -165,11 +165,11 @@ class Waiting:
         return [task for task in reversed(self._tasks) if not (task.ended or task.executing())]
 
     def _forget_tasks(self) -> None:
-        """Keep only the tasks that are neither done nor cancelled."""
+        """Remove the tasks that are done or cancelled."""
         self._tasks = [task for task in self._tasks if not task.ended]
 
     def _ready_items(self, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Generator[Item, None, None]:
-        """Item by item what one wait brings, and without a deadline what the next ones bring: tasks first, then what is ready.
+        """Yield the items of one wait, and without a deadline those of the next ones: tasks first, then ready entities.
 
         With `poll` it does not wait, but gives out what is ready now.
 

@@ -184,7 +184,7 @@ class Life:
         return result
 
     def _mistaken(self, callback: str, how: dict[str, str]) -> TransitionCallbackReturn:
-        """ROS 2 takes it for TransitionCallbackReturn.ERROR and says nothing: a fact."""
+        """Record as a fact that ROS 2 silently takes a return value for TransitionCallbackReturn.ERROR."""
         core = core_of(self.node)
         core.process.fact(
             'transition failed', (core.entry.index, callback), {'node': core.full_name, 'callback': callback, **how}
@@ -225,7 +225,7 @@ class LifecycleServices:
         self._events.publish(TransitionEvent(start_state=_state(start), goal_state=_state(goal)))
 
     def _on_change_state(self, request: Any, response: Any) -> Any:
-        """Return a label that does not suit is refused; a number that does not suit is an error of the node, as in rclpy."""
+        """Make a requested transition. An invalid label is refused. An invalid number is an error of the node, as in rclpy."""
         label = request.transition.label
         try:
             response.success = self._life.trigger(label or request.transition.id) is TransitionCallbackReturn.SUCCESS

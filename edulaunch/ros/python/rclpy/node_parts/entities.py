@@ -304,7 +304,7 @@ class NodeEntities:
 
 
 def _resolved(core: NodeCore, name: str, kind: str, only_expand: bool) -> str:
-    """As `core.resolve`, but a name that breaks the rules is an RCLError, as rclpy has it in the methods that only resolve."""
+    """Return the name as `core.resolve` does. An invalid name raises RCLError, as in rclpy's methods that only resolve."""
     try:
         problem = topic_name_problem(name)
         if problem is None:
@@ -359,7 +359,7 @@ def _new_timer(
 
 
 def _note_period(core: NodeCore, timer: Timer) -> None:
-    """Note an improbable period: 0, or minutes where milliseconds were intended."""
+    """Record an improbable period: 0, or minutes where milliseconds were probably intended."""
     from rclpy.impl.facts import callback_name
 
     data = {'node': core.full_name, 'callback': callback_name(timer), 'period_s': timer.timer_period_ns / 1e9}
@@ -367,7 +367,7 @@ def _note_period(core: NodeCore, timer: Timer) -> None:
 
 
 def _check_callback(core: NodeCore, callback: Any, function: str) -> None:
-    """Note that the result of `self.tick()` was given in place of `self.tick`: ROS 2 says nothing then."""
+    """Record that the result of `self.tick()` was passed in place of `self.tick`. ROS 2 does not report it."""
     if callback is not None:
         return
     line = student_line()

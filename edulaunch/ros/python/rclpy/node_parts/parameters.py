@@ -264,7 +264,7 @@ def _prepared(
 
 
 def _unpacked(index: int, entry: tuple[Any, ...]) -> tuple[str, Any, ParameterDescriptor]:
-    """Name, value and descriptor of one entry of `declare_parameters`.
+    """Return name, value and descriptor of one entry of `declare_parameters`.
 
     As in rclpy the descriptor is the given one, not a copy: a second declaration with it changes the first one's type.
     """
