@@ -118,11 +118,11 @@ def _swept(layers: list[list[int]], neighbours: dict[int, list[int]]) -> list[li
     swept = [layers[0]]
     for layer in layers[1:]:
         place = {item: number for number, item in enumerate(swept[-1])}
-        wish = {}
+        wanted = {}
         for number, item in enumerate(layer):
             places = [place[other] for other in neighbours.get(item, ()) if other in place]
-            wish[item] = sum(places) / len(places) if places else float(number)
-        swept.append(sorted(layer, key=wish.__getitem__))
+            wanted[item] = sum(places) / len(places) if places else float(number)
+        swept.append(sorted(layer, key=wanted.__getitem__))
     return swept
 
 
@@ -292,13 +292,13 @@ def _centres(layers: Layers, breadths: list[float], count: int) -> list[float]:
             centres[item] = centre
     for sweep in range(SWEEPS):
         for layer in layers.layers if sweep % 2 == 0 else layers.layers[::-1]:
-            wishes = [mean([centres[other] for other in near[item]] or [centres[item]]) for item in layer]
-            for item, centre in zip(layer, _apart(wishes, layer, breadths, count), strict=True):
+            wanted_places = [mean([centres[other] for other in near[item]] or [centres[item]]) for item in layer]
+            for item, centre in zip(layer, _apart(wanted_places, layer, breadths, count), strict=True):
                 centres[item] = centre
     return centres
 
 
-def _apart(wishes: list[float], layer: list[int], breadths: list[float], count: int) -> list[float]:
+def _apart(wanted_places: list[float], layer: list[int], breadths: list[float], count: int) -> list[float]:
     """Return the positions nearest to the desired ones (least squares) that keep the order and the distances.
 
     Without the distances, the problem is to find rising numbers: neighbours in the wrong order get their common mean.
@@ -308,8 +308,8 @@ def _apart(wishes: list[float], layer: list[int], breadths: list[float], count: 
         gap = BETWEEN_BOXES if a < count and b < count else BETWEEN_BOXES / 2
         offsets.append(offsets[-1] + (breadths[a] + breadths[b]) / 2 + gap)
     blocks: list[tuple[float, int]] = []
-    for wish, offset in zip(wishes, offsets, strict=True):
-        total, size = wish - offset, 1
+    for wanted, offset in zip(wanted_places, offsets, strict=True):
+        total, size = wanted - offset, 1
         while blocks and blocks[-1][0] / blocks[-1][1] >= total / size:
             total, size = total + blocks[-1][0], size + blocks[-1][1]
             blocks.pop()

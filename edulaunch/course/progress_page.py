@@ -70,7 +70,7 @@ def progress() -> ProgressPage | Verdict:
 
 
 def _row(lesson: Lesson, file: ProgressFile, questions: list[Question]) -> Row:
-    said = [name in file.predictions for name in lesson.predictions]
+    predicted = [name in file.predictions for name in lesson.predictions]
     answered = [_is_right(file, question) for question in questions if question.lesson == lesson.name]
     try:
         exercises = [item for item in read_course(find_course('.')) if item.lesson == lesson.name]
@@ -80,7 +80,7 @@ def _row(lesson: Lesson, file: ProgressFile, questions: list[Question]) -> Row:
     points = sum(item.best_points for item in tries if item)
     return Row(
         lesson.title,
-        _of(said),
+        _of(predicted),
         _of(answered),
         _of([item is not None and item.done for item in tries]),
         f'{points} of {sum(item.points for item in exercises)}' if exercises else '',

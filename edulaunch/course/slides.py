@@ -30,12 +30,12 @@ class Slide(NamedTuple):
 
     :param under: the heading of its section, if the slide does not begin the section.
     :param parts: the content of the slide.
-    :param told: the Markdown of which the slide has only a part.
+    :param sources: the Markdown of which the slide has only a part.
     """
 
     under: str
     parts: list[Part]
-    told: list[str]
+    sources: list[str]
 
 
 def write_slides(
@@ -76,7 +76,7 @@ def split(parts: tuple[Part, ...]) -> Iterator[Slide]:
             under = '' if heading else _heading(slide)
             slide, lines = Slide(under, [], []), 0
         if short != part:
-            slide.told.append(part.text)
+            slide.sources.append(part.text)
         slide.parts.append(short)
         lines += needs
         asked = part.kind == 'guess' or '**Predict' in part.text if part.kind in ('text', 'guess') else asked and not answers

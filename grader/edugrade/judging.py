@@ -202,7 +202,7 @@ def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckRes
     kept = _with_last_line(results, evidence)
     has_died = any(map(_is_death, kept))
     found = _findings(evidence, has_died)
-    findings = [finding for finding in found if not any(_is_said(finding, result) for result in kept)]
+    findings = [finding for finding in found if not any(_is_reported(finding, result) for result in kept)]
     for is_about in (_is_near, _is_named, _is_there):  # a finding belongs to the check that fits best
         for position, result in enumerate(kept):
             if result.status != FAILED or result.cause is not None:
@@ -257,7 +257,7 @@ def _with_last_line(results: Sequence[CheckResult], evidence: Evidence) -> list[
     ]
 
 
-def _is_said(finding: Finding, result: CheckResult) -> bool:
+def _is_reported(finding: Finding, result: CheckResult) -> bool:
     """Return whether a failed check itself reports the missing parameter file, with an action that fits its package."""
     return (
         finding.rule == 'launch.parameter-file-absent' and result.status == FAILED and str(finding.facts['path']) in result.reason

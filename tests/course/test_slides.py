@@ -43,7 +43,7 @@ def test_the_line_before_a_list_stays_with_it() -> None:
 def test_of_a_paragraph_the_first_sentence_is_shown_and_the_rest_is_told() -> None:
     (slide,) = split((text('`a.b` is *one* thing. It has more.\n\n**Explain:** why? And how?\n\n- one. Two.'),))
     assert [part.text for part in slide.parts] == ['`a.b` is *one* thing.', '**Explain:** why? And how?', '- one. Two.']
-    assert slide.told == ['`a.b` is *one* thing. It has more.']
+    assert slide.sources == ['`a.b` is *one* thing. It has more.']
 
 
 def test_slides_are_one_file_that_asks_for_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

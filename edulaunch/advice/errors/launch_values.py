@@ -24,10 +24,10 @@ from edulaunch.engine.nearest import nearest, nearest_spelling
 )
 def command_failed(failure: Failure) -> Iterator[Finding]:
     """Report a command of the substitution Command that failed. `said` is the first line of its standard error."""
-    said = re.match(r'executed command failed. Command: (.*)(?:\nCaptured stderr output: ((?s:.*)))?', failure.message)
-    if said is not None:
-        words = [os.path.realpath(word) if os.path.exists(word) else word for word in said[1].split()]
-        lines = [line.strip() for line in (said[2] or '').splitlines() if line.strip()]
+    matched = re.match(r'executed command failed. Command: (.*)(?:\nCaptured stderr output: ((?s:.*)))?', failure.message)
+    if matched is not None:
+        words = [os.path.realpath(word) if os.path.exists(word) else word for word in matched[1].split()]
+        lines = [line.strip() for line in (matched[2] or '').splitlines() if line.strip()]
         yield report(failure, command=' '.join(words), said=lines[0] if lines else None)
 
 

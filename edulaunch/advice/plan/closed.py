@@ -105,7 +105,7 @@ class Closed:
         return spawn
 
     def _opener(self, process: Process, real_open: Callable[..., Any]) -> Callable[..., Any]:
-        def open_apart(file: Any, mode: str = 'r', *arguments: Any, **options: Any) -> Any:
+        def open_copy(file: Any, mode: str = 'r', *arguments: Any, **options: Any) -> Any:
             if isinstance(file, int):
                 return real_open(file, mode, *arguments, **options)
             path = os.path.abspath(process.path(os.fsdecode(file)))
@@ -114,7 +114,7 @@ class Closed:
                 return real_open(self._copies.get(path, file), mode, *arguments, **options)
             return open(self._copy(path, mode), mode.replace('x', 'w'), *arguments, **options)
 
-        return open_apart
+        return open_copy
 
     def _copy(self, path: str, mode: str) -> str:
         """Return the file that the program writes in place of the one at `path`."""

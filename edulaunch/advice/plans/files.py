@@ -205,10 +205,10 @@ def _in_package(file: str, path: str) -> dict[str, Any]:
     from edulaunch.engine.packages.discovery import find_workspaces, install_folders
     from edulaunch.ros.sources import read_source
 
-    said = re.search(r'/(?:src|share)/([\w-]+)/((?:config|launch|maps?|meshes|params?|rviz|urdf|worlds?)/.+)', path)
-    if said is None:
+    matched = re.search(r'/(?:src|share)/([\w-]+)/((?:config|launch|maps?|meshes|params?|rviz|urdf|worlds?)/.+)', path)
+    if matched is None:
         return {}
-    package, place = said[1], said[2].rstrip('/')
+    package, place = matched[1], matched[2].rstrip('/')
     sources = install_folders(find_workspaces(os.path.dirname(file), {}))[1]
     index = Index((), sources, read_source=read_source, underlay=None)
     folder, contents = index.source_folder(package), index.contents(package)

@@ -82,8 +82,8 @@ def key_for_no_node(recording: Recording) -> Iterator[Finding]:
             near = nearest(node, keys) or (keys[0] if len(keys) == 1 else None)
             is_made = file.startswith('launch_params_')  # launch generates this file, so nobody can edit it
             places = node_place(recording, node) if is_made else (file, line)
-            told = {'node': node, 'keys': keys[:5], 'near': near, 'launched': keys[0] if is_made else None}
-            yield found('file', file, file=places[0], line=places[1], time_s=facts[0].time_s, **told)
+            details = {'node': node, 'keys': keys[:5], 'near': near, 'launched': keys[0] if is_made else None}
+            yield found('file', file, file=places[0], line=places[1], time_s=facts[0].time_s, **details)
 
 
 @rule(

@@ -55,8 +55,8 @@ def died(recording: Recording) -> Iterator[Finding]:
     for process in recording.processes:
         if process.returncode in ENDED_WELL or _is_child(recording, process) or _is_launch(recording, process):
             continue
-        said = _said(recording, process)
-        if _is_command(process) and process.returncode == 2 and not any(': error: ' in line for line in said):
+        printed = _output_lines(recording, process)
+        if _is_command(process) and process.returncode == 2 and not any(': error: ' in line for line in printed):
             continue
         if _is_command(process) and any(INTERRUPTED in row.text for row in recording.output if row.process == process.name):
             continue
@@ -70,7 +70,7 @@ def died(recording: Recording) -> Iterator[Finding]:
             time_s=process.ended_s,
             code=process.returncode,
             at=error.get('line'),
-            **{'error': _short(f'{error["type"]}: {error["message"]}') if error else None, **_last_words(said)},
+            **{'error': _short(f'{error["type"]}: {error["message"]}') if error else None, **_last_words(printed)},
         )
     yield from _outside(recording)
 
@@ -83,23 +83,23 @@ def _outside(recording: Recording) -> Iterator[Finding]:
     for end in filter(None, map(_ENDED.match, lines)):
         name, code = end['name'], int(end['code'])
         if name not in ours and code not in ENDED_WELL:
-            said = [line.removeprefix(f'[{name}] ') for line in lines if line.startswith(f'[{name}] ')]
+            printed = [line.removeprefix(f'[{name}] ') for line in lines if line.startswith(f'[{name}] ')]
             yield found(
-                'process', name, file=recording.launch.file, code=code, **{'at': None, 'error': None, **_last_words(said)}
+                'process', name, file=recording.launch.file, code=code, **{'at': None, 'error': None, **_last_words(printed)}
             )
 
 
-def _last_words(said: list[str]) -> dict[str, Any]:
+def _last_words(printed: list[str]) -> dict[str, Any]:
     """Return the help of a command of edulaunch as `help`, or otherwise the last line that contains an error as `said`.
 
     The last line of a C++ program, `terminate called ...`, has less information than its log.
     """
-    if not said:
+    if not printed:
         return {}
-    if said[-1].startswith(HELP):
-        message = {'error': _short(said[-2])} if said[:-1] else {}
-        return {'help': said[-1].removeprefix(HELP), **message}
-    return {'said': _short(next((line for line in reversed(said) if '[ERROR]' in line or '[FATAL]' in line), said[-1]))}
+    if printed[-1].startswith(HELP):
+        message = {'error': _short(printed[-2])} if printed[:-1] else {}
+        return {'help': printed[-1].removeprefix(HELP), **message}
+    return {'said': _short(next((line for line in reversed(printed) if '[ERROR]' in line or '[FATAL]' in line), printed[-1]))}
 
 
 def _short(text: str) -> str:
@@ -128,7 +128,7 @@ def _is_child(recording: Recording, process: ProcessRecord) -> bool:
     return False
 
 
-def _said(recording: Recording, process: ProcessRecord) -> list[str]:
+def _output_lines(recording: Recording, process: ProcessRecord) -> list[str]:
     """Return the lines that a program wrote to its error stream."""
     text = ''.join(row.text for row in recording.output if row.process == process.name and row.stream == 'stderr')
     return [line.strip() for line in text.splitlines() if line.strip()]

@@ -112,8 +112,8 @@ def foreseen_in_parameters(text: Text) -> Iterator[Foreseen]:
         read_parameter_file(text.text)
     except ParameterFileError as error:
         facts = facts_of(error)
-        said = _LINE.search(str(error))
-        line = facts.get('at') or (int(said[1]) if said else 1)
+        matched = _LINE.search(str(error))
+        line = facts.get('at') or (int(matched[1]) if matched else 1)
         failure = Failure('ParameterFileError', str(error), text.path, line, facts=facts)
         word = facts.get('found')
         yield Foreseen(failure, text.found(str(word), Span(0, len(text.text))) if word else None)

@@ -52,12 +52,12 @@ def _certain(text: Text, error: SyntaxError, span: Span) -> Edits:
     return ()
 
 
-def _tries(text: Text, said: str, line: int, span: Span) -> Iterator[Edits]:
-    if 'forgot a comma' in said or 'invalid syntax' in said:
+def _tries(text: Text, message: str, line: int, span: Span) -> Iterator[Edits]:
+    if 'forgot a comma' in message or 'invalid syntax' in message:
         yield from ((inserted(text, offset, ','),) for offset in _gaps(text, span))
-    if "expected ':'" in said:
+    if "expected ':'" in message:
         yield (inserted(text, _end_of_code(text, line), ':'),)
-    if 'invalid character' in said or 'invalid non-printable' in said:
+    if 'invalid character' in message or 'invalid non-printable' in message:
         start, end = text.whole_line(line)
         odd = [
             (offset, text.text[offset])
@@ -74,7 +74,7 @@ def _tries(text: Text, said: str, line: int, span: Span) -> Iterator[Edits]:
                 )
                 for offset, one in odd
             )
-    if "Maybe you meant '=='" in said:
+    if "Maybe you meant '=='" in message:
         at = text.found('=', span)
         if at is not None:
             yield (Edit(text.path, at, '=', '=='),)

@@ -68,7 +68,7 @@ class Guardian:
         self._silent_s = 0.0
         self._processor_s = _processor_s(pid)
         self._interrupted = self._ended = False
-        self._told_s = 0.0
+        self._reported_at_s = 0.0
         self._where = self._traceback = ''
         self.is_ready = False
 
@@ -114,8 +114,8 @@ class Guardian:
             self._beat_s, self._silent_s, self._ended = now_s, 0.0, False
         if IDLE_SIGN in text:
             self._turn_s, self._interrupted, self._where = now_s, False, ''
-            if self._told_s:
-                self._told_s = 0.0
+            if self._reported_at_s:
+                self._reported_at_s = 0.0
                 _remove(busy_file(self._place, self._number))
 
     def _judge(self) -> None:
@@ -137,7 +137,7 @@ class Guardian:
         busy_s = now_s - self._turn_s
         if busy_s < SLOW_S:
             return
-        if now_s - self._told_s >= SLOW_S:
+        if now_s - self._reported_at_s >= SLOW_S:
             self._signal(signal.SIGUSR1)  # the machine answers with the line of the program, also during C code
         self._tell(now_s, self._busy(busy_s))
         silent, busy = self._silent_s / self._limit_s, busy_s / self._limit_s
@@ -155,8 +155,8 @@ class Guardian:
         return f'{text}\n  help: `edulaunch machine stop` ends the machine at once; {end}'
 
     def _tell(self, now_s: float, text: str) -> None:
-        if now_s - self._told_s >= SLOW_S:
-            self._told_s = now_s
+        if now_s - self._reported_at_s >= SLOW_S:
+            self._reported_at_s = now_s
             path = busy_file(self._place, self._number)
             with open(os.open(f'{path}.new', os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), 'w', encoding='utf-8') as file:
                 file.write(f'{self._pid}\n{text}\n')

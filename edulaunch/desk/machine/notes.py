@@ -27,8 +27,8 @@ class Notes:
 
     def __init__(self) -> None:
         self.knows_view = False
-        self._noted_pids: set[int] = set()
-        self._noted_packages: set[tuple[int, str]] = set()
+        self._reported_pids: set[int] = set()
+        self._reported_packages: set[tuple[int, str]] = set()
 
     def about(self, words: Sequence[str], programs: Sequence[Process]) -> Iterator[str]:
         """Yield the notes to print in a terminal now.
@@ -45,9 +45,9 @@ class Notes:
                 self.knows_view = True
                 yield f'note: {name} opens no window here; `edulaunch view --tab {VIEWS[name]}` shows it in a browser\n'
                 break
-        if words[:2] == ['ros2', 'launch'] and programs[0].pid not in self._noted_pids:
+        if words[:2] == ['ros2', 'launch'] and programs[0].pid not in self._reported_pids:
             for name in filter(READ_KEYS.__contains__, names):
-                self._noted_pids.add(programs[0].pid)
+                self._reported_pids.add(programs[0].pid)
                 yield (
                     f'note: {name} cannot read keys when a launch file starts it; '
                     f'type `ros2 run {READ_KEYS[name]} {name}` in another terminal\n'
@@ -64,8 +64,8 @@ class Notes:
         for package in filter(None, dict.fromkeys(packages)):
             used = command.index.source_folder(package)
             here = [one.file for one in command.index.warnings if one.about == 'same name' and f'{package!r} in' in one.sentence]
-            if used is not None and here and (command.pid, package) not in self._noted_packages:
-                self._noted_packages.add((command.pid, package))
+            if used is not None and here and (command.pid, package) not in self._reported_packages:
+                self._reported_packages.add((command.pid, package))
                 left = ', '.join(os.path.relpath(os.path.dirname(file), command.spec.cwd) for file in here)
                 used = os.path.relpath(used, command.spec.cwd)
                 yield f'note: several packages have the name {package}; this command uses {used}, not {left}\n'

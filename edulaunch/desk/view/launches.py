@@ -50,16 +50,16 @@ _step = record(
 _launch = record({'pid': number, 'at': maybe(number), 'count': number, 'rows': each(_step)})
 
 
-def launches_of(told: Any) -> Iterator[dict[str, Any]]:
+def launches_of(trace: Any) -> Iterator[dict[str, Any]]:
     """Return the valid launches, without steps whose parent does not come before them."""
-    for launch in told if isinstance(told, Sequence) else ():
+    for launch in trace if isinstance(trace, Sequence) else ():
         if _launch(launch):
             yield {**launch, 'rows': [row for row in launch['rows'] if -1 <= row['parent'] < row['number']]}
 
 
-def in_microseconds(told: dict[str, Any]) -> dict[str, Any]:
+def in_microseconds(trace: dict[str, Any]) -> dict[str, Any]:
     """Return a launch with the times of its steps in the form of the page."""
-    return {**told, 'rows': [_row_in_microseconds(row) for row in told['rows']]}
+    return {**trace, 'rows': [_row_in_microseconds(row) for row in trace['rows']]}
 
 
 def _row_in_microseconds(row: dict[str, Any]) -> dict[str, Any]:

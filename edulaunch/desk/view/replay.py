@@ -51,7 +51,7 @@ def timeline_of(recording: Recording, other: Recording | None = None) -> dict[st
 def outline_of(recording: Recording) -> str:
     """Return the launch of a recording as HTML without scripts, as it was at the end; '' if the recording has no launch."""
     source = RecordingSource(recording)
-    return launch_outline([in_microseconds(told) for told in source.beside('launches', {})], source.now_ns() // 1000)
+    return launch_outline([in_microseconds(trace) for trace in source.beside('launches', {})], source.now_ns() // 1000)
 
 
 class RecordingSource:

@@ -162,11 +162,11 @@ class Timeline:
     def _launched(self) -> list[dict[str, Any]]:
         """Return the launches that have changed since the last delta, each with its new and changed steps."""
         found = []
-        for told in self._source.beside('launches', {pid: count for pid, (count, _) in self._launches.items()}):
-            state = told['count'], told['at']
-            if self._launches.get(told['pid']) != state:
-                self._launches[told['pid']] = state
-                found.append(in_microseconds(told))
+        for trace in self._source.beside('launches', {pid: count for pid, (count, _) in self._launches.items()}):
+            state = trace['count'], trace['at']
+            if self._launches.get(trace['pid']) != state:
+                self._launches[trace['pid']] = state
+                found.append(in_microseconds(trace))
         return found
 
     def _new(self, name: str) -> Sequence[Any]:

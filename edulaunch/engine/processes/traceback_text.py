@@ -162,18 +162,18 @@ def _place(error: BaseException) -> Origin | None:
     return Origin(unread, getattr(error, 'lineno', 0) or 0) if unread is not None else innermost_place(error.__traceback__)
 
 
-def _chain(error: BaseException, told: list[BaseException], depth: int = 0) -> Iterator[str]:
+def _chain(error: BaseException, reported: list[BaseException], depth: int = 0) -> Iterator[str]:
     """Yield an error after its cause or the error during whose handling it was raised, if that is in the student's code.
 
     :param depth: the number of frames of exception groups around it.
     """
-    told.append(error)
+    reported.append(error)
     cause, context = error.__cause__, error.__context__
-    if cause is not None and cause not in told:
-        yield from _chain(cause, told, depth)
+    if cause is not None and cause not in reported:
+        yield from _chain(cause, reported, depth)
         yield within(CAUSE, depth)
-    elif context is not None and cause is None and not error.__suppress_context__ and context not in told and _own(context):
-        yield from _chain(context, told, depth)
+    elif context is not None and cause is None and not error.__suppress_context__ and context not in reported and _own(context):
+        yield from _chain(context, reported, depth)
         yield within(CONTEXT, depth)
     members, text = members_of(error), ''.join(_one(error))
     if not members:
@@ -183,7 +183,7 @@ def _chain(error: BaseException, told: list[BaseException], depth: int = 0) -> I
         yield within(f'Exception Group {text}', depth or 1, '|' if depth else '+')
     else:
         yield within(text, depth or 1)
-    yield from framed(members, depth or 1, lambda member, deeper: _chain(member, told, deeper))
+    yield from framed(members, depth or 1, lambda member, deeper: _chain(member, reported, deeper))
 
 
 def _one(error: BaseException) -> Iterator[str]:
@@ -203,8 +203,8 @@ def _one(error: BaseException) -> Iterator[str]:
 def _lines_of_python(error: BaseException) -> list[str]:
     """Return type and message. For a group, leave out the members, which newer versions of Python list here."""
     members = members_of(error)
-    told = traceback.format_exception_only(type(error), error)
-    return told if not members else [next(line for line in told if line.strip())]
+    reported = traceback.format_exception_only(type(error), error)
+    return reported if not members else [next(line for line in reported if line.strip())]
 
 
 def _own(error: BaseException) -> list[traceback.FrameSummary]:

@@ -146,8 +146,8 @@ def hover(text: Text, offset: int, around: Around, values: Values) -> tuple[str,
         'parameter': _about_parameter,
         'topic': _about_topic,
     }.get(subject.kind)
-    said = '' if words is None else words(subject, text, around, values)
-    return (said, subject.span) if said else None
+    text_of_hover = '' if words is None else words(subject, text, around, values)
+    return (text_of_hover, subject.span) if text_of_hover else None
 
 
 def _about_argument(subject: Subject, text: Text, around: Around, values: Values) -> str:

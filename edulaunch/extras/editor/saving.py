@@ -37,13 +37,13 @@ def saved_check(path: str, workspaces: Sequence[str], deadline_s: float = DEADLI
             cwd=home,  # not the folder of the file, from which Python would import modules
         )
         try:
-            said, _ = child.communicate(job, timeout=deadline_s)
+            answer, _ = child.communicate(job, timeout=deadline_s)
         except subprocess.TimeoutExpired:
             os.killpg(child.pid, signal.SIGKILL)
             child.communicate()
             return None
     try:
-        outcome: Outcome = json.loads(said)
+        outcome: Outcome = json.loads(answer)
     except ValueError:
         return None
     return outcome

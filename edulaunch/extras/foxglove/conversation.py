@@ -97,7 +97,7 @@ class Conversation:
     def turn(self) -> list[Message]:
         """Return what has happened since the last turn."""
         self._renew()
-        told = self._feed.advance()
+        messages = self._feed.advance()
         data = self._data()  # read before `_look`, which may remove topics
         self._look()
         self._tell_changes()
@@ -105,7 +105,7 @@ class Conversation:
         now_ns = self._feed.now_ns()
         clock = [server_messages.time(now_ns)] if now_ns != self._time_ns and 'time' in self._feed.capabilities else []
         self._time_ns = now_ns
-        return [*heard, *clock, *data, *told]  # the state "ended" comes after the last message
+        return [*heard, *clock, *data, *messages]  # the state "ended" comes after the last message
 
     def _renew(self) -> None:
         if self._feed.session() != self._session:
@@ -176,7 +176,7 @@ class Conversation:
 
     def _data(self) -> list[bytes]:
         """Return the messages of subscribed topics since the last turn. If there are too many, leave out the oldest."""
-        told: list[bytes] = []
+        messages: list[bytes] = []
         left = MOST_BYTES
         for number, (channel, key) in self._subscribed.items():
             rows, self._cursors[number], lost = self._feed.rows(key, self._cursors[number], MOST_ROWS)
@@ -188,9 +188,9 @@ class Conversation:
                     break
                 left -= len(cdr)
                 newest.append(server_messages.data(number, time_ns, cdr))
-            told += reversed(newest)
+            messages += reversed(newest)
             self._count(key[0], lost + len(rows) - len(newest))
-        return told
+        return messages
 
     def _count(self, topic: str, lost: int) -> None:
         if lost:

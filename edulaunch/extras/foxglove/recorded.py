@@ -44,7 +44,7 @@ class RecordingFeed:
         self._parameter_times = [row[0] for row in recording.parameter_rows]
         self._at_ns, self._speed, self._state = 0, 1.0, server_messages.PLAYING
         self._since = 0, clock()
-        self._told: int | None = None
+        self._sent_state: int | None = None
 
     def session(self) -> str:
         return f'{self.name}-{self._start_ns}'
@@ -67,9 +67,9 @@ class RecordingFeed:
             self._at_ns = min(began_ns + round((self._clock() - began_s) * self._speed * 1e9), self._length_ns)
             if self._at_ns == self._length_ns:
                 self._state = server_messages.ENDED
-        if self._state == self._told or 'playbackControl' not in self.capabilities:
+        if self._state == self._sent_state or 'playbackControl' not in self.capabilities:
             return []
-        self._told = self._state
+        self._sent_state = self._state
         return [server_messages.playback(self._state, self.now_ns(), self._speed)]
 
     def play(self, request: Playback) -> tuple[bytes, bool]:
@@ -83,7 +83,7 @@ class RecordingFeed:
         self._since = self._at_ns, self._clock()
         is_over = self._at_ns == self._length_ns
         self._state = server_messages.ENDED if is_over else server_messages.PLAYING if request.plays else server_messages.PAUSED
-        self._told = self._state
+        self._sent_state = self._state
         did_seek = seek_ns is not None
         return server_messages.playback(self._state, self.now_ns(), self._speed, did_seek, request.request), did_seek
 

@@ -41,7 +41,7 @@ class Peer:
         self._quota = quota
         self._out = bytearray()
         self._in = Frames(LONGEST_FRAME)
-        self._told_ns = sim.now_ns
+        self._sent_ns = sim.now_ns
         self._grant_ns = sim.now_ns
         sim.pass_token = self._pass_token
 
@@ -51,9 +51,9 @@ class Peer:
 
     def send(self, kind: FrameKind, payload: bytes) -> None:
         """Send the other peer a frame for the recording, or one that wakes no task there."""
-        if self._told_ns != self.sim.now_ns:
-            self._told_ns = self.sim.now_ns
-            self._add(FrameKind.ADVANCE, TIME.pack(self._told_ns))
+        if self._sent_ns != self.sim.now_ns:
+            self._sent_ns = self.sim.now_ns
+            self._add(FrameKind.ADVANCE, TIME.pack(self._sent_ns))
         self._add(kind, payload)
 
     def tell(self, kind: FrameKind, payload: bytes) -> None:
@@ -133,7 +133,7 @@ class Peer:
         (now_ns,) = TIME.unpack(payload)
         if not self._trusts and not self.sim.now_ns <= now_ns <= self._grant_ns:
             raise Violation('time must increase, and not pass the next item of the other peer')
-        self._told_ns = self.sim.now_ns = now_ns
+        self._sent_ns = self.sim.now_ns = now_ns
 
     def _add(self, kind: FrameKind, payload: bytes) -> None:
         self._out += frame(kind, payload)

@@ -125,14 +125,14 @@ class Clock:
         self._clock_type = clock_type
         self.sim = current_task().sim
         self.override_ns = None
-        self._told_ns = 0
+        self._received_ns = 0
         self.jump_handles = []
         self.timers = []
         return self
 
     sim: Any
     override_ns: int | None
-    _told_ns: int
+    _received_ns: int
     jump_handles: list[JumpHandle]
     timers: list[Timer]
 
@@ -229,13 +229,13 @@ class ROSClock(Clock):
         if enabled == self.ros_time_is_active:
             return
         change = ClockChange.ROS_TIME_ACTIVATED if enabled else ClockChange.ROS_TIME_DEACTIVATED
-        self._jump(change, self._told_ns if enabled else None)
+        self._jump(change, self._received_ns if enabled else None)
 
     def set_ros_time_override(self, time: Time) -> None:
         """Set the time to `time`, which counts while /clock controls the clock. Raise TypeError for another type."""
         if not isinstance(time, Time):
             raise TypeError(f'Time must be specified as rclpy.time.Time. Received type: {type(time)}')
-        self._told_ns = time.nanoseconds
+        self._received_ns = time.nanoseconds
         if self.ros_time_is_active:
             self._jump(ClockChange.ROS_TIME_NO_CHANGE, time.nanoseconds)
 

@@ -66,12 +66,12 @@ def _mark(result: dict[str, Any], possible: int) -> Mark:
 def remarks(result: dict[str, Any]) -> list[str]:
     """Return the comment on a mark: the teacher's comment, deductions, and layers of the sandbox that failed."""
     days, graded, earned = result.get('late_days', 0), result.get('graded'), result.get('points', {}).get('earned')
-    said = [result['comment']] if result.get('comment') else []
+    sentences = [result['comment']] if result.get('comment') else []
     if days:
-        said.append(f'{days} {"day" if days == 1 else "days"} late.')
+        sentences.append(f'{days} {"day" if days == 1 else "days"} late.')
     if graded is not None:
-        said.append(f'{earned:g} points count; the checks gave {graded:g}.')
-    return [*said, f'Runs: {confined_by(result)}.'] if is_unconfined(result) else said
+        sentences.append(f'{earned:g} points count; the checks gave {graded:g}.')
+    return [*sentences, f'Runs: {confined_by(result)}.'] if is_unconfined(result) else sentences
 
 
 def is_unconfined(result: dict[str, Any]) -> bool:
