@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import gc
 import weakref
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
@@ -21,38 +21,47 @@ class Knot:
 
 
 @pytest.fixture
-def looked_at() -> Iterator[list[int]]:
-    """The generations that the collector looks at meanwhile."""
-    generations: list[int] = []
+def asked(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[str]]:
+    """What is asked of the collector, and the generations that it looks at. What other tests have frozen stays frozen, and is not
+    counted: to look at all of that takes seconds.
+    """
+    happened: list[str] = []
 
     def note(phase: str, info: dict[str, Any]) -> None:
         if phase == 'start':
-            generations.append(info['generation'])
+            happened.append(f'looks at {info["generation"]}')
 
-    gc.unfreeze()  # what other tests have frozen
+    def freeze(really: Callable[[], None] = gc.freeze) -> None:
+        happened.append('freeze')
+        really()
+
+    monkeypatch.setattr(gc, 'freeze', freeze)
+    monkeypatch.setattr(gc, 'unfreeze', lambda: happened.append('unfreeze'))
+    monkeypatch.setattr(gc, 'get_freeze_count', lambda: 0)
+    monkeypatch.setattr(collector_pause._Unseen, 'things', 0)
     gc.collect()
     gc.callbacks.append(note)
-    yield generations
+    yield happened
     gc.callbacks.remove(note)
 
 
-def test_many_things_that_were_made_in_a_pause_are_not_looked_at_again(looked_at: list[int]) -> None:
+@pytest.mark.parametrize(('things', 'ages'), [(2 * MANY, True), (MANY // 2, False)])
+def test_many_things_that_were_made_in_a_pause_are_not_looked_at_again(asked: list[str], things: int, ages: bool) -> None:
     with collector_paused():
-        made = [[number] for number in range(2 * MANY)]
-    assert looked_at == [] and gc.isenabled()
-    assert gc.get_count()[0] < MANY < len(made)
+        made = [[number] for number in range(things)]
+    assert asked == (['freeze', 'unfreeze'] if ages else []) and gc.isenabled()
+    assert gc.get_count()[0] < MANY and len(made) == things
 
 
-def test_garbage_of_many_pauses_goes(looked_at: list[int], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_garbage_of_many_pauses_goes(asked: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(collector_pause, 'MOST_UNSEEN', 3 * MANY)
-    monkeypatch.setattr(collector_pause._Unseen, 'things', 0)
     gone = []
-    for _ in range(3):
+    for _ in range(4):
         with collector_paused():
             knots = [Knot() for _ in range(MANY + 1)]
             gone.append(weakref.ref(knots[0]))
             del knots
-    assert [one() for one in gone] == [None] * 3 and looked_at == [2]
+    assert asked == ['freeze', 'unfreeze'] * 2 + ['looks at 2'] + ['freeze', 'unfreeze'] and gone[2]() is None
 
 
 def test_a_pause_in_a_pause_ends_with_the_outer_one() -> None:
@@ -69,7 +78,7 @@ def test_the_collector_is_back_after_an_error() -> None:
     assert gc.isenabled()
 
 
-def test_a_process_that_shares_frozen_things_keeps_them_so(looked_at: list[int]) -> None:
+def test_a_process_that_shares_frozen_things_keeps_them_so() -> None:
     gc.freeze()
     with collector_paused():
         made = [[number] for number in range(2 * MANY)]

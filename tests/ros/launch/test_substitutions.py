@@ -10,7 +10,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from launch import LaunchContext
 from launch.substitutions import (
+    AllSubstitution,
+    AndSubstitution,
     AnonName,
+    AnySubstitution,
     Command,
     EqualsSubstitution,
     FileContent,
@@ -19,6 +22,9 @@ from launch.substitutions import (
     LaunchConfiguration,
     LaunchLogDir,
     LocalSubstitution,
+    NotEqualsSubstitution,
+    NotSubstitution,
+    OrSubstitution,
     PathJoinSubstitution,
     PathSubstitution,
     PythonExpression,
@@ -114,6 +120,61 @@ def test_chance_in_an_expression_comes_from_the_simulation() -> None:
 @given(st.floats(allow_nan=False))
 def test_numbers_equal_themselves_however_written(number: float) -> None:
     assert EqualsSubstitution(number, f'{number!r}').perform(LaunchContext()) == 'true'
+
+
+@pytest.mark.parametrize(
+    ('left', 'right', 'equal'),
+    [
+        ('true', '1', True),
+        ('True', True, True),
+        ('FALSE', 0, True),
+        (False, '0', True),
+        ('1', '0', False),
+        (True, 'false', False),
+        ('1', '1.0', True),
+        ('1e3', 1000, True),
+        (0.3, 0.1 + 0.2, True),
+        (0.3, 0.3000001, False),
+        ('nan', 'nan', False),
+        ('a', 'a', True),
+        ('a', 'A', False),
+        ('true', 'yes', False),
+        (None, '', True),
+        ([LaunchConfiguration('who'), '1'], 'turtle1', True),
+    ],
+)
+def test_booleans_numbers_and_texts_are_compared_as_what_they_are(left: Any, right: Any, equal: bool) -> None:
+    context = LaunchContext()
+    context.launch_configurations['who'] = 'turtle'
+    assert EqualsSubstitution(left, right).perform(context) == str(equal).lower()
+    assert NotEqualsSubstitution(right, left).perform(context) == str(not equal).lower()
+
+
+@pytest.mark.parametrize(
+    ('values', 'both', 'either'),
+    [([], 'true', 'false'), (['yes'], 'true', 'true'), (['1', 'off'], 'false', 'true'), (['no', 'False', '0'], 'false', 'false')],
+)
+def test_booleans_are_combined(values: list[str], both: str, either: str) -> None:
+    context = LaunchContext()
+    assert AllSubstitution(*values).perform(context) == both and AnySubstitution(*values).perform(context) == either
+    if len(values) == 2:
+        assert AndSubstitution(*values).perform(context) == both and OrSubstitution(*values).perform(context) == either
+
+
+@pytest.mark.parametrize('combine', [AndSubstitution, OrSubstitution, AnySubstitution, AllSubstitution])
+def test_every_operand_must_be_a_boolean_even_where_it_decides_nothing(combine: Any) -> None:
+    for values in (('true', 'maybe'), ('false', 'maybe')):
+        with pytest.raises(SubstitutionFailure, match='maybe'):
+            combine(*values).perform(LaunchContext())
+
+
+def test_a_combination_keeps_and_describes_its_operands() -> None:
+    pair = AndSubstitution('a', LaunchConfiguration('b'))
+    assert (pair.left[0].describe(), pair.right[0].describe()) == ("'a'", "LaunchConfig('b')")
+    assert pair.describe() == "AndSubstitution('a' LaunchConfig('b'))"
+    assert [operand[0].describe() for operand in AnySubstitution('a', 'b').args] == ["'a'", "'b'"]
+    assert NotSubstitution('a').describe() == "NotSubstitution('a')" and NotSubstitution('no').perform(LaunchContext()) == 'true'
+    assert EqualsSubstitution('a', 1).describe() == "EqualsSubstitution('a' '1')"
 
 
 def test_paths_and_texts_are_joined() -> None:
