@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterable, Iterator
 from html import escape
 
-from edulaunch.canvas.style import INK, LOOKS, MUTED, SHELLS, Colour, robot, shade, turtle
+from edulaunch.canvas.style import INK, LOOKS, MUTED, PAPER, SHELLS, Colour, robot, shade, turtle
 from edulaunch.canvas.turtle_scene import Body, Window, turtle_scene
 from edulaunch.canvas.worlds import World
 
@@ -38,8 +38,7 @@ def filmstrip(worlds: list[World], duration_s: float) -> str:
             parts.append(f'<svg x="{x}" y="{y}" width="{side}" height="{side}" viewBox="0 0 {WINDOW_PX} {WINDOW_PX}">')
             parts += [*_window(window), '</svg>']
     width, height = columns * (side + GAP) + GAP, len(times) // columns * len(worlds) * (side + LINE + GAP)
-    look = f'font-family="sans-serif" font-size="9.5" fill="{_hex(MUTED)}"'
-    return f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" {look}>{"".join(parts)}</svg>'
+    return _sheet(width, height, 'font-size="9.5"', '', parts)
 
 
 def still(worlds: list[World], time_s: float) -> tuple[str, str]:
@@ -56,11 +55,16 @@ def still(worlds: list[World], time_s: float) -> tuple[str, str]:
             px, py = x + (body.x - left) * scale, y + (top - body.y) * scale - 18
             place = f'x="{px:.1f}" y="{py:.1f}" text-anchor="middle"'
             parts.append(f'<text {place} {NAME_LOOK}>{escape(body.name)}</text>')
-    look = f'font-family="sans-serif" font-size="11" fill="{_hex(MUTED)}"'
-    size = f'width="{len(scene.windows) * (side + GAP) + GAP}" height="{side + LINE + GAP}"'
     title = f'<title>{escape(scene.caption())}</title>'
-    svg = f'<svg xmlns="http://www.w3.org/2000/svg" role="img" {size} {look}>{title}{"".join(parts)}</svg>'
-    return svg, scene.caption()
+    width, height = len(scene.windows) * (side + GAP) + GAP, side + LINE + GAP
+    return _sheet(width, height, 'font-size="11" role="img"', title, parts), scene.caption()
+
+
+def _sheet(width: int, height: int, more: str, title: str, parts: list[str]) -> str:
+    """Return the whole SVG. It has its own paper, because its text must be readable on a dark page too."""
+    look = f'xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" font-family="sans-serif" fill="{_hex(MUTED)}"'
+    paper = f'<rect width="{width}" height="{height}" fill="{_hex(PAPER)}"/>'
+    return f'<svg {look} {more}>{title}{paper}{"".join(parts)}</svg>'
 
 
 def _window(window: Window) -> Iterator[str]:

@@ -153,6 +153,7 @@ def soak(page: Any, folder: Path, minutes: int) -> None:
     page.evaluate('() => { window.desk.store.grows = true; window.desk.live = window.desk.follow = true; }')
     memory = page.context.new_cdp_session(page)
     words = [sys.executable, __file__, '--machine', str(minutes)]
+    held: list[tuple[int, float, float]] = []
     with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as machine:
         begun = time.monotonic()
         for minute in range(1, minutes + 1):
@@ -163,12 +164,17 @@ def soak(page: Any, folder: Path, minutes: int) -> None:
                 memory.send('HeapProfiler.collectGarbage')
                 heap = (memory.send('Runtime.getHeapUsage')['usedSize'] + page.evaluate(COLUMNS)) / 1e6
                 rss = int(Path(f'/proc/{machine.pid}/statm').read_text().split()[1]) * 4096 / 1e6
+                held.append((minute, rss, heap))
                 page.wait_for_timeout(100)
                 shown = page.evaluate('() => [window.desk.store.from, window.desk.store.now, window.desk.state.textContent]')
                 print(
                     f'{minute} simulated minutes, {time.monotonic() - begun:.0f} s: python {rss:.0f} MB, page {heap:.0f} MB, '
                     f'shown from {shown[0]:.0f} to {shown[1]:.0f} s, the page says {shown[2]!r}'
                 )
+    if len(held) > 2:  # the first ten minutes fill what is kept; what grows after them grows for ever
+        (first, *before), (last, *after) = held[1], held[-1]
+        python, tab = ((late - early) / (last - first) * 60 for early, late in zip(before, after, strict=True))
+        print(f'growth from minute {first} to {last}: python {python:+.1f} MB an hour, page {tab:+.1f} MB an hour')
 
 
 def machine_of_the_soak(minutes: int) -> None:

@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 import pytest
 
 import edulaunch
+from edulaunch.canvas.filmstrip import still
 from edulaunch.canvas.picture import SCENE_TYPE
 
 
@@ -38,13 +39,31 @@ def test_twenty_seconds_take_less_than_440_kilobytes(large: Any) -> None:
 
 
 def test_the_filmstrip_shows_eight_times_with_what_moved(walk: Any) -> None:
-    strip = ElementTree.fromstring(walk(0.0, 2.0).replay().filmstrip())
+    paper, *strip = ElementTree.fromstring(walk(0.0, 2.0).replay().filmstrip())
     kinds = [item.tag.rpartition('}')[2] for item in strip]
     assert kinds == ['text', 'svg'] * 8 and [strip[0].text, strip[14].text] == ['t = 0.0 s', 't = 2.0 s']
     last = [item for item in strip[15] if item.tag.endswith('polyline')]
     scale = 500 / 11.088889
     ends = [float(value) / scale for pair in last[0].get('points', '').split() for value in pair.split(',')]
     assert ends == pytest.approx([2.0, 11.088889 - 3.0, 4.0, 11.088889 - 3.0], abs=0.01)
+
+
+@pytest.mark.parametrize('kind', ['filmstrip', 'still'])
+def test_what_is_written_in_a_small_picture_is_readable_on_any_page(walk: Any, kind: str) -> None:
+    replay = walk(0.0, 2.0).replay()
+    picture = ElementTree.fromstring(replay.filmstrip() if kind == 'filmstrip' else still(replay._worlds, 1.0)[0])
+    paper = next(item for item in picture if item.tag.endswith('rect'))
+    assert [paper.get(side) for side in ('width', 'height')] == [picture.get('width'), picture.get('height')]
+    light, dark = (_luminance(str(item.get('fill'))) for item in (paper, picture))
+    assert (light + 0.05) / (dark + 0.05) > 4.5
+    assert list(picture).index(paper) < min(place for place, item in enumerate(picture) if item.tag.endswith('text'))
+
+
+def _luminance(colour: str) -> float:
+    """The relative luminance of #rrggbb, as the contrast of WCAG 2 uses it."""
+    parts = [int(colour[place : place + 2], 16) / 255 for place in (1, 3, 5)]
+    lit = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
+    return 0.2126 * lit[0] + 0.7152 * lit[1] + 0.0722 * lit[2]
 
 
 def test_a_saved_page_is_the_player(walk: Any, tmp_path: Path) -> None:
