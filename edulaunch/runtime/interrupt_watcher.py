@@ -4,8 +4,8 @@ A call of C code such as `sum(range(10**12))` keeps Python's interpreter: no han
 thread. The kernel still writes the number of each signal into a pipe (`signal.set_wakeup_fd`), and this process reads it. When
 Python does not confirm a signal, the process names the line that runs, and at the third Ctrl-C it ends the run.
 
-The second half is a program of its own, `python -I -S interrupt_watcher.py PID FOLDER...`. It uses the standard library alone and
-starts within about 10 ms on another core.
+The second half is a program of its own, `python -I -S interrupt_watcher.py PID SIGNAL FOLDER...`. It uses the standard library
+alone and starts within about 10 ms on another core.
 """
 
 from __future__ import annotations
@@ -25,6 +25,8 @@ PATIENCE_S = 1.0
 """Real seconds that Python has to confirm a signal."""
 TERM_S = 3.0
 """The same for a signal that asks a run to end, such as SIGTERM; then the run is ended."""
+SAVE_S = 15.0
+"""The same for a run that saves its recording at its end."""
 MOST_BYTES = 1 << 16
 PLACE = re.compile(r'File "([^"]*)", line (\d+) in (\S+)')
 _ENDING = ('SIGTERM', 'SIGHUP', 'SIGQUIT')
@@ -66,13 +68,14 @@ class WatchedSignals:
 
 
 @contextmanager
-def watched_signals(libraries: Sequence[str], is_watched: bool = True) -> Iterator[WatchedSignals]:
+def watched_signals(libraries: Sequence[str], is_watched: bool = True, end_by: str = 'SIGKILL') -> Iterator[WatchedSignals]:
     """Start a watcher for a block of code in the main thread. Handlers of signals in the block must call `confirm`.
 
     Without such signals (Windows, a browser), or when no process can be started, the block runs without a watcher.
 
     :param libraries: see :func:`innermost_own`.
     :param is_watched: False runs the block without a watcher.
+    :param end_by: the signal at which this process ends; see `last_moment.py`.
     """
     if not is_watched or not hasattr(signal, 'SIGUSR1') or sys.platform == 'emscripten':
         yield WatchedSignals()
@@ -82,7 +85,7 @@ def watched_signals(libraries: Sequence[str], is_watched: bool = True) -> Iterat
 
     reading, writing = os.pipe()
     os.set_blocking(writing, False)
-    command = [sys.executable, '-I', '-S', os.path.abspath(__file__), str(os.getpid()), *libraries]
+    command = [sys.executable, '-I', '-S', os.path.abspath(__file__), str(os.getpid()), end_by, *libraries]
     try:
         watcher = subprocess.Popen(command, stdin=reading, stdout=subprocess.DEVNULL, start_new_session=True)
     except OSError:
@@ -109,11 +112,12 @@ class Watcher:
 
     :param pid: the process of the run.
     :param pipe: the reading end of the pipe.
+    :param end_by: the signal that ends the run.
     :param libraries: see :func:`innermost_own`.
     """
 
-    def __init__(self, pid: int, pipe: int, libraries: Sequence[str]) -> None:
-        self._pid, self._pipe, self._libraries = pid, pipe, libraries
+    def __init__(self, pid: int, pipe: int, end_by: int, libraries: Sequence[str]) -> None:
+        self._pid, self._pipe, self._end_by, self._libraries = pid, pipe, end_by, libraries
         self._presses = 0
         self._judge_at_s: float | None = None
         self._end_at_s: float | None = None
@@ -154,10 +158,7 @@ class Watcher:
                 self._end(f'{self._where()} cannot be interrupted')
             elif self._presses:
                 again = 'once more' if self._presses == 2 else 'twice more'
-                _print(
-                    f'note: {self._where()} is in a call that Python cannot interrupt; '
-                    f'press Ctrl-C {again} to kill the run without saving its recording'
-                )
+                _print(f'note: {self._where()} is in a call that Python cannot interrupt; press Ctrl-C {again} to kill the run')
 
     def _where(self) -> str:
         """Ask the run where it is: faulthandler answers from within C code."""
@@ -175,8 +176,9 @@ class Watcher:
         return f'a program at {place}' if place else 'a program'
 
     def _end(self, why: str) -> None:
-        _print(f'error: {why}: the run was killed, and its recording is lost')
-        os.kill(self._pid, signal.SIGKILL)
+        _print(f'error: {why}: the run was killed')
+        os.kill(self._pid, self._end_by)
+        self._end_by, self._end_at_s = signal.SIGKILL, time.monotonic() + SAVE_S
 
 
 def _print(line: str) -> None:
@@ -187,7 +189,7 @@ def _print(line: str) -> None:
 def main() -> None:
     """Run the program of a watcher."""
     try:
-        Watcher(int(sys.argv[1]), sys.stdin.fileno(), sys.argv[2:]).run()
+        Watcher(int(sys.argv[1]), sys.stdin.fileno(), getattr(signal, sys.argv[2]), sys.argv[3:]).run()
     except ProcessLookupError:  # the run has ended meanwhile
         return
 

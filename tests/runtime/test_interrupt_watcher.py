@@ -102,11 +102,11 @@ def test_each_press_is_answered_and_the_third_one_ends_the_run(folder: Path) -> 
         answers, place = lines(run), f'a program at {folder}/run.py:18'
         can_not = f'note: {place} is in a call that Python cannot interrupt; press Ctrl-C'
         run.send_signal(signal.SIGINT)
-        assert next(answers) == f'{can_not} twice more to kill the run without saving its recording'
+        assert next(answers) == f'{can_not} twice more to kill the run'
         run.send_signal(signal.SIGINT)
-        assert next(answers) == f'{can_not} once more to kill the run without saving its recording'
+        assert next(answers) == f'{can_not} once more to kill the run'
         run.send_signal(signal.SIGINT)
-        assert next(answers) == f'error: {place} cannot be interrupted: the run was killed, and its recording is lost'
+        assert next(answers) == f'error: {place} cannot be interrupted: the run was killed'
         assert run.wait() == -signal.SIGKILL
 
 
@@ -115,7 +115,7 @@ def test_a_run_that_does_not_end_on_sigterm_is_killed(folder: Path) -> None:
     with started(folder) as run:
         run.send_signal(signal.SIGTERM)
         place = f'a program at {folder}/run.py:18'
-        assert next(lines(run)) == f'error: {place} prevents the end of the run: the run was killed, and its recording is lost'
+        assert next(lines(run)) == f'error: {place} prevents the end of the run: the run was killed'
         assert run.wait() == -signal.SIGKILL
 
 

@@ -170,15 +170,15 @@ def callback_missing(recording: Recording) -> Iterator[Finding]:
         '{callback}() in {node} raised {raised}',
         '{callback}() in {node} returned {returned} instead of a TransitionCallbackReturn',
     ),
-    why='rclpy treats this as a failed transition without a message, and the node returns to its old state or ends',
+    why='rclpy hides an exception of this callback; after any other result it raises an AttributeError',
     do='return TransitionCallbackReturn.SUCCESS at the end of {callback}()',
     lesson=LESSON,
     level='error',
-    hides=('programs.not-activated',),
+    hides=('programs.not-activated', 'programs.died'),
 )
 def transition_failed(recording: Recording) -> Iterator[Finding]:
     """Report a transition of a lifecycle node whose callback failed."""
-    return _of(recording, 'transition failed', 'raised', 'returned')
+    return _of(recording, 'transition failed', 'raised', 'returned', 'process')
 
 
 @rule(

@@ -9,6 +9,7 @@ import signal
 import sys
 import time
 from collections.abc import Callable
+from contextlib import nullcontext
 from types import FrameType
 from typing import TextIO
 
@@ -26,6 +27,7 @@ from edulaunch.engine.sim.pacing import Pacer
 from edulaunch.errors import LaunchFileError, UnusableInput
 from edulaunch.runtime.interrupt_watcher import WatchedSignals, watched_signals
 from edulaunch.runtime.keeping import Ending, Reserve, advice_or_why_not, first_interrupt_waits, spent
+from edulaunch.runtime.last_moment import KILLED, last_moment
 from edulaunch.runtime.launch_process import LaunchRun, explain
 from edulaunch.runtime.launching import find_launch_file, launch_argument
 from edulaunch.runtime.session import Session
@@ -131,8 +133,16 @@ def _clock(arguments: argparse.Namespace, session: Session) -> Callable[[], floa
 def _run(terminal: InterruptHandler, session: Session, ending: Ending, arguments: argparse.Namespace) -> BaseException | None:
     """Run to the end. Return the exception that ended the run early, if any."""
     reserve, error = Reserve(), None
+
+    def save() -> None:
+        reserve.release()
+        session.note_end()
+        session.recording().save(arguments.record)
+        print(f'recording: {arguments.record} (to the end of the run in C code)', file=sys.__stderr__, flush=True)
+
     try:
-        terminal.run(0.0 if arguments.fast else 1.0)
+        with last_moment(save) if arguments.record else nullcontext():
+            terminal.run(0.0 if arguments.fast else 1.0, KILLED if arguments.record else 'SIGKILL')
     except BaseException as caught:  # keep the recording first, whatever the exception is
         error = caught
     ending.is_saving = True
@@ -240,14 +250,17 @@ class InterruptHandler:
         self._still_busy = StillBusy()
         self._watched = WatchedSignals()
 
-    def run(self, speed: float) -> None:
-        """Run until launch has ended; press Ctrl-C after `seconds`."""
+    def run(self, speed: float, end_by: str = 'SIGKILL') -> None:
+        """Run until launch has ended; press Ctrl-C after `seconds`.
+
+        :param end_by: see :func:`watched_signals`.
+        """
         sim = self._session.sim
         before = signal.signal(signal.SIGINT, self._press)
         try:
             if self._seconds is not None:
                 sim.schedule(sim.now_ns + round(self._seconds * 1e9), self._session.interrupt, priority=1)
-            watching = watched_signals((ENGINE, *LIBRARIES), sys.stderr.isatty())
+            watching = watched_signals((ENGINE, *LIBRARIES), sys.stderr.isatty(), end_by)
             with StillBusy() as self._still_busy, streams_of_programs(), watching as self._watched:
                 if self._ending is not None:
                     self._ending.watched = self._watched

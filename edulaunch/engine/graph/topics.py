@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.engine.graph.qos import TRANSIENT_LOCAL, QoS, incompatible_policy
+from edulaunch.engine.graph.qos import RELIABLE, TRANSIENT_LOCAL, QoS, incompatible_policy
 
 if TYPE_CHECKING:
     from edulaunch.engine.graph.members import Members
@@ -179,8 +179,8 @@ def connect(publisher: Publisher, subscription: Subscription) -> None:
     subscription.may_expire |= bool(publisher.qos.lifespan_ns)
     publisher._report_matched(+1)
     subscription._report_matched(+1)
-    kept = publisher.late_samples() if publisher.history and subscription.qos.durability == TRANSIENT_LOCAL else ()
-    if kept:
+    gets_late = subscription.qos.durability == TRANSIENT_LOCAL and subscription.qos.reliability == RELIABLE
+    if gets_late and publisher.history and (kept := publisher.late_samples()):
         subscription.queue.extend(kept)
         subscription.on_ready()
 

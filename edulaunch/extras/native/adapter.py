@@ -14,7 +14,7 @@ from edulaunch.ros import node_facts
 from edulaunch.ros.serialization.cdr import decode, encode
 
 AT_ONCE = 100
-"""`spin_ready` runs this many callbacks at once before it checks for later events."""
+"""`rcl_spin_ready` runs this many callbacks at once before it checks for later events."""
 _ITS_OWN = frozenset(('rclpy', 'rcl_interfaces', 'rpyutils', 'rosidl_parser', 'rosidl_pycommon'))
 
 
@@ -61,8 +61,8 @@ def _messages() -> None:
 
     add: Callable[..., None] = _add
     add(Publisher, send_wire=send, context=property(lambda each: get_default_context()))
-    add(Subscription, take_wires=take_wires)
-    add(Context, alive=property(lambda context: context.ok()), park=_park, waits=[])
+    add(Subscription, rcl_take_wires=take_wires)
+    add(Context, alive=property(lambda context: context.ok()), rcl_park=_park, waits=[])
 
 
 def _park(context: Any, deadline_ns: int | None) -> None:
@@ -132,7 +132,7 @@ def _times() -> None:
 def _executors() -> None:
     from rclpy.executors import SingleThreadedExecutor
 
-    _add(SingleThreadedExecutor, spin_ready=_spin_ready)
+    _add(SingleThreadedExecutor, rcl_spin_ready=_spin_ready)
 
 
 def _spin_ready(executor: Any) -> None:

@@ -65,6 +65,7 @@ def test_late_transient_local_subscriptions_get_the_last_samples_and_volatile_on
     for number in range(4):
         publisher.publish(number)
     assert texts(bench.subscription('late', QoS(durability=TRANSIENT_LOCAL))) == [2, 3]
+    assert texts(bench.subscription('may lose', QoS(durability=TRANSIENT_LOCAL, reliability=BEST_EFFORT))) == []
     assert texts(bench.subscription('volatile')) == []
     assert bench.log == ['late']
 

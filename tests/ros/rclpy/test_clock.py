@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 import rclpy
 from builtin_interfaces.msg import Time as TimeMessage
+from rclpy._rclpy_pybind11 import RCLError
 from rclpy.clock import Clock, ClockChange, ClockType, JumpThreshold, ROSClock
 from rclpy.duration import Duration
 from rclpy.exceptions import NotInitializedException
@@ -40,7 +41,7 @@ def test_every_clock_tells_simulated_time(ros: Ros, world: World, clock_type: Cl
         clock = Clock(clock_type=clock_type)
         sleep(2)
         now = clock.now()
-        world.say((now.nanoseconds - world.sim.start_ns, now.clock_type is clock_type, type(clock) is ROSClock))
+        world.say((now.nanoseconds - world.sim.start_ns, now.clock_type == clock_type, type(clock) is ROSClock))
 
     assert ros(body) == [(2_000_000_000, True, clock_type is ClockType.ROS_TIME)]
 
@@ -189,3 +190,16 @@ def test_jump_thresholds_have_a_sign() -> None:
         JumpThreshold(min_forward=Duration(), min_backward=None)
     with pytest.raises(ValueError, match='min_backward must be a negative non-zero duration'):
         JumpThreshold(min_forward=None, min_backward=Duration())
+
+
+def test_the_type_of_a_time_prints_as_in_ros_2_and_can_be_used_again() -> None:
+    kind = Time(clock_type=ClockType.ROS_TIME).clock_type
+    assert (str(kind), f'{kind}', repr(kind)) == ('ClockType.ROS_TIME', 'ClockType.ROS_TIME', '<ClockType.ROS_TIME: 1>')
+    assert kind == ClockType.ROS_TIME and kind == ClockType.ROS_TIME and hash(kind) == hash(ClockType.ROS_TIME)
+    assert str(ClockType.ROS_TIME) == str(Clock(clock_type=kind).clock_type) == '1'
+    assert Time(clock_type=kind) == Time(clock_type=ClockType.ROS_TIME) and isinstance(Clock(clock_type=kind), ROSClock)
+
+
+def test_a_clock_of_no_type_has_no_time() -> None:
+    with pytest.raises(RCLError, match=r'^failed to get current clock value: Clock is not initialized or'):
+        Clock(clock_type=ClockType.UNINITIALIZED).now()

@@ -155,9 +155,9 @@ def test_spin_some_executes_each_ready_entity_once(ros: Ros, world: World) -> No
             publisher.publish(String(data=str(number)))
         executor = SingleThreadedExecutor()
         executor.add_node(node)
-        executor.spin_ready()
+        executor.rcl_spin_ready()
         world.say('next')
-        executor.spin_ready()
+        executor.rcl_spin_ready()
 
     assert ros(body) == ['0', 'next', '1']
 
@@ -172,13 +172,13 @@ def test_spin_some_has_rclcpps_order(ros: Ros, world: World) -> None:
         executor = SingleThreadedExecutor()
         executor.add_node(node)
         client.call_async(Empty.Request()).add_done_callback(lambda _: world.say('client'))
-        executor.spin_ready()
+        executor.rcl_spin_ready()
         client.call_async(Empty.Request())
         node.create_subscription(String, 'c', lambda message: world.say('subscription'), 10)
         node.create_publisher(String, 'c', 10).publish(String())
         node.create_timer(0.1, lambda: world.say('timer'))
         sleep(0.1)
-        executor.spin_ready()
+        executor.rcl_spin_ready()
 
     assert ros(body) == ['service', 'timer', 'subscription', 'service', 'client']
 

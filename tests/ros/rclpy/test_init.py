@@ -32,6 +32,27 @@ def test_init_twice_is_refused(world: World) -> None:
     assert world.run_program(program) == ['refused']
 
 
+@pytest.mark.parametrize(
+    ('enclave', 'problem', 'index'),
+    [
+        ('robots', "must be absolute, it must lead with a '/'", 0),
+        ('', 'must not be empty', 0),
+        ('/a//b', "must not contain repeated '/'", 3),
+        ('/5', 'must not have a token that starts with a number', 1),
+    ],
+)
+def test_an_invalid_enclave_is_refused(world: World, enclave: str, problem: str, index: int) -> None:
+    def program() -> None:
+        rclpy.init(args=['--ros-args', '--enclave', '/robots'])
+        rclpy.shutdown()
+        with pytest.raises(RCLError) as refused:
+            rclpy.init(args=['--ros-args', '-e', enclave])
+        world.say((str(refused.value), rclpy.ok()))
+
+    words = f"failed to initialize rcl: Enclave name is not valid: 'context name {problem}'. Invalid index: {index}"
+    assert world.run_program(program) == [(words, False)]
+
+
 def test_init_works_again_after_a_shutdown(world: World) -> None:
     def program() -> None:
         for _ in range(2):

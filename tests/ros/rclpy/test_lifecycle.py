@@ -95,15 +95,20 @@ def test_an_exception_in_a_callback_is_an_error(ros: Ros, world: World) -> None:
     ]
 
 
-def test_a_callback_that_returns_nothing_is_an_error(ros: Ros, world: World) -> None:
+def test_a_callback_that_returns_nothing_leaves_the_node_between_two_states(ros: Ros, world: World) -> None:
     class Forgetful(LifecycleNode):
         def on_configure(self, state: State) -> TransitionCallbackReturn:  # type: ignore[return]
             pass
 
     def body() -> None:
-        world.say(Forgetful('n').trigger_configure().name)
+        node = Forgetful('n')
+        with pytest.raises(AttributeError, match="^'NoneType' object has no attribute 'to_label'$"):
+            node.trigger_configure()
+        with pytest.raises(RCLError):
+            node.trigger_configure()
+        world.say(node._rclpy.life.state.label)
 
-    assert ros(body) == ['ERROR']
+    assert ros(body) == ['configuring']
     assert world.tracer.facts[0][1]['returned'] == 'None'
 
 

@@ -17,7 +17,7 @@ def test_a_time_is_shown_with_its_clock() -> None:
 
 
 def test_the_default_clock_type_is_system_time() -> None:
-    assert Time().clock_type is ClockType.SYSTEM_TIME
+    assert Time().clock_type == ClockType.SYSTEM_TIME
 
 
 @pytest.mark.parametrize(

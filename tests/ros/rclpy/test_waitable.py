@@ -91,3 +91,31 @@ def test_a_wait_set_says_that_there_is_nothing_to_add_to(ros: Ros, world: World)
         world.say(facts_of(caught.value)['about'])
 
     assert ros(body) == ['programs.wait-set']
+
+
+def test_the_base_class_implements_nothing(ros: Ros, world: World) -> None:
+    def body() -> None:
+        base = Waitable(Node('n').default_callback_group)
+        for call in (
+            lambda: base.is_ready(None),
+            lambda: base.add_to_wait_set(None),
+            base.take_data,
+            base.get_num_entities,
+            lambda: base.execute(None).send(None),
+        ):
+            with pytest.raises(NotImplementedError, match='^Must be implemented by subclass$'):
+                call()
+
+    ros(body)
+
+
+def test_actions_and_events_say_what_they_consist_of(ros: Ros, world: World) -> None:
+    from rclpy.action import ActionClient, ActionServer
+    from turtlesim.action import RotateAbsolute
+
+    def body() -> None:
+        node = Node('n')
+        world.say(ActionClient(node, RotateAbsolute, 'x').get_num_entities())
+        world.say(ActionServer(node, RotateAbsolute, 'x', lambda goal: None).get_num_entities())
+
+    assert list(map(repr, ros(body))) == ['<NumberOfEntities(2, 0, 0, 3, 0, 0)>', '<NumberOfEntities(0, 0, 1, 0, 3, 0)>']

@@ -88,7 +88,7 @@ def pause_until(node: Node, at_ns: int) -> bool:
     """Wait until the simulated time `at_ns`; see :func:`pause`."""
     sim = current_task().sim
     while sim.now_ns < at_ns and node.context.ok():
-        node.context.park(at_ns)
+        node.context.rcl_park(at_ns)
     return bool(node.context.ok())
 
 

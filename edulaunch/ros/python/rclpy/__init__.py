@@ -187,11 +187,11 @@ def _spinning_executor(executor: Executor | None, node: Node, function: str, fut
         executor = get_global_executor()
     elif not hasattr(executor, 'spinner'):
         check_executor(executor, 'remove_node' if function == 'spin' else 'add_node')
-    if executor.spinner is not None and executor.note_nested_spin():
+    if executor.spinner is not None and executor.rcl_note_nested_spin():
         from rclpy.impl.facts import note_spin, note_wait
         from rclpy.task import source_of
 
-        source = None if future is None or future.ended else source_of(future)
+        source = None if future is None or future.rcl_ended else source_of(future)
         if source is not None and not source.callback_group.can_execute(source):
             note_wait(function, source)
         else:
@@ -199,7 +199,7 @@ def _spinning_executor(executor: Executor | None, node: Node, function: str, fut
     elif executor.spinner is None:
         core = getattr(node, '_rclpy', None)
         other = None if core is None else core.executor
-        if other is not None and other is not executor and other.spinner is not None and other.note_nested_spin():
+        if other is not None and other is not executor and other.spinner is not None and other.rcl_note_nested_spin():
             from rclpy.impl.facts import note_lost_node
 
             note_lost_node(function, node, other)

@@ -46,7 +46,7 @@ class Asker(Entity):
     def note_deadlock(self) -> None:
         """Record a deadlock if the running callback waits for a response that cannot arrive during this wait."""
         executor = self.ready_list.executor
-        if executor is not None and executor.cannot_serve(self):
+        if executor is not None and executor.rcl_cannot_serve(self):
             from rclpy.impl.facts import note_wait
 
             note_wait('call', self)
@@ -85,8 +85,8 @@ def parked_until_done(future: Future, timeout_sec: float | None = None) -> bool:
     task = current_task()
     future.add_done_callback(lambda _: task.wake())
     deadline = None if timeout_sec is None else task.sim.now_ns + int(timeout_sec * 1e9)
-    while not future.ended:
-        if not task.park(deadline) and not future.ended:
+    while not future.rcl_ended:
+        if not task.park(deadline) and not future.rcl_ended:
             return False
     return True
 
@@ -94,7 +94,7 @@ def parked_until_done(future: Future, timeout_sec: float | None = None) -> bool:
 class Client(ServiceEnd, Asker):
     """A client of a service, created by `Node.create_client`."""
 
-    category = CLIENT
+    rcl_category = CLIENT
     endpoint: ServiceClient
 
     def __init__(
@@ -163,14 +163,14 @@ class Client(ServiceEnd, Asker):
         if not isinstance(request, self.srv_type.Request):
             raise wrong_class(request, self.srv_type, 'Request')
 
-    def run_callback(self, executor: ExecutorProtocol) -> Any:
+    def rcl_run_callback(self, executor: ExecutorProtocol) -> Any:
         self.queued = False
         queue = self.endpoint.queue
         if not queue:
             return None
         sequence, wire = queue.popleft()
         if queue:
-            self.signal()
+            self.rcl_signal()
         response = self.srv_type.Response.from_wire(wire)
         if self._introspection is not None:
             self._introspection.response_received(sequence, response)

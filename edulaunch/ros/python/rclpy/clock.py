@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.sim.task import current_task
 from edulaunch.ros.passed_on import passed_on
 from edulaunch.ros.read_only import ReadOnly
-from rclpy.clock_type import ClockType
+from rclpy._rclpy_pybind11 import RCLError
+from rclpy.clock_type import ClockType, TypeOfTime
 from rclpy.duration import Duration
 from rclpy.exceptions import NotInitializedException
+from rclpy.impl.c_enum import CEnum
 from rclpy.impl.entity import Handle
 from rclpy.time import Time, time_of_clock
 from rclpy.utilities import get_default_context
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 __all__ = ['Clock', 'ClockChange', 'ClockType', 'Duration', 'JumpHandle', 'JumpThreshold', 'ROSClock', 'Time', 'TimeJump']
 
 
-class ClockChange(IntEnum):
+class ClockChange(CEnum):
     """The change of a clock's source in a time jump."""
 
     ROS_TIME_NO_CHANGE = 1
@@ -119,10 +120,10 @@ class Clock:
     _clock_type: ClockType
 
     def __new__(cls, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> Clock:
-        if not isinstance(clock_type, ClockType):
+        if not isinstance(clock_type, (ClockType, TypeOfTime)):
             raise TypeError('Clock type must be a ClockType enum')
-        self = super().__new__(ROSClock if clock_type is ClockType.ROS_TIME else cls)
-        self._clock_type = clock_type
+        self = super().__new__(ROSClock if clock_type == ClockType.ROS_TIME else cls)
+        self._clock_type = ClockType(clock_type)
         self.sim = current_task().sim
         self.override_ns = None
         self._received_ns = 0
@@ -149,6 +150,8 @@ class Clock:
     def now(self) -> Time:
         """Return the current time."""
         current_task().poll()
+        if not self._clock_type:
+            raise RCLError('failed to get current clock value: Clock is not initialized or does not have get_now registered.')
         override = self.override_ns
         return time_of_clock(self.sim.now_ns if override is None else override, self._clock_type)
 
@@ -203,7 +206,7 @@ class Clock:
                 and (self.override_ns is not None) is active
                 and (self.now_ns() < until.nanoseconds or (active and not jumps))
             ):
-                context.park(None if active else until.nanoseconds)
+                context.rcl_park(None if active else until.nanoseconds)
         return context.alive and self.now_ns() >= until.nanoseconds and (self.override_ns is not None) is active
 
     def sleep_for(self, rel_time: Duration, context: Context | None = None) -> bool:

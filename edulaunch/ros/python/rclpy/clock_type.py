@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from enum import IntEnum
+from typing import Any
+
+from rclpy.impl.c_enum import CEnum
 
 
 class ClockType(IntEnum):
@@ -12,3 +15,7 @@ class ClockType(IntEnum):
     ROS_TIME = 1
     SYSTEM_TIME = 2
     STEADY_TIME = 3
+
+
+TypeOfTime: Any = CEnum('ClockType', [(kind.name, kind.value) for kind in ClockType])  # type: ignore[call-arg, arg-type]
+"""What `Time.clock_type` returns: it equals a :class:`ClockType`, but is another object and prints as `ClockType.ROS_TIME`."""

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.facts import with_facts, with_facts_of
+from edulaunch.engine.graph.names import namespace_problem
 from edulaunch.engine.graph.ros_arguments import RosArguments, RosArgumentsError, parse_ros_arguments
 from edulaunch.engine.processes.current import current_process
 from edulaunch.engine.sim.task import Task, current_task
@@ -85,7 +86,7 @@ class Context:
         if self.alive:
             self._end()
 
-    def end_by_signal(self) -> None:
+    def rcl_end_by_signal(self) -> None:
         """Shut the context down as Ctrl-C does. Later calls fail with a different message than after `shutdown()`."""
         if self.alive:
             self.ended_by_signal = True
@@ -127,16 +128,16 @@ class Context:
         """Shut the context down if that was not done yet."""
         self.try_shutdown()
 
-    def track_node(self, node: NodeProtocol) -> None:
+    def rcl_track_node(self, node: NodeProtocol) -> None:
         """Register a node of this context."""
         self._nodes.append(node)
 
-    def untrack_node(self, node: NodeProtocol) -> None:
+    def rcl_untrack_node(self, node: NodeProtocol) -> None:
         """Unregister a node of this context."""
         if node in self._nodes:
             self._nodes.remove(node)
 
-    def park(self, deadline_ns: int | None = None) -> bool:
+    def rcl_park(self, deadline_ns: int | None = None) -> bool:
         """Park the running task until it is woken, the deadline comes, or this context ends."""
         task = current_task()
         self.parked.append(task)
@@ -158,11 +159,16 @@ def _global_arguments(arguments: list[str]) -> RosArguments:
     if not isinstance(arguments, list):
         raise TypeError(f'incompatible constructor arguments: args must be a list, not {type(arguments).__name__}')
     try:
-        return parse_or_raise(arguments)
+        read = parse_or_raise(arguments)
     except RCLInvalidROSArgsError as error:
         _log(40, 'Failed to parse global arguments')
         reason = str(error).removeprefix(_REFUSED)
         raise with_facts_of(RCLError(f'failed to initialize rcl: {reason}'), error) from None
+    problem = namespace_problem(read.settings.get('enclave', '/'))
+    if problem is not None:
+        reason = f"'{problem[0].replace('namespace', 'context name', 1)}'. Invalid index: {problem[1]}"
+        raise RCLError(f'failed to initialize rcl: Enclave name is not valid: {reason}')
+    return read
 
 
 _REFUSED = 'Failed to parse ROS arguments: '

@@ -10,7 +10,7 @@ from edulaunch.ros.passed_on import passed_on
 from rclpy._rclpy_pybind11 import UnsupportedEventTypeError as UnsupportedEventTypeError
 from rclpy.impl.c_enum import CEnum
 from rclpy.impl.qos_watch import Count, LivelinessWatch, watch_deadline, watch_lease
-from rclpy.waitable import Waitable
+from rclpy.waitable import NumberOfEntities, Waitable
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
@@ -94,19 +94,23 @@ class EventHandler(Waitable):
         self.callback = callback
         self._take_info = take
 
-    def run_callback(self, executor: ExecutorProtocol) -> Any:
+    def get_num_entities(self) -> NumberOfEntities:
+        """Return how many entities of each kind belong to it."""
+        return NumberOfEntities(num_events=1)
+
+    def rcl_run_callback(self, executor: ExecutorProtocol) -> Any:
         self.queued = False
         info = self._take_info()
         if info is not None and not self.destroyed:
             self.callback(info)
         return None
 
-    is_async = False
+    rcl_is_async = False
 
-    def ready_changed(self) -> None:
+    def rcl_ready_changed(self) -> None:
         """Record an event, so that the executor calls the callback."""
         if not self.destroyed:
-            self.signal()
+            self.rcl_signal()
 
     def destroy(self) -> None:
         """Stop calling the callback."""
@@ -199,11 +203,11 @@ class _EventCallbacks:
 
         def on_matched(change: int) -> None:
             count.add(change)
-            handler.ready_changed()
+            handler.rcl_ready_changed()
 
         impl.on_matched = on_matched
         if count.current:
-            handler.ready_changed()
+            handler.rcl_ready_changed()
 
 
 def _never_called(info: Any) -> None:
@@ -212,7 +216,7 @@ def _never_called(info: Any) -> None:
 
 def _counted(node: Any, entity: Any, group: CallbackGroup, callback: EventCallback, make_info: Callable[..., Any]) -> Count:
     """Return a count whose changes are passed to the callback, on the executor's turn."""
-    count = Count(make_info, lambda: handler.ready_changed())
+    count = Count(make_info, lambda: handler.rcl_ready_changed())
     handler = _added(node, entity, EventHandler(group, callback, count.take))
     return count
 
@@ -298,7 +302,7 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         self.message_lost = message_lost
 
     def _watch_liveliness(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
-        watch = LivelinessWatch(impl, QoSLivelinessChangedInfo, lambda: handler.ready_changed())
+        watch = LivelinessWatch(impl, QoSLivelinessChangedInfo, lambda: handler.rcl_ready_changed())
         handler = _added(node, entity, EventHandler(group, callback, watch.take))
         if not impl.qos.lease_ns:
             return  # Fast DDS ignores the liveliness of publishers that need not assert it

@@ -117,7 +117,7 @@ class MultiThreadedExecutor(Executor):
                 try:
                     job()
                     if isinstance(job, Task):
-                        job.raise_if_failed()
+                        job.rcl_raise_if_failed()
                 except Exception as error:
                     self._failures.append(error)
             self._idle.append(thread)
@@ -130,11 +130,11 @@ class MultiThreadedExecutor(Executor):
                     self._threads.remove(thread)
                     return
 
-    def running_entity(self) -> Entity | None:
+    def rcl_running_entity(self) -> Entity | None:
         running = self._running.get(current_task())
         return None if running is None else running[0]
 
-    def cannot_serve(self, entity: Entity) -> tuple[Any, ...] | None:
+    def rcl_cannot_serve(self, entity: Entity) -> tuple[Any, ...] | None:
         turn = self._running.get(current_task())
         if turn is None or turn[0].callback_group is not entity.callback_group or entity.callback_group.can_execute(entity):
             return None

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 class GuardCondition(Entity):
     """A guard condition, created by `Node.create_guard_condition`. After `trigger()`, the executor calls the callback once."""
 
-    category = GUARD
+    rcl_category = GUARD
 
     def __init__(
         self,
@@ -32,7 +32,7 @@ class GuardCondition(Entity):
     ) -> None:
         super().__init__(ready_list or ReadyList(), callback_group, number)
         self.callback = callback
-        self.is_async = is_coroutine_function(callback)
+        self.rcl_is_async = is_coroutine_function(callback)
 
     @property
     def handle(self) -> Handle:
@@ -45,9 +45,9 @@ class GuardCondition(Entity):
         """
         if self.destroyed:
             raise invalid_handle()
-        self.signal()
+        self.rcl_signal()
 
-    def run_callback(self, executor: ExecutorProtocol) -> Any:
+    def rcl_run_callback(self, executor: ExecutorProtocol) -> Any:
         self.queued = False
         return self.callback() if self.callback is not None and not self.destroyed else None
 

@@ -96,7 +96,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
         events = ParameterEvents(self)
         core.overrides.update(events.from_arguments(parameter_overrides or ()))
         core.parameters = ParameterStore(allow_undeclared_parameters, core.check_alive, events.publish)
-        context.track_node(self)
+        context.rcl_track_node(self)
         check_own_names(self, AT_START)
         core.time_source = TimeSource()
         core.time_source.attach_clock(core.clock)
@@ -138,7 +138,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
             return
         if current is not None:
             current.remove_node(self)
-            current.forget_work()
+            current.rcl_forget_work()
         core.executor = None
         if new_executor is not None:
             add_node = new_executor.add_node
@@ -181,7 +181,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
                 entities.pop().destroy()
         for waitable in list(core.waitables):
             self.remove_waitable(waitable)
-        core.context.untrack_node(self)
+        core.context.rcl_untrack_node(self)
         core.graph.remove_node(core.entry)
         core.ready_list.notify()
 

@@ -22,7 +22,7 @@ class Service(ServiceEnd, Entity):
     the response.
     """
 
-    category = SERVICE
+    rcl_category = SERVICE
     endpoint: ServiceServer
 
     def __init__(
@@ -40,21 +40,21 @@ class Service(ServiceEnd, Entity):
         self.srv_name = srv_name
         self.callback = callback
         self.qos_profile = qos_profile
-        self.is_async = is_coroutine_function(callback)
+        self.rcl_is_async = is_coroutine_function(callback)
 
-    def run_callback(self, executor: ExecutorProtocol) -> Any:
+    def rcl_run_callback(self, executor: ExecutorProtocol) -> Any:
         self.queued = False
         queue = self.endpoint.queue
         if not queue:
             return None
         wire, request_id = queue.popleft()
         if queue:
-            self.signal()
+            self.rcl_signal()
         request = self.srv_type.Request.from_wire(wire)
         if self._introspection is not None:
             self._introspection.request_received(request_id, request)
         response = self.callback(request, self.srv_type.Response())
-        if self.is_async:
+        if self.rcl_is_async:
             return self._answer_later(response, request_id)
         self.send_response(response, request_id)
         return None

@@ -59,7 +59,7 @@ def _install(state: ProcessState, number: int, default: Callable[[int], object] 
 
     def handler(signum: int) -> None:
         for context in list(state.contexts):
-            context.end_by_signal()
+            context.rcl_end_by_signal()
         following = default if before is None or before == state.process.signals.die_at_once else before
         if following is not None:
             following(signum)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 class Subscription(TopicEnd, Entity):
     """A subscription to a topic, created by `Node.create_subscription`. Each message is a new object."""
 
-    category = SUBSCRIPTION
+    rcl_category = SUBSCRIPTION
     endpoint: GraphSubscription
 
     class CallbackType(Enum):
@@ -51,7 +51,7 @@ class Subscription(TopicEnd, Entity):
         self.callback = callback
         self._from_wire = self._to_bytes if raw else msg_type.from_wire
 
-    def connect(self, impl: GraphSubscription) -> None:
+    def rcl_connect(self, impl: GraphSubscription) -> None:
         """Set the endpoint of the graph to which this subscription belongs."""
         self.endpoint = impl
         self._queue = impl.queue
@@ -67,9 +67,9 @@ class Subscription(TopicEnd, Entity):
         self._callback_type = callback_type(value)
         self._simple = self._callback_type is Subscription.CallbackType.MessageOnly
         self._wire_callback: Callable[[Any], object] | None = None
-        self.is_async = is_coroutine_function(value)
+        self.rcl_is_async = is_coroutine_function(value)
 
-    def run_callback(self, executor: ExecutorProtocol) -> Any:
+    def rcl_run_callback(self, executor: ExecutorProtocol) -> Any:
         self.queued = False
         queue = self._queue
         if self.endpoint.may_expire:
@@ -78,14 +78,14 @@ class Subscription(TopicEnd, Entity):
             return None
         taken = queue.popleft()
         if queue:
-            self.signal()
+            self.rcl_signal()
         if self._simple:
             return self._callback(self._from_wire(taken[0]))
         if self._wire_callback is not None:
             return self._wire_callback(taken[0])
         return self._callback(self._from_wire(taken[0]), self._info(taken))
 
-    def take_wires(self, callback: Callable[[Any], object]) -> None:
+    def rcl_take_wires(self, callback: Callable[[Any], object]) -> None:
         """Call `callback` with the wire tuple of each message in place of the current callback, which must do the same with
         messages.
 

@@ -42,7 +42,7 @@ class Future:
     # Programs create thousands of futures and tasks, so values that rarely change are class attributes.
     _done = False
     _cancelled = False
-    ended = False  # either a future or a task
+    rcl_ended = False  # either a future or a task
     _result: Any = None
     _exception: BaseException | None = None
     _unfetched: _UnfetchedException | None = None
@@ -57,7 +57,7 @@ class Future:
             self._executor = executor
 
     def __await__(self) -> Generator[Any, None, Any]:
-        while not self.ended:
+        while not self.rcl_ended:
             self._asyncio_future_blocking = True
             yield self
         return self.result()
@@ -74,7 +74,7 @@ class Future:
     def cancel(self, msg: object = None) -> None:
         """Cancel the future if it is not done. It does not become done, but all waits for it end, and `await` returns None."""
         if not self._done:
-            self._cancelled = self.ended = True
+            self._cancelled = self.rcl_ended = True
             self._over()
 
     def cancelled(self) -> bool:
@@ -92,7 +92,7 @@ class Future:
     def _count_look(self, source: Any) -> None:
         """Record a deadlock if a callback repeatedly checks a future that cannot be done before the callback ends."""
         executor = source.ready_list.executor
-        turn = None if executor is None else executor.cannot_serve(source)
+        turn = None if executor is None else executor.rcl_cannot_serve(source)
         if turn is None:
             return
         from rclpy.impl.facts import POLLS, note_wait
@@ -134,7 +134,7 @@ class Future:
         self._end()
 
     def _end(self) -> None:
-        self._done = self.ended = True
+        self._done = self.rcl_ended = True
         self._cancelled = False
         if self._callbacks or self._awaiting:
             self._over()
@@ -147,7 +147,7 @@ class Future:
             for executor in awaiting:
                 executor.wake()
 
-    def wake_when_done(self, executor: ExecutorProtocol) -> None:
+    def rcl_wake_when_done(self, executor: ExecutorProtocol) -> None:
         """Wake an executor when the future is done."""
         if executor not in self._awaiting:
             self._awaiting += (executor,)
@@ -179,7 +179,7 @@ class Future:
         if context is not None:
             loop, function = self.get_loop(), callback
             callback = lambda future: loop.call_soon_threadsafe(function, future, context=context)  # noqa: E731
-        if not self.ended:
+        if not self.rcl_ended:
             self._callbacks.append(callback)
         elif self._executor is not None:
             self._executor.create_task(callback, self)
@@ -226,7 +226,7 @@ class Task(Future):
 
     def __call__(self) -> None:
         """Start or continue the task."""
-        if self.ended or self._executing:
+        if self.rcl_ended or self._executing:
             return
         self._executing = True
         try:
@@ -247,7 +247,7 @@ class Task(Future):
             self.set_result(end.value)
             return
         if isinstance(awaited, Future) and self._executor is not None and self._executor not in awaited._awaiting:
-            awaited.wake_when_done(self._executor)
+            awaited.rcl_wake_when_done(self._executor)
             if self._entity is not None and awaited._source is not None:
                 self._note_deadlock(self._entity, awaited._source)
 
@@ -258,7 +258,7 @@ class Task(Future):
 
             note_wait('await', source, coroutine_line(self._running))
 
-    def raise_if_failed(self) -> None:
+    def rcl_raise_if_failed(self) -> None:
         """Raise the exception of the task, if there is one."""
         if self._exception is not None:
             self.result()

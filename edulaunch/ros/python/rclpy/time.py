@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.ros.passed_on import passed_on
 from edulaunch.ros.read_only import ReadOnly
-from rclpy.clock_type import ClockType
+from rclpy.clock_type import ClockType, TypeOfTime
 from rclpy.constants import S_TO_NS
 from rclpy.duration import Duration
 
@@ -34,7 +34,7 @@ class Time:
     __slots__ = ('_nanoseconds', '_clock_type')
 
     def __init__(self, *, seconds: float = 0, nanoseconds: float = 0, clock_type: ClockType = ClockType.SYSTEM_TIME) -> None:
-        if not isinstance(clock_type, ClockType):
+        if not isinstance(clock_type, (ClockType, TypeOfTime)):
             raise TypeError('Clock type must be a ClockType enum')
         if seconds < 0:
             raise ValueError('Seconds value must not be negative')
@@ -44,11 +44,15 @@ class Time:
         if total >= _LIMIT:
             raise OverflowError('Total nanoseconds value is too large to store in C time point.')
         self._nanoseconds = total
-        self._clock_type = clock_type
+        self._clock_type = ClockType(clock_type)
 
     nanoseconds: ReadOnly[int] = ReadOnly("Nanoseconds since the clock's epoch.", '_nanoseconds')
 
-    clock_type: ReadOnly[ClockType] = ReadOnly('The kind of clock that this time belongs to.', '_clock_type')
+    @property
+    def clock_type(self) -> ClockType:
+        """The kind of clock that this time belongs to; see :data:`TypeOfTime`."""
+        kind: ClockType = TypeOfTime(self._clock_type)
+        return kind
 
     def seconds_nanoseconds(self) -> tuple[int, int]:
         """Return the whole seconds and the remaining nanoseconds."""

@@ -29,7 +29,7 @@ class Timer(TimedEntity):
     :ivar due_ns: the same in simulated time; `NEVER_NS` while cancelled, or while only /clock knows it.
     """
 
-    category = TIMER
+    rcl_category = TIMER
 
     def __init__(
         self,
@@ -45,7 +45,7 @@ class Timer(TimedEntity):
     ) -> None:
         super().__init__(ready_list or ReadyList(), callback_group, number)
         self.callback = callback
-        self.is_async = is_coroutine_function(callback)
+        self.rcl_is_async = is_coroutine_function(callback)
         self._clock = clock
         self._period_ns = timer_period_ns
         self._canceled = not autostart
@@ -104,7 +104,7 @@ class Timer(TimedEntity):
             self._next_ns = now + self._period_ns
         self._plan()
 
-    def run_callback(self, executor: ExecutorProtocol) -> Any:
+    def rcl_run_callback(self, executor: ExecutorProtocol) -> Any:
         self.queued = False
         if self._canceled or self.destroyed:
             return None
@@ -212,13 +212,13 @@ class Rate:
         """
         self._check()
         executor = self.timer.ready_list.executor
-        if not self._has_called and executor is not None and executor.cannot_serve(self.timer):
+        if not self._has_called and executor is not None and executor.rcl_cannot_serve(self.timer):
             from rclpy.impl.facts import note_rate
 
             note_rate(self.timer)
         self._sleepers += 1
         while not self._has_called and self._context.alive and not self._is_destroyed:
-            self._context.park()
+            self._context.rcl_park()
         self._sleepers -= 1
         self._has_called = self._has_called and self._sleepers > 0
         self._check_context()

@@ -36,7 +36,7 @@ def wait_for_message(
     deadline = None if time_to_wait < 0 else task.sim.now_ns + int(time_to_wait * 1e9)
     try:
         while not impl.queue and core.context.alive and (deadline is None or task.sim.now_ns < deadline):
-            core.context.park(deadline)
+            core.context.rcl_park(deadline)
         taken = impl.take()
     finally:
         impl.destroy()

@@ -49,12 +49,12 @@ class WaitSet:
 
 
 class Waitable(Entity):
-    """The base class of waitables. A subclass overrides `is_ready`, `take_data` and `execute`. An executor checks a waitable only
-    in each wait, so another event (a timer, a message) must end the wait.
+    """The base class of waitables. A subclass overrides `is_ready`, `take_data`, `execute`, `get_num_entities` and
+    `add_to_wait_set`. An executor checks a waitable only in each wait, so another event (a timer, a message) must end the wait.
     """
 
-    category = WAITABLE
-    is_async = True
+    rcl_category = WAITABLE
+    rcl_is_async = True
 
     def __init__(self, callback_group: CallbackGroup) -> None:
         super().__init__(ReadyList(), callback_group, 0)
@@ -68,21 +68,23 @@ class Waitable(Entity):
 
     def is_ready(self, wait_set: Any) -> bool:
         """Return whether there is work to do."""
-        return True
+        raise NotImplementedError('Must be implemented by subclass')
 
     def take_data(self) -> Any:
         """Take the data that is passed to `execute`."""
-        return None
+        raise NotImplementedError('Must be implemented by subclass')
 
     async def execute(self, taken_data: Any) -> None:
         """Process the data from `take_data`. Subclasses implement it."""
+        raise NotImplementedError('Must be implemented by subclass')
 
     def get_num_entities(self) -> NumberOfEntities:
         """Return how many entities of each kind belong to it."""
-        return NumberOfEntities()
+        raise NotImplementedError('Must be implemented by subclass')
 
     def add_to_wait_set(self, wait_set: Any) -> None:
         """Prepare a wait. The executor calls it before each wait, and subclasses implement it."""
+        raise NotImplementedError('Must be implemented by subclass')
 
     def add_future(self, future: Future) -> None:
         """Store a future."""
@@ -92,11 +94,11 @@ class Waitable(Entity):
         """Remove a future."""
         self._futures.remove(future)
 
-    def run_callback(self, executor: ExecutorProtocol) -> Any:
+    def rcl_run_callback(self, executor: ExecutorProtocol) -> Any:
         self.queued = False
         return self.execute(self.take_data())
 
-    def ask(self) -> bool:
+    def rcl_ask(self) -> bool:
         """Call `is_ready` in a wait. It is not called again while the callback waits for its turn."""
         if not self.queued:
             self.get_num_entities()

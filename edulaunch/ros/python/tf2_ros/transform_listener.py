@@ -74,7 +74,7 @@ class TransformListener:
         self.tf_static_sub.callback = self.static_callback if own_static else _receiver(buffer.set_transform_static)
         receive_wire = wire_receiver(buffer, AUTHORITY)
         if receive_wire is not None and not own:
-            self.tf_sub.take_wires(receive_wire)
+            self.tf_sub.rcl_take_wires(receive_wire)
 
     def callback(self, data: TFMessage) -> None:
         """Put a message of /tf into the buffer. Subclasses may override it."""

@@ -21,7 +21,7 @@ class FramePublisher(Node):
         self._clock = self.get_clock()
         self._transforms = TransformBroadcaster(self).pub_tf
         self._poses = self.create_subscription(Pose, f'/{self._turtle}/pose', self._on_pose, 1)
-        self._poses.take_wires(self._on_pose)
+        self._poses.rcl_take_wires(self._on_pose)
 
     def _on_pose(self, pose: tuple[float, ...]) -> None:
         """Broadcast a pose. Both messages are wire tuples, with their fields in order, because this runs 62.5 times a second for

@@ -113,7 +113,7 @@ class TurtlePorts:
         self._debug = self._log.is_enabled_for(LoggingSeverity.DEBUG)
         name = turtle.name
         self._commands = node.create_subscription(Twist, f'{name}/cmd_vel', self._on_command, DEPTH)
-        self._commands.take_wires(self._on_command)
+        self._commands.rcl_take_wires(self._on_command)
         self._poses = node.create_publisher(Pose, f'{name}/pose', DEPTH)
         self._colors = node.create_publisher(Color, f'{name}/color_sensor', DEPTH)
         self._services = [

@@ -117,7 +117,7 @@ def run() -> None:
         task.sleep_until(tick_ns)
         if not context.alive:
             return
-        executor.spin_ready()
+        executor.rcl_spin_ready()
         frame.update()
 
 

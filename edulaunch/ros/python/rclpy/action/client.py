@@ -18,7 +18,7 @@ from rclpy.process_state import process_state
 from rclpy.qos import QoSProfile, engine_qos, qos_profile_action_status_default, qos_profile_services_default, validate_qos
 from rclpy.task import Future, await_or_execute, future_answer
 from rclpy.type_support import check_is_valid_action_type, wrong_class
-from rclpy.waitable import Waitable
+from rclpy.waitable import NumberOfEntities, Waitable
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
@@ -113,17 +113,21 @@ class ActionClient(Asker, Waitable):
         self._feedback = self._subscribe('feedback', impl.FeedbackMessage, validate_qos(feedback_sub_qos_profile))
         self._status = self._subscribe('status', impl.GoalStatusMessage, status_sub_qos_profile)
 
+    def get_num_entities(self) -> NumberOfEntities:
+        """Return how many entities of each kind belong to it."""
+        return NumberOfEntities(num_subs=2, num_clients=3)
+
     def _client(self, part: str, srv_type: Any, qos: QoSProfile) -> Any:
         core = core_of(self._node)
         name = core.resolve(f'{self._name}/_action/{part}', 'service')
-        return core.graph.create_client(core.entry, name, srv_type, engine_qos(qos), self.signal)
+        return core.graph.create_client(core.entry, name, srv_type, engine_qos(qos), self.rcl_signal)
 
     def _subscribe(self, part: str, msg_type: Any, qos: QoSProfile) -> Any:
         core = core_of(self._node)
         name = core.resolve(f'{self._name}/_action/{part}', 'topic')
-        return core.graph.create_subscription(core.entry, name, msg_type, engine_qos(qos), self.signal)
+        return core.graph.create_subscription(core.entry, name, msg_type, engine_qos(qos), self.rcl_signal)
 
-    def run_callback(self, executor: ExecutorProtocol) -> Any:
+    def rcl_run_callback(self, executor: ExecutorProtocol) -> Any:
         """Process at most one response of each kind, one feedback and one status per turn, as rclpy does.
 
         As over a real network, the answer to a goal and its status come before the goal's first feedback. Its last feedback comes
@@ -137,7 +141,7 @@ class ActionClient(Asker, Waitable):
         now = (sources[0], sources[-1]) if self._goal_client.queue else sources
         taken = [(kind, source.take()) for kind, source in now]
         if self._result_client.queue or any(source.queue for _, source in sources):
-            self.signal()
+            self.rcl_signal()
         return self._handle_all(taken, executor)
 
     async def _handle_all(self, taken: list[tuple[str, Any]], executor: ExecutorProtocol) -> None:

@@ -20,7 +20,7 @@ from rclpy.node_parts.core import core_of
 from rclpy.qos import QoSProfile, engine_qos, qos_profile_action_status_default, qos_profile_services_default, validate_qos
 from rclpy.task import Future, await_or_execute
 from rclpy.type_support import check_is_valid_action_type, wrong_class
-from rclpy.waitable import Waitable
+from rclpy.waitable import NumberOfEntities, Waitable
 
 if TYPE_CHECKING:
     from edulaunch.engine.graph.services import RequestId, ServiceServer
@@ -110,10 +110,14 @@ class ActionServer(Waitable):
         self._feedback = self._advertise('feedback', impl.FeedbackMessage, validate_qos(feedback_pub_qos_profile))
         self._status = self._advertise('status', impl.GoalStatusMessage, status_pub_qos_profile)
 
+    def get_num_entities(self) -> NumberOfEntities:
+        """Return how many entities of each kind belong to it."""
+        return NumberOfEntities(num_timers=1, num_services=3)
+
     def _serve(self, part: str, srv_type: Any, qos: QoSProfile) -> ServiceServer:
         core = core_of(self._node)
         name = core.resolve(f'{self._name}/_action/{part}', 'service')
-        return core.graph.create_service(core.entry, name, srv_type, engine_qos(qos), self.signal)
+        return core.graph.create_service(core.entry, name, srv_type, engine_qos(qos), self.rcl_signal)
 
     def _advertise(self, part: str, msg_type: Any, qos: QoSProfile) -> Any:
         core = core_of(self._node)
@@ -146,7 +150,7 @@ class ActionServer(Waitable):
             raise TypeError('Failed to register goal execution callback: not callable')
         self._execute_callback = execute_callback
 
-    def run_callback(self, executor: ExecutorProtocol) -> Any:
+    def rcl_run_callback(self, executor: ExecutorProtocol) -> Any:
         """Process at most one goal, one cancel request and one result request per turn, as rclpy does."""
         self.queued = False
         taken = [
@@ -158,7 +162,7 @@ class ActionServer(Waitable):
             )
         ]
         if self._goal_service.queue or self._cancel_service.queue or self._result_service.queue:
-            self.signal()
+            self.rcl_signal()
         self._forget_old_goals()
         return self._answer_all(taken)
 
@@ -269,7 +273,7 @@ class ActionServer(Waitable):
     def _give_result(self, goal_handle: ServerGoalHandle, result: Any) -> None:
         """Reply to the requests for the result of a goal. The first result counts."""
         future = self._result_futures.get(bytes(goal_handle.goal_id.uuid))
-        if future is not None and not future.ended:
+        if future is not None and not future.rcl_ended:
             if not isinstance(result, self._action_type.Result):
                 raise with_facts(
                     TypeError(),

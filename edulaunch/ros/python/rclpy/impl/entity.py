@@ -97,20 +97,20 @@ class ReadyList:
 class Entity:
     """The base class of what executors run: a callback, its group, and whether an event waits for it.
 
-    `_order` sorts the entities of one wait by category, then by creation. `is_async` is whether running it returns a coroutine.
+    `_order` sorts the entities of one wait by category, then by creation. `rcl_is_async` is whether a run returns a coroutine.
     """
 
-    category = WAITABLE
-    is_async = False
+    rcl_category = WAITABLE
+    rcl_is_async = False
 
     def __init__(self, ready_list: ReadyList, callback_group: CallbackGroup, number: int) -> None:
         self.callback_group = callback_group
         self.ready_list = ready_list
-        self.order = self.category << 32 | number
+        self.order = self.rcl_category << 32 | number
         self.queued = False
         self.destroyed = False
 
-    def signal(self) -> None:
+    def rcl_signal(self) -> None:
         """Record an event: join the ready list and wake the executor."""
         if not self.queued:
             self.queued = True
@@ -119,7 +119,7 @@ class Entity:
             for task in ready_list.waiting:
                 task.wake()
 
-    def run_callback(self, executor: ExecutorProtocol) -> Any:
+    def rcl_run_callback(self, executor: ExecutorProtocol) -> Any:
         """Take the waiting data and call the callback with it. The entity has left the ready list. The executor runs a returned
         coroutine.
         """
@@ -140,7 +140,7 @@ class GraphEnd:
 
     endpoint: Any
 
-    def connect(self, impl: Any) -> None:
+    def rcl_connect(self, impl: Any) -> None:
         """Set the endpoint of the graph to which this entity belongs."""
         self.endpoint = impl
 

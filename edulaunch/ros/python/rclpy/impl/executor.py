@@ -162,7 +162,7 @@ class Executor(Waiting):
         """Execute one item in place. Raises what its callback raises."""
         if isinstance(item, Task):
             item()
-            item.raise_if_failed()
+            item.rcl_raise_if_failed()
         else:
             self._run_entity(item)
 
@@ -173,15 +173,15 @@ class Executor(Waiting):
         service round trip 4 % faster.
         """
         group = entity.callback_group
-        kind = None if entity.is_async else group.__class__
+        kind = None if entity.rcl_is_async else group.__class__
         if kind is MutuallyExclusiveCallbackGroup and group.busy_with is None:
             group.busy_with = entity
             try:
-                entity.run_callback(self)
+                entity.rcl_run_callback(self)
             finally:
                 group.busy_with = None
         elif kind is ReentrantCallbackGroup:
-            entity.run_callback(self)
+            entity.rcl_run_callback(self)
         elif group.beginning_execution(entity):
             self._run_begun(entity)
         else:
@@ -191,11 +191,11 @@ class Executor(Waiting):
         """Execute an entity whose group has let it begin."""
         coroutine = None
         try:
-            coroutine = entity.run_callback(self)
+            coroutine = entity.rcl_run_callback(self)
         finally:
-            if coroutine is None or not entity.is_async:
+            if coroutine is None or not entity.rcl_is_async:
                 entity.callback_group.ending_execution(entity)
-        if coroutine is not None and entity.is_async:
+        if coroutine is not None and entity.rcl_is_async:
             self._run_coroutine(entity, coroutine)
 
     def _run_coroutine(self, entity: Entity, coroutine: Any) -> None:
@@ -209,26 +209,26 @@ class Executor(Waiting):
 
         task = Task(guarded, executor=self, entity=entity)
         task()
-        if task.ended:
+        if task.rcl_ended:
             task.result()
         else:
             self._tasks.append(task)
 
-    def note_nested_spin(self) -> bool:
+    def rcl_note_nested_spin(self) -> bool:
         """Return whether this thread is executing a callback of this executor that was not reported yet."""
         if self._nested_recorded or self.spinner is not current_task():
             return False
         self._nested_recorded = True
         return True
 
-    def cannot_serve(self, entity: Entity) -> tuple[Any, ...] | None:
+    def rcl_cannot_serve(self, entity: Entity) -> tuple[Any, ...] | None:
         """Return the reason why this entity is never executed while the running code waits, or None.
 
         :returns: a value that stays equal during one callback of the running thread.
         """
         return (self._seen_ns,) if self.spinner is current_task() else None
 
-    def running_entity(self) -> Entity | None:
+    def rcl_running_entity(self) -> Entity | None:
         """Return the entity whose callback the running thread executes, if its group has a record of it."""
         cores = [core_of(node) for node in self._nodes]
         entities: list[Entity] = [
@@ -292,9 +292,9 @@ class Executor(Waiting):
     def _is_over(self, future: Future) -> Callable[[], bool]:
         """Return the condition of a wait for a future, which wakes this executor when it is done."""
         check_future(future)
-        future.wake_when_done(self)
+        future.rcl_wake_when_done(self)
         context = self._context
-        return lambda: future.ended or not context.alive
+        return lambda: future.rcl_ended or not context.alive
 
     def _spin(self, timeout_ns: int, over: Callable[[], bool], key: Any, once: bool) -> None:
         """Execute items of the wait with that key: one, or until `over()` holds or the timeout has passed."""
@@ -313,7 +313,7 @@ class Executor(Waiting):
         finally:
             self.spinner = outer
 
-    def spin_ready(self) -> None:
+    def rcl_spin_ready(self) -> None:
         """Execute everything that is ready, each entity once, without waiting. This is rclcpp's spin_some, with
         rclcpp's order.
         """
@@ -341,7 +341,7 @@ def _fail(error: Exception) -> None:
 
 
 def _rclcpp_order(entity: Entity) -> int:
-    return _RCLCPP_ORDER[entity.category]
+    return _RCLCPP_ORDER[entity.rcl_category]
 
 
 def _nanoseconds(timeout_sec: float | TimeoutObject | None) -> int:

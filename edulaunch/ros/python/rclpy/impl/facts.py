@@ -75,7 +75,7 @@ def note_lost_node(function: str, node: NodeProtocol, executor: ExecutorProtocol
 
 
 def _note_spin(kind: str, function: str, node: NodeProtocol, executor: ExecutorProtocol) -> None:
-    data = {'node': core_of(node).full_name, 'callback': callback_name(executor.running_entity()), 'spins': function}
+    data = {'node': core_of(node).full_name, 'callback': callback_name(executor.rcl_running_entity()), 'spins': function}
     _keep(kind, {**data, **student_line()})
 
 
@@ -99,7 +99,7 @@ def _keep(kind: str, data: dict[str, Any]) -> None:
 def _running_entity(entity: Entity) -> Any:
     executor = entity.ready_list.executor
     busy = entity.callback_group.busy_with
-    return busy if busy is not None or executor is None else executor.running_entity()
+    return busy if busy is not None or executor is None else executor.rcl_running_entity()
 
 
 SHORT_S = 0.01
@@ -112,7 +112,7 @@ def note_sleep(seconds: float) -> None:
         return
     task, state = current_task(), process_state()
     for executor in (executor for context in state.contexts for executor in context.executors):
-        if executor.spinner is task and (entity := executor.running_entity()) is not None:
+        if executor.spinner is task and (entity := executor.rcl_running_entity()) is not None:
             data = {'callback': callback_name(entity), 'node': node_name(entity), 'seconds': seconds}
             line = student_line()
             state.process.fact('sleep in callback', (line.get('file'), line.get('line')), {**data, **line})
@@ -214,7 +214,7 @@ def _going_on(core: NodeCore, something_waits: bool) -> Facts:
     task = None if executor is None else executor.spinner
     if executor is None or task is None or task is running_task():
         return
-    entity, late_ns = executor.running_entity(), core.graph.sim.now_ns - VERY_LONG_NS
+    entity, late_ns = executor.rcl_running_entity(), core.graph.sim.now_ns - VERY_LONG_NS
     due = [timer for timer in core.timers if timer.due_ns <= late_ns and timer is not entity]
     if entity is not None and entity.ready_list is core.ready_list and (due or (something_waits and task.waits_for_ever())):
         timers = [callback_name(timer) or 'timer' for timer in due]

@@ -18,7 +18,7 @@ class ContextProtocol(Protocol):
     ended_by_signal: bool
     executors: list[ExecutorProtocol]
 
-    def end_by_signal(self) -> None:
+    def rcl_end_by_signal(self) -> None:
         """Shut down as Ctrl-C does."""
 
 
@@ -27,10 +27,10 @@ class ExecutorProtocol(Protocol):
 
     spinner: SimTask | None
 
-    def running_entity(self) -> Any:
+    def rcl_running_entity(self) -> Any:
         """Return the entity whose callback is running; None between callbacks."""
 
-    def cannot_serve(self, source: Any) -> tuple[Any, ...] | None:
+    def rcl_cannot_serve(self, source: Any) -> tuple[Any, ...] | None:
         """Return the reason why the running callback blocks this entity, or None. It changes with each callback."""
 
     def get_nodes(self) -> Any:
@@ -45,7 +45,7 @@ class ExecutorProtocol(Protocol):
     def remove_node(self, node: Any) -> None:
         """Stop spinning a node."""
 
-    def forget_work(self) -> None:
+    def rcl_forget_work(self) -> None:
         """Drop what was ready."""
 
 

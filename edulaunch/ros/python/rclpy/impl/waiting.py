@@ -102,7 +102,7 @@ class Waiting:
             if ready_list.due_ns <= now:
                 batch += [timer for timer in ready_list.timers if timer.due_ns <= now and _may_begin(timer)]
             if ready_list.asked:
-                batch += [one for one in ready_list.asked if one.ask() and one.callback_group.can_execute(one)]
+                batch += [one for one in ready_list.asked if one.rcl_ask() and one.callback_group.can_execute(one)]
             if ready_list.entities:
                 waiting, ready_list.entities = ready_list.entities, []
                 for entity in waiting:
@@ -110,14 +110,14 @@ class Waiting:
             if len(batch) - start > 1:
                 batch[start:] = sorted(batch[start:], key=_order_of)
         if len(batch) > 1 and len(self._lists) > 1:
-            batch.sort(key=lambda entity: entity.category != WAITABLE)
+            batch.sort(key=lambda entity: entity.rcl_category != WAITABLE)
         return batch
 
     @staticmethod
     def _put_back(entities: Iterable[Entity]) -> None:
         """Return entities that were collected but not executed to their lists."""
         for entity in entities:
-            if entity.category != TIMER and entity.queued and entity not in entity.ready_list.asked:
+            if entity.rcl_category != TIMER and entity.queued and entity not in entity.ready_list.asked:
                 entity.ready_list.entities.append(entity)
 
     def _wait(self, deadline_ns: int | None) -> None:
@@ -162,11 +162,11 @@ class Waiting:
     def _tasks_to_run(self) -> list[Task]:
         """Return the tasks that can continue, newest first."""
         self._new_tasks = False
-        return [task for task in reversed(self._tasks) if not (task.ended or task.executing())]
+        return [task for task in reversed(self._tasks) if not (task.rcl_ended or task.executing())]
 
     def _forget_tasks(self) -> None:
         """Remove the tasks that are done or cancelled."""
-        self._tasks = [task for task in self._tasks if not task.ended]
+        self._tasks = [task for task in self._tasks if not task.rcl_ended]
 
     def _ready_items(self, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Generator[Item, None, None]:
         """Yield the items of one wait, and without a deadline those of the next ones: tasks first, then ready entities.
@@ -224,7 +224,7 @@ class Waiting:
         :raises ValueError: when another thread waits here with the same key, as rclpy's threads do with equal arguments.
         """
         if self._key != key:
-            self.forget_work()
+            self.rcl_forget_work()
             self._key = key
         while True:
             if self._work is None:
@@ -238,7 +238,7 @@ class Waiting:
                     raise
                 raise two_spinners(error) from None
 
-    def forget_work(self) -> None:
+    def rcl_forget_work(self) -> None:
         """Start the next wait again. Another thread that waits with other arguments continues with its items."""
         work, self._work = self._work, None
         if work is not None and not work.gi_running:

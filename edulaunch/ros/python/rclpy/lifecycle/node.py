@@ -8,12 +8,10 @@ from edulaunch.ros.passed_on import passed_on
 from rclpy.callback_groups import CallbackGroup
 from rclpy.lifecycle.managed_entity import ManagedEntity
 from rclpy.lifecycle.publisher import LifecyclePublisher
-from rclpy.lifecycle.state_machine import Life, LifecycleServices, LifecycleState, OnTransition, TransitionCallbackReturn
+from rclpy.lifecycle.state_machine import Life, LifecycleServices, LifecycleState, TransitionCallbackReturn
 from rclpy.node import Node
 from rclpy.node_parts.core import NodeCore
 from rclpy.qos import QoSProfile
-
-_CALLBACKS = {10: 'on_configure', 11: 'on_cleanup', 12: 'on_shutdown', 13: 'on_activate', 14: 'on_deactivate', 15: 'on_error'}
 
 
 def _life(core: NodeCore) -> Life:
@@ -86,13 +84,6 @@ class LifecycleNodeMixin(ManagedEntity):
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Inform the managed entities that a transition failed."""
         return _life(self._rclpy).tell_entities('on_error', state)
-
-    def register_callback(self, state_id: int, callback: OnTransition) -> bool:
-        """Call this function in place of the method of a transition state (10 configuring ... 15 errorprocessing)."""
-        if state_id not in _CALLBACKS:
-            return False
-        _life(self._rclpy).callbacks[_CALLBACKS[state_id]] = callback
-        return True
 
     def trigger_configure(self) -> TransitionCallbackReturn:
         """Configure the node. Raise RCLError in a state that does not allow it."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from enum import Enum
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -23,6 +22,10 @@ class TransitionCallbackReturnType(Enum):
     SUCCESS = 97
     FAILURE = 98
     ERROR = 99
+
+    def to_label(self) -> str:
+        """Return the label of the transition that it starts, such as `transition_success`."""
+        return f'transition_{self.name.lower()}'
 
 
 TransitionCallbackReturn = TransitionCallbackReturnType
@@ -83,9 +86,8 @@ class Outcome(NamedTuple):
 
 def _outcomes(first: int, success: str, failure: str, error: str = 'errorprocessing') -> dict[TransitionCallbackReturn, Outcome]:
     return {
-        TransitionCallbackReturn.SUCCESS: Outcome(first, 'transition_success', success),
-        TransitionCallbackReturn.FAILURE: Outcome(first + 1, 'transition_failure', failure),
-        TransitionCallbackReturn.ERROR: Outcome(first + 2, 'transition_error', error),
+        result: Outcome(first + place, result.to_label(), goal)
+        for place, (result, goal) in enumerate(zip(TransitionCallbackReturn, (success, failure, error), strict=True))
     }
 
 
@@ -118,21 +120,16 @@ def all_transitions() -> list[tuple[int, str, str, str]]:
     return found
 
 
-OnTransition = Callable[[LifecycleState], TransitionCallbackReturn]
-
-
 class Life:
     """Kept with the node's other state, so that a student's own attributes cannot collide with it.
 
     :ivar entities: what follows the node through its states.
-    :ivar callbacks: what was registered in place of the node's methods, by the method's name.
     """
 
     def __init__(self, node: NodeProtocol) -> None:
         self.node = node
         self.state = STATES['unconfigured']
         self.entities: list[ManagedEntity] = []
-        self.callbacks: dict[str, OnTransition] = {}
         self.services: LifecycleServices | None = None
 
     def tell_entities(self, callback: str, state: LifecycleState) -> TransitionCallbackReturn:
@@ -147,6 +144,8 @@ class Life:
         """Make a transition, given by number or label: call its callback, and then make the transition that its result requires.
 
         :raises RCLError: in a state that does not allow it.
+        :raises AttributeError: when the callback returns something else than a TransitionCallbackReturn. As in rclpy, the node
+            then stays between two states.
         """
         start = self.state
         transition = transition_from(start.label, wanted)
@@ -174,22 +173,23 @@ class Life:
         raise RCLError('Shutdown transtion not possible')  # [sic]: ROS 2's own text
 
     def _call(self, callback: str, start: LifecycleState) -> TransitionCallbackReturn:
-        function = self.callbacks.get(callback) or getattr(self.node, callback)
+        function = getattr(self.node, callback)
         try:
             result = function(start)
-        except Exception as error:
-            return self._mistaken(callback, {'raised': f'{type(error).__name__}: {error}'})
+        except Exception as error:  # ROS 2 takes it for TransitionCallbackReturn.ERROR and says nothing: a fact
+            self._note(callback, {'raised': f'{type(error).__name__}: {error}'})
+            return TransitionCallbackReturn.ERROR
         if not isinstance(result, TransitionCallbackReturn):
-            return self._mistaken(callback, {'returned': repr(result)})
-        return result
+            self._note(callback, {'returned': repr(result)})
+            result.to_label()  # an AttributeError, as in rclpy
+        verdict: TransitionCallbackReturn = result
+        return verdict
 
-    def _mistaken(self, callback: str, how: dict[str, str]) -> TransitionCallbackReturn:
-        """Record as a fact that ROS 2 silently takes a return value for TransitionCallbackReturn.ERROR."""
+    def _note(self, callback: str, how: dict[str, str]) -> None:
         core = core_of(self.node)
         core.process.fact(
             'transition failed', (core.entry.index, callback), {'node': core.full_name, 'callback': callback, **how}
         )
-        return TransitionCallbackReturn.ERROR
 
     def _leave(self, result: TransitionCallbackReturn) -> None:
         self._enter(OUTCOMES[self.state.label][result].goal)

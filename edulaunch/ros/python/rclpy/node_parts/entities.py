@@ -83,7 +83,7 @@ class NodeEntities:
             core.ready_list.notify()
         elif waitable.queued:
             waitable.queued = False
-            waitable.signal()
+            waitable.rcl_signal()
 
     def remove_waitable(self, waitable: Waitable) -> None:
         """Stop waiting for a waitable."""
@@ -153,8 +153,8 @@ class NodeEntities:
         subscription = Subscription(core.ready_list, msg_type, topic, callback, group, profile, raw, core.next_number())
         group.add_entity(subscription)
         qos = engine_qos(profile, 'subscription')
-        impl = core.graph.create_subscription(core.entry, name, msg_type, qos, subscription.signal)
-        subscription.connect(impl)
+        impl = core.graph.create_subscription(core.entry, name, msg_type, qos, subscription.rcl_signal)
+        subscription.rcl_connect(impl)
         core.subscriptions.append(subscription)
         _watch_events(self, subscription, impl, event_callbacks, callback_group, 'subscription')
         return subscription
@@ -178,7 +178,7 @@ class NodeEntities:
         group = callback_group or core.default_callback_group
         check_new_service_end(core, name, srv_type, 'client')
         client = Client(core.context, core.ready_list, srv_type, srv_name, qos_profile, group, core.next_number())
-        client.connect(core.graph.create_client(core.entry, name, srv_type, engine_qos(qos_profile), client.signal))
+        client.rcl_connect(core.graph.create_client(core.entry, name, srv_type, engine_qos(qos_profile), client.rcl_signal))
         group.add_entity(client)
         core.clients.append(client)
         return client
@@ -204,7 +204,7 @@ class NodeEntities:
         group = callback_group or core.default_callback_group
         check_new_service_end(core, name, srv_type, 'service')
         service = Service(core.ready_list, srv_type, srv_name, callback, group, qos_profile, core.next_number())
-        service.connect(core.graph.create_service(core.entry, name, srv_type, engine_qos(qos_profile), service.signal))
+        service.rcl_connect(core.graph.create_service(core.entry, name, srv_type, engine_qos(qos_profile), service.rcl_signal))
         group.add_entity(service)
         core.services.append(service)
         return service
