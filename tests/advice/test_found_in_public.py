@@ -153,6 +153,35 @@ def test_a_missing_comma_between_entry_points_is_the_cause(
     assert str(tmp_path) not in out and 'does not install it' not in out
 
 
+def test_a_parameter_file_of_a_package_is_told_once_and_without_a_generated_path(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    file = package(tmp_path / 'src', 'robo')
+    for name in ('speed.yaml', 'main.launch.xml'):
+        (file.parent / name).write_text('{}')
+    node = '<node pkg="robo" exec="go" name="{}"><param from="$(find-pkg-share robo)/launch/speeed.yaml"/></node>'
+    (file.parent / 'main.launch.xml').write_text(f'<launch>\n{node.format("a")}\n{node.format("b")}\n</launch>\n')
+    assert main(['doctor', str(file.parent / 'main.launch.xml'), '--for', '1']) == 1
+    out = capsys.readouterr().out
+    assert 'speeed.yaml does not exist, so /a starts' in out and 'write speed.yaml' in out and 'so a node starts' not in out
+    edulaunch.run('robo', 'main.launch.xml', duration_s=1.0, workspaces=[tmp_path / 'src'])
+    said = capsys.readouterr().err
+    assert 'the parameter file share/robo/launch/speeed.yaml does not exist' in said and 'write speed.yaml' in said
+
+
+def test_a_name_that_only_setup_uses_is_no_mistake(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    package(tmp_path / 'src', 'robo', "['go = robo.go.py:main']")
+    setup = tmp_path / 'src' / 'robo' / 'setup.py'
+    setup.write_text(setup.read_text().replace("name='robo'", "name='other'"))
+    main(['doctor', 'src/robo', '--for', '1'])
+    out = capsys.readouterr().out
+    assert 'calls it' not in out and 'write robo.go instead of robo.go.py' in out
+
+
 def test_a_topic_that_has_none_in_its_name_has_a_variable_without_a_value(tmp_path: Path) -> None:
     program = tmp_path / 'drive.py'
     program.write_text(

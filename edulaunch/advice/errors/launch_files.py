@@ -126,9 +126,10 @@ NOT_THIS_FOLDER = about(
     'packages.not-this-folder',
     what=(
         'colcon ignores the folder {folder} because it contains the file {ignored_by}',
+        'colcon does not search the folder {folder}, because it is inside the package {inside}',
         'the <name> in the package.xml of {folder} differs from the name of the folder',
     ),
-    do=('delete the file {ignored_by}', 'write the name of the folder into <name>'),
+    do=('delete the file {ignored_by}', 'move the folder out of {inside}', 'write the name of the folder into <name>'),
 )
 BROKEN = about('packages.broken', what='this package cannot be built: {reason}', do='fix that line first')
 NOT_INSTALLED = about(
@@ -175,7 +176,7 @@ NO_EXECUTABLE = about(
         'start a launch file with: ros2 launch {package} {launch_file}',
         "write '{near}'",
         'run it where the package is built; {unread} in its CMakeLists.txt may install it, and edulaunch cannot read that',
-        'use one of these arguments: {known}',
+        'use one of its executables: {known}',
         'add it to entry_points in setup.py, or to install(PROGRAMS ...) in CMakeLists.txt',
     ),
     lesson='01_first_launch',

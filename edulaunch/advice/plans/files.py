@@ -85,6 +85,7 @@ def is_container(executable: str) -> bool:
     ),
     lesson=LESSON,
     level='error',
+    hides=('launch.parameter-file-absent',),
 )
 def parameter_file_missing(rehearsal: Rehearsal) -> Iterator[Finding]:
     """Report a missing parameter file. Skip files of missing packages, files that the launch file writes, and relative paths,

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.run_sources import launch_scripts
 from edulaunch.advice.runs import fact_place
-from edulaunch.engine.nearest import nearest
+from edulaunch.engine.nearest import nearest, nearest_file
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -26,6 +26,7 @@ _COMPONENTS = re.compile(r'Failed to find class.*\n  help: components of \S+: (.
     why='launch only prints a warning, and continues',
     do=(
         "remove the first / of '{joined}', because os.path.join() ignores everything before a part that begins with /",
+        'write {near}',
         'create that file, or write the path of the file that you mean',
     ),
     lesson='03_parameters',
@@ -37,7 +38,12 @@ def parameter_file_absent(recording: Recording) -> Iterator[Finding]:
     for path in dict.fromkeys(message.removeprefix(_NO_FILE) for message in logs):
         file, line, joined = _written(recording, path)
         if os.path.isabs(path):
-            yield found('file', os.path.basename(path), file=file, line=line, path=path, joined=joined)
+            folder, name = os.path.split(path)
+            near = nearest_file(name, os.listdir(folder)) if os.path.isdir(folder) else None
+            head, _, tail = path.rpartition(f'{os.sep}share{os.sep}')
+            is_shared = os.path.isfile(os.path.join(head, 'share', tail.partition(os.sep)[0], 'package.xml'))
+            shown = os.path.join('share', tail) if is_shared else path
+            yield found('file', name, file=file, line=line, path=shown, joined=joined, near=near)
 
 
 def _written(recording: Recording, path: str) -> tuple[str | None, int | None, str | None]:

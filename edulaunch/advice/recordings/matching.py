@@ -208,7 +208,7 @@ def _names(node: NodeRecord) -> list[str]:
 @rule(
     'programs.same-name',
     what='two nodes have the name {node}: one in {first}, and one in {second}',
-    why='a request to {node} for a parameter or a service reaches only one of the two, and you cannot know which',
+    why='parameters and services of {node} have the same names in both, so you cannot know which one answers',
     do=(
         'if you need only one, press Ctrl-C in the terminal where `{command}` is running',
         "rename one of them, for example with name='{other}' in the launch file, or use another namespace",

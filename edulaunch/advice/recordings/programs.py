@@ -26,7 +26,7 @@ _ENDED = re.compile(r'\[ERROR\] \[(?P<name>[^\]]+)\]: process has died \[pid \d+
 @rule(
     'programs.private-name',
     what='{node} sets self.{attribute}, but the real rclpy uses that name in every node',
-    why='edulaunch does not use that name, but with the real rclpy the node fails',
+    why='edulaunch does not use that name, but with the real rclpy the node can fail',
     do='choose another name, such as self.my{attribute}',
 )
 def private_name(recording: Recording) -> Iterator[Finding]:

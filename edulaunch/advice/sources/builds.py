@@ -42,7 +42,9 @@ def changed_after_build(source: PackageInWorkspace) -> Iterator[Finding]:
         is_linked = any(name.endswith('.egg-link') for name in os.listdir(place))
         for top, folder in () if is_linked else package.contents.python_modules.items():
             inside = [path for path in package.python_files if path.startswith(folder + os.sep)]
-            pairs.update({os.path.join(place, top, os.path.relpath(path, folder)): path for path in inside})
+            built = {os.path.join(place, top, os.path.relpath(path, folder)): path for path in inside}
+            # a folder that is not there may be one that setup() leaves out
+            pairs.update({name: path for name, path in built.items() if os.path.isdir(os.path.dirname(name))})
     changed = [package.relative(path) for built, path in pairs.items() if not _is_equal(built, path)]
     if changed:
         first = os.path.join(package.folder, changed[0])

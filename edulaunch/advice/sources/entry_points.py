@@ -39,6 +39,8 @@ def entry_point_module(source: PackageInWorkspace) -> Iterator[Finding]:
         if module_file(package, module) is None and not _is_of_another(source, module):
             leaf = module.rpartition('.')[2]
             near = nearest(module, [one for one in modules_of(package) if nearest_spelling(leaf, [one.rpartition('.')[2]])])
+            if leaf == 'py' and module_file(package, module[:-3]) is not None:
+                near = module[:-3]
             lying = [package.relative(path) for path in package.python_files if os.path.basename(path) == f'{leaf}.py']
             facts: dict[str, Any] = {'near': near, 'lying': next(iter(lying), None), 'wanted': module.replace('.', '/') + '.py'}
             yield _of_entry(package, executable, module, function, **facts)
@@ -55,7 +57,7 @@ def _is_of_another(source: PackageInWorkspace, module: str) -> bool:
 @rule(
     'packages.entry-point-function',
     what="the entry point '{entry}' names the function {function}, which {written} does not contain",
-    why='`ros2 run {package} {executable}` ends with ImportError',
+    why='`ros2 run {package} {executable}` ends with AttributeError',
     do=('write {near} instead of {function}', 'define `def {function}(args=None): ...` in {written}'),
     lesson=LESSON,
     level='error',

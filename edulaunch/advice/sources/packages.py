@@ -251,17 +251,23 @@ _PROJECT = re.compile(r'^\s*project\s*\(\s*([\w.-]+)', re.MULTILINE | re.IGNOREC
 @rule(
     'packages.name-differs',
     what="package.xml calls the package '{package}', but {written} calls it '{other}'",
-    why='colcon builds the package under one name, and ROS 2 looks for it under the other',
+    why=(
+        'colcon uses the name in package.xml, but setup.py installs files into {place}',
+        'ament_package() stops the build if the two names differ',
+    ),
     do="write '{package}' in both",
     lesson='07_packages',
     level='error',
 )
 def name_differs(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report a name in setup.py or in project() of CMakeLists.txt that differs from package.xml."""
+    """Report a name under which setup.py installs files, or of project() in CMakeLists.txt, that differs from package.xml."""
     package = source.package
     build = package.build_file()
     pattern = _SETUP_NAME if package.is_python else _PROJECT
     named = pattern.search(read_text(build))
-    if named is not None and named[1] not in (package.name, package.name.replace('_', '-')):
+    if named is not None and named[1] != package.name:
+        place = f'share/{named[1]}/' if package.is_python else None
+        if place is not None and not any(name.startswith(place) for name in package.contents.files):
+            return  # a build needs the other name only for itself
         line = read_text(build).count('\n', 0, named.start(1)) + 1
-        yield found('package', package.name, file=build, line=line, other=named[1], written=os.path.basename(build))
+        yield found('package', package.name, file=build, line=line, other=named[1], written=os.path.basename(build), place=place)

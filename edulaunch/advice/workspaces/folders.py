@@ -90,7 +90,7 @@ def _is_committed(path: str) -> bool:
 @rule(
     'packages.package-is-repository',
     what='the package {package} is itself the root folder of a repository',
-    why='this works only if you clone the repository into the src/ folder of a workspace',
+    why='`colcon build` in this folder writes build/, install/ and log/ into the repository',
     do='clone it into src/ of a workspace, or move the package into a folder src/{package}/ of the repository',
     level='info',
 )

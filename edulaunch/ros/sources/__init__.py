@@ -19,6 +19,12 @@ def read_source(manifest: Manifest) -> Contents:
         from edulaunch.ros.sources.setup_script import read_setup_script  # late: most runs read one kind of package, or none
 
         return read_setup_script(manifest)
+    if manifest.build_type not in ('ament_cmake', 'catkin', 'cmake'):
+        said = f'names the build type {manifest.build_type!r}, which colcon cannot build; write ament_python or ament_cmake'
+        contents = Contents()
+        contents.broken = PackageWarning(os.path.join(manifest.folder, 'package.xml'), 0, said)
+        contents.warnings.append(contents.broken)
+        return contents
     from edulaunch.ros.sources.cmake import read_cmake_lists
 
     contents = read_cmake_lists(manifest)

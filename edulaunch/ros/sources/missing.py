@@ -34,7 +34,7 @@ def missing_package(index: Index, package: str, here: str | None = None) -> Fact
     same = [one for one in same if 'package.xml' in one[1] or not find_packages(one[0], [], LOOKED_AT)]
     for folder, files in same:
         if 'package.xml' in files or 'setup.py' in files:
-            return _why_no_package(folder, files)
+            return _why_no_package(folder, files, workspaces)
     forgotten = None if workspaces else _without_manifest(package, here)
     if forgotten is not None:
         return {'about': 'packages.no-manifest', 'folder': forgotten}
@@ -46,7 +46,7 @@ def missing_package(index: Index, package: str, here: str | None = None) -> Fact
         return {'about': 'packages.absent-package', 'package': package, 'belongs_to': kind}
     near = nearest_spelling(package, [name for name in index.packages() if not _is_another(name, package)])
     if near is None and same:
-        return _why_no_package(*same[0])
+        return _why_no_package(*same[0], workspaces)
     return {'about': 'packages.unknown', 'package': package, 'near': near, 'searched': workspaces}
 
 
@@ -83,15 +83,25 @@ def _folders_called(name: str, workspace: str) -> Iterator[tuple[str, list[str]]
             yield folder, files
 
 
-def _why_no_package(folder: str, files: list[str]) -> Facts:
+def _why_no_package(folder: str, files: list[str], workspaces: list[str]) -> Facts:
     if 'package.xml' not in files:
         templates = [name for name in sorted(files) if name.startswith('package') and name.endswith('.xml') and '1' not in name]
         return {'about': 'packages.no-manifest', 'folder': folder, **({'template': templates[0]} if templates else {})}
     wrong: list[PackageWarning] = []
     if read_manifest(folder, wrong) is None and wrong:
         return _broken(wrong[0])
-    ignored = next((name for name in ('COLCON_IGNORE', 'AMENT_IGNORE') if name in files), None)
-    return {'about': 'packages.not-this-folder', 'folder': folder, 'ignored_by': ignored}
+    above = folder
+    while True:  # colcon enters neither a folder with such a file, nor a package
+        ignored = next((name for name in ('COLCON_IGNORE', 'AMENT_IGNORE', 'CATKIN_IGNORE') if name in os.listdir(above)), None)
+        inside = above if above != folder and os.path.isfile(os.path.join(above, 'package.xml')) else None
+        if ignored or inside or above in workspaces or above == os.path.dirname(above):
+            return {
+                'about': 'packages.not-this-folder',
+                'folder': above if ignored else folder,
+                'ignored_by': ignored,
+                'inside': inside,
+            }
+        above = os.path.dirname(above)
 
 
 def _broken(warning: PackageWarning) -> Facts:

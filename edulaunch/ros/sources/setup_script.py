@@ -76,7 +76,8 @@ def _surely(node: ast.AST) -> Sequence[ast.AST]:
 
 
 _SETUP = frozenset(('setuptools.setup', 'distutils.core.setup', 'setup'))
-_ENTRY = re.compile(r'\s*([^=\s]+)\s*=\s*([\w.-]+)\s*(?::\s*([\w.]*))?\s*(?:\[.*\])?\s*')
+_ENTRY = re.compile(r'\s*([^=]+?)\s*=\s*([\w.]+)\s*(?::\s*([\w.]+)\s*)?(?:\[.*\]\s*)?')
+"""What setuptools accepts; it stops at any other entry."""
 _JOINED = re.compile(r'(?<=:main)[\w.-]+(?=\s*=)')
 """Two entries of a list without a comma between them."""
 _MARKERS = 'share/ament_index/resource_index/packages'
@@ -115,7 +116,7 @@ class _SetupScript:
     def warn(self, sentence: str, line: int | None = None, file: str | None = None) -> None:
         self.contents.warnings.append(PackageWarning(file or self.file, self.line if line is None else line, sentence))
 
-    def _stop(self, sentence: str, line: int) -> None:
+    def _stop(self, sentence: str, line: int | None = None) -> None:
         self.warn(sentence, line)
         self.contents.broken = self.contents.warnings[-1]
 
@@ -145,7 +146,7 @@ class _SetupScript:
         module = StaticPython(self.file, self.folder, _SETUP)
         module.run(tree.body)
         if not module.calls:
-            self.warn('does not call setup(), so nothing is installed', 0)
+            self.warn('does not call setup(), so a build stops', 0)
             return None
         self.call, options = module.calls[0]
         return options
@@ -183,6 +184,8 @@ class _SetupScript:
             except (TypeError, ValueError):
                 self.warn(f'data_files holds {entry!r}; a pair (folder, [files]) was expected')
                 continue
+            if str(target).startswith('/'):
+                self.warn(f'data_files names the absolute folder {target!r}, outside the workspace; remove the first /')
             if isinstance(sources, str):
                 self.warn(f'data_files: the files of {target!r} are one string; a list was expected, [{sources!r}]')
                 sources = [sources]
@@ -226,7 +229,11 @@ class _SetupScript:
         if not entries and not scripts:
             return
         place = self._script_folder(module for _, module, _ in entries)
+        packages = self._known(options, 'packages') or ()
         for name, module, function in entries:
+            above = module.rpartition('.')[0]
+            if '.' in above and packages and above not in packages and first_unknown(packages) is None:
+                self._left_out(name, module, above)
             self.contents.entry_points[f'{place}/{name}'] = (module, function)
         for script in scripts:
             path = os.path.normpath(os.path.join(self.folder, script))
@@ -235,6 +242,15 @@ class _SetupScript:
                 self.contents.programs.add(f'{place}/{os.path.basename(path)}')
             else:
                 self.warn(f'scripts= lists {script!r}, which is not there')
+
+    def _left_out(self, name: str, module: str, above: str) -> None:
+        """Tell of an entry point in a folder that no build installs, although it is there."""
+        place = module.replace('.', '/')
+        if os.path.isfile(os.path.join(self.folder, f'{place}.py')):
+            self.warn(
+                f'installs {name!r} of the console_scripts, but not {os.path.dirname(place)}/ with its module (except with '
+                f'--symlink-install); add {above!r} to packages=, or create an __init__.py there for find_packages()'
+            )
 
     def _groups(self, options: dict[str, Any]) -> dict[Any, Any]:
         """Return the lines of entry_points= by group. The argument may be text in ini format."""
@@ -251,9 +267,9 @@ class _SetupScript:
             match = _ENTRY.fullmatch(line)
             if joined := _JOINED.findall(line):
                 names = ', '.join([line.partition('=')[0].strip(), *joined])
-                self.warn(f'lists the console_scripts {names} without a comma between them, so Python joins them into one')
+                self._stop(f'lists the console_scripts {names} without a comma between them, so Python joins them into one')
             elif match is None:
-                self.warn(f"console_scripts has {line.strip()!r}; 'executable = package.module:function' was expected")
+                self._stop(f"console_scripts has {line.strip()!r}; 'executable = package.module:function' was expected")
             else:
                 yield match[1], match[2], match[3] or ''
 

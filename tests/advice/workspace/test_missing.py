@@ -105,6 +105,15 @@ def test_a_package_that_is_not_found(index: Index, robo: Any, tmp_path: Path) ->
     assert missing_package(index, 'robbo')['near'] == 'robo'
     assert missing_package(index, 'empty_folder') == {'about': 'packages.no-manifest', 'folder': f'{robo.folder}/empty_folder'}
     assert missing_package(index, 'ignored_one')['ignored_by'] == 'COLCON_IGNORE'
+    robo.manifest('zzy', 'ament_python', folder='left_out/inner/zzy')
+    robo.write('left_out/COLCON_IGNORE')
+    facts = missing_package(index, 'zzy')
+    assert (facts['folder'], facts['ignored_by']) == (f'{robo.folder}/left_out', 'COLCON_IGNORE')
+    robo.manifest('zzx', 'ament_python', folder='robo/src/zzx')
+    assert help_of_facts(missing_package(index, 'zzx')) == (
+        f'colcon does not search the folder {robo.folder}/robo/src/zzx, because it is inside the package {robo.folder}/robo; '
+        f'move the folder out of {robo.folder}/robo'
+    )
     assert help_of_facts(missing_package(index, 'qqqqq')) == (
         f'no package.xml below {robo.folder} contains <name>qqqqq</name>; check the <name> in the package.xml '
         f'files below {robo.folder}'

@@ -17,6 +17,7 @@ LAUNCH = {
     'robo/launch/b_launch.py': '',
     'robo/launch/c.launch.xml': '',
     'robo/config/deep/p.yaml': '',
+    'robo/robo/sub/deep.py': '',
 }
 
 
@@ -157,11 +158,41 @@ def test_without_install_scripts_the_executable_is_not_found_and_a_warning_says_
             "console_scripts has 'talk = robo/talker:main'; 'executable = package.module:function' was expected",
         ),
         ({'py_modules': '[]', 'scripts': "['bin/x']"}, "scripts= lists 'bin/x', which is not there"),
+        (
+            {'data_files': "[('/share/robo', ['launch/a.launch.py'])]"},
+            "data_files names the absolute folder '/share/robo', outside the workspace; remove the first /",
+        ),
+        (
+            {'entry_points': "{'console_scripts': ['deep = robo.sub.deep:main']}"},
+            "installs 'deep' of the console_scripts, but not robo/sub/ with its module (except with --symlink-install); "
+            "add 'robo.sub' to packages=, or create an __init__.py there for find_packages()",
+        ),
     ],
 )
 def test_what_a_build_would_reject_is_a_warning_with_its_line(workspace: Any, keywords: dict[str, str], sentence: str) -> None:
     workspace.python_package('robo', setup_with(**keywords)).files(LAUNCH)
     assert workspace.warnings('robo') == [f'robo/setup.py:6: {sentence}']
+
+
+@pytest.mark.parametrize(
+    'entry', ['robo = my-robot.hello:main', 'robo = robo.hello:', 'robo = robo.hello:main()', 'robo robo:main']
+)
+def test_an_entry_point_that_setuptools_refuses_stops_the_build(workspace: Any, entry: str) -> None:
+    workspace.python_package('robo', setup_with(entry_points=f"{{'console_scripts': ['{entry}']}}"))
+    index = workspace.index()
+    assert index.executables('robo') == []
+    place = index.workspaces[0]
+    broken = place.contents('robo').broken
+    assert broken is not None and broken.sentence.startswith(f"console_scripts has '{entry}'")
+
+
+def test_a_build_type_that_colcon_does_not_know_is_named(workspace: Any) -> None:
+    workspace.python_package('robo', setup_with())
+    manifest = workspace.path / 'robo' / 'package.xml'
+    manifest.write_text(manifest.read_text().replace('ament_python', 'ament_pyton'))
+    assert workspace.warnings('robo') == [
+        "robo/package.xml: names the build type 'ament_pyton', which colcon cannot build; write ament_python or ament_cmake"
+    ]
 
 
 def test_a_package_folder_that_is_missing_is_named(workspace: Any) -> None:

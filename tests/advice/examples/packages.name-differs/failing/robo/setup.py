@@ -10,7 +10,7 @@ setup(
     version='0.1.0',
     packages=find_packages(exclude=['test']),
     data_files=[
-        ('share/robo', ['package.xml']),
+        ('share/' + package_name, ['package.xml']),
     ],
     entry_points={'console_scripts': ['drive = robo.drive:main']},
 )
