@@ -11,6 +11,7 @@ from time import monotonic
 
 from .job import MEBI, RunRequest
 from .readiness import is_readable
+from .sandbox.trusted_peer import send
 from .starter_link import StarterLink
 
 LETTERS = b'RUSB'  # types of the frame with the answer; sandbox/child.py explains them
@@ -50,13 +51,15 @@ class ChildRun:
         self._reported = b''
         self._pids: list[int] = []
         with ExitStack() as ends, ExitStack() as failed:
-            self.channel, channel_end = os.pipe()
+            self.channel, channel_end = (end.detach() for end in socket.socketpair())
             ends.callback(os.close, channel_end)
             failed.callback(os.close, self.channel)
             self.output, output_end = os.pipe()
             ends.callback(os.close, output_end)
             failed.callback(os.close, self.output)
             self.link = starter.begin(job, channel_end, output_end)
+            with suppress(OSError):  # the end of the starter is noticed elsewhere
+                send(self.channel, b'H', json.dumps(job.scenario.hidden).encode())
             failed.pop_all()
         self.deadline = monotonic() + job.limits.wall_s + GRACE_S + PATIENCE_S
         self.has_begun = False
@@ -91,7 +94,9 @@ class ChildRun:
 
     def read_channel(self) -> bool:
         """Read what the child sent. Return False when it has closed the channel."""
-        data = os.read(self.channel, CHUNK_BYTES)
+        data = b''
+        with suppress(ConnectionResetError):  # the child ended before it read what it must know
+            data = os.read(self.channel, CHUNK_BYTES)
         self.frame += data
         if self.sandbox is None and self.frame[:1] == CONFINED:
             self._take_state()

@@ -34,9 +34,10 @@ class Scenario(NamedTuple):
     :param is_interrupted: whether launch gets Ctrl-C after the recorded part of the run. The grader then reads the bags.
     :param defaults: arguments that the run does not give, each with the default that the launch file should declare. None
         stands for any default. See `edugrade.bare_runs`.
-    :param late_s: simulated seconds by which the first program of edulaunch begins late, the second one by twice this time, and
-        so on. Programs that launch starts later are not late. The submission cannot know this time, so that a clock cannot
-        replace a node that receives messages.
+    :param late: by executable, the simulated seconds by which the first program of edulaunch with this name begins late, the
+        second one by twice this time, and so on. It stays hidden from the submission, as does the next one, so that a clock
+        cannot replace a node that receives messages.
+    :param sent: by topic, a std_msgs/msg/String that the grader publishes there: the simulated seconds and the text.
     """
 
     name: str
@@ -45,12 +46,18 @@ class Scenario(NamedTuple):
     seed: int = 0
     is_interrupted: bool = False
     defaults: Mapping[str, str | None] = MappingProxyType({})
-    late_s: float = 0.0
+    late: Mapping[str, float] = MappingProxyType({})
+    sent: Mapping[str, tuple[float, str]] = MappingProxyType({})
 
     @property
     def command(self) -> str:
         """The arguments as people type them after ``ros2 launch``."""
         return ' '.join(f'{name}:={value}' for name, value in self.arguments.items())
+
+    @property
+    def hidden(self) -> dict[str, Any]:
+        """What the submission must not know. It reaches the trusted peer after the fork of the other one."""
+        return {'late': dict(self.late), 'sent': dict(self.sent)}
 
     @property
     def words(self) -> str:
@@ -204,7 +211,7 @@ class Missing(Failure):
 
     :param thing: what is absent, with its name, such as ``the launch argument "circle_radius"``.
     :param name: the bare name that the check looked for. With `among`, the report advises to correct the nearest name.
-    :param among: the names that exist.
+    :param among: the names that exist, which the report shows beside the bare name.
     """
 
     def __init__(
@@ -219,9 +226,9 @@ class Missing(Failure):
         try_: str | Sequence[str] | None = None,
     ) -> None:
         known = list(among)
-        if seen is None:
-            seen = ', '.join(known) if known else 'none'
-        super().__init__(f'{thing} is missing', expected=expected or name, seen=seen, where=where, try_=try_)
+        if known:  # otherwise, the name and `none` would only repeat the headline
+            expected, seen = expected or name, seen or ', '.join(known)
+        super().__init__(f'{thing} is missing', expected=expected, seen=seen, where=where, try_=try_)
         self.name, self.known, self._may_ask = name, known, try_ is None or isinstance(try_, str)
 
     def correct(self, texts: Iterable[str]) -> None:

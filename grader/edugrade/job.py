@@ -88,7 +88,6 @@ class RunRequest:
             'arguments': dict(self.scenario.arguments),
             'duration_s': self.scenario.duration_s,
             'seed': self.scenario.seed,
-            'late_s': self.scenario.late_s,
             'is_interrupted': self.scenario.is_interrupted,
             'workspaces': self.workspaces,
             'home': self.home,

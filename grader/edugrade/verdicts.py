@@ -98,6 +98,8 @@ def _stopped_itself(run: ChildRun, report: dict[str, Any], where: Place | None) 
         return _memory(run)
     if reason == 'recording':
         return _too_large(run)
+    if reason == 'processes':
+        return _too_many(run)
     if reason == 'broken':
         return _broken(run, report.get('said'))
     return _garbage(run)._replace(detail=_text(report, 'detail'))
@@ -123,6 +125,11 @@ def _too_large(run: ChildRun) -> Outcome:
     )
 
 
+def _too_many(run: ChildRun) -> Outcome:
+    advice = 'find a program that starts itself, a loop around Popen, or a Node with respawn that dies at once'
+    return _stopped(run, 'the run started too many programs', advice)
+
+
 def _cut(run: ChildRun) -> Outcome:
     if run.cut == 'garbage':
         return _garbage(run)
@@ -131,7 +138,7 @@ def _cut(run: ChildRun) -> Outcome:
     if run.cut == 'recording':
         return _too_large(run)
     if run.cut == 'processes':
-        return _stopped(run, 'the run started too many programs', 'find a program that starts itself, or a loop around Popen')
+        return _too_many(run)
     if run.cut == 'memory':
         return _memory(run)
     if run.cut == 'disk':

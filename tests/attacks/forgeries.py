@@ -197,6 +197,30 @@ FORGERIES: dict[str, Attack] = {
             arguments={'x': '3.0'},
         ),
     ),
+    'visitors: carl comes from elsewhere': Attack(
+        'visitors',
+        6,
+        launch(
+            SIM,
+            SPAWN.format(x="'9.0'", y='9.0', name='bert'),
+            SPAWN.format(x="'1.0'", y='1.0', name='carl'),
+            "TimerAction(period=0.5, actions=[ExecuteProcess(cmd=['ros2', 'service', 'call', '/carl/teleport_absolute', "
+            "'turtlesim/srv/TeleportAbsolute', ['{x: ', LaunchConfiguration('x'), ', y: 2.0}']])])",
+            arguments={'x': '3.0'},
+        ),
+    ),
+    'careful: a timer beside the echo': Attack(
+        'careful',
+        7,
+        launch(
+            SIM,
+            "Node(package='demo_nodes_py', executable='talker')",
+            "ExecuteProcess(cmd=['ros2', 'topic', 'echo', '/chatter', '--once'])",
+            f'TimerAction(period=1.0, actions=[{SQUARE}])',
+            "TimerAction(period=LaunchConfiguration('end'), actions=[Shutdown(reason='enough')])",
+            arguments={'end': '5.0'},
+        ),
+    ),
     'visitors: poses that somebody makes up': Attack(
         'visitors', 1, launch(SIM, empty('poses', "LaunchConfiguration('x')", setup=FAKE_POSE), arguments={'x': '3.0'})
     ),
@@ -290,7 +314,7 @@ FORGERIES: dict[str, Attack] = {
     ),
     'careful: a driver that waits for nothing': Attack(
         'careful',
-        9,
+        7,
         launch(
             SIM,
             "Node(package='demo_nodes_py', executable='talker')",

@@ -21,7 +21,7 @@ def test_a_name_that_the_student_did_not_write_is_no_slip() -> None:
 
 def test_missing_without_anything_near_says_what_to_try() -> None:
     failure = Missing('the node a', name='alpha', among=[], try_='start it')
-    assert (failure.seen, failure.try_) == ('none', 'start it')
+    assert (failure.seen, failure.try_) == (None, 'start it')
 
 
 def test_mismatch_shows_both_values_in_full() -> None:

@@ -1,21 +1,31 @@
-"""Programs of edulaunch can begin late by a time that the submission does not know."""
+"""What a submission cannot know: the time by which programs of edulaunch begin late, and a message that the grader sends."""
 
 from __future__ import annotations
 
+import json
+from collections.abc import Iterator
 from pathlib import Path
+from random import Random
 
 import pytest
 from edugrade import Scenario
+from edugrade.job import Limits, RunRequest
+from edugrade.rubric import RubricMistake
 from edugrade.rubrics.yaml_rubric import read_yaml_rubric
 from edugrade.runner import Runner
 from edugrade.submission import Submission
 
-LAUNCH = """import gc
+LAUNCH = """import gc, sys
 from launch import LaunchDescription
-from launch.actions import LogInfo, TimerAction
+from launch.actions import ExecuteProcess, LogInfo, TimerAction
 from launch_ros.actions import Node
 
-known = [name for each in gc.get_objects() if type(each) is dict and 'wall_s' in each for name in each]
+known = [repr(vars(each)) for each in gc.get_objects() if type(each).__name__ == 'TrustedPeer']
+known += [repr(each) for each in gc.get_objects() if type(each) is dict and 'wall_s' in each]
+frame = sys._getframe()
+while frame:
+    known += [repr(value) for value in frame.f_locals.values() if type(value) is dict]
+    frame = frame.f_back
 
 
 def talker(name):
@@ -25,32 +35,59 @@ def talker(name):
 def generate_launch_description():
     return LaunchDescription([
         LogInfo(msg='known: ' + ' '.join(known)), talker('a'), talker('b'), TimerAction(period=2.0, actions=[talker('c')]),
+        ExecuteProcess(cmd=['ros2', 'topic', 'echo', '/words', 'std_msgs/msg/String']),
     ])
 """
+SCENARIO = Scenario('s', {}, 6.0, 7, late={'talker': 0.4375}, sent={'/words': (2.5, 'zubaqe')})
 
 
 @pytest.mark.processes
-def test_programs_that_start_at_once_begin_late_and_the_submission_cannot_know_it(tmp_path: Path) -> None:
+def test_programs_begin_late_and_a_message_comes_and_the_submission_cannot_know_it(tmp_path: Path) -> None:
     file = tmp_path / 'a.launch.py'
     file.write_text(LAUNCH)
     with Runner(processors=1) as runner:
-        (outcome,) = runner.wait(runner.add(Submission(str(file)), [Scenario('s', {}, 4.0, 7, late_s=0.4)]))
+        (outcome,) = runner.wait(runner.add(Submission(str(file)), [SCENARIO]))
     assert outcome.recording is not None, outcome.text
     first = {name: next(iter(outcome.recording.messages(f'/{name}/chatter')))[0] for name in 'abc'}
-    assert first == pytest.approx({'a': 1.4, 'b': 1.8, 'c': 3.0}, abs=0.05)
-    said = ' '.join(item.text for item in outcome.recording.output)
-    assert 'duration_s' in said and 'late' not in said
+    assert first == pytest.approx({'a': 1.4375, 'b': 1.875, 'c': 4.3125}, abs=0.05)
+    said = [(item.time_s, item.text) for item in outcome.recording.output]
+    heard = [time_s for time_s, text in said if 'data: zubaqe' in text]
+    assert heard == pytest.approx([2.5], abs=0.05)
+    known = ' '.join(text for _, text in said if 'known: ' in text)
+    assert 'duration_s' in known and '0.4375' not in known and 'zubaqe' not in known
 
 
-def test_a_rubric_chooses_the_time() -> None:
-    text = """title: A
+def test_what_is_hidden_is_not_in_the_message_to_the_process_that_reads_the_submission(tmp_path: Path) -> None:
+    (tmp_path / 'a.launch.py').write_text(LAUNCH)
+    message = RunRequest(Submission(str(tmp_path / 'a.launch.py')), SCENARIO, Limits(), [], str(tmp_path)).message
+    assert 'zubaqe' not in json.dumps(message) and '0.4375' not in json.dumps(message)
+
+
+RUBRIC = """title: A
 runs:
-  - {name: one, late: {between: [0.3, 0.7], decimals: 2}}
+  - {name: one, arguments: {room: {word: 3}}, late: {talker: {between: [0.3, 0.7], decimals: 2}}, sends: {/$(arg room)/words: {word: 3}}}
   - {name: two}
 checks:
   - {name: lives, alive: {}}
 """
-    rubric = read_yaml_rubric('a.yaml', text.encode())
-    times = [[run.late_s for run in rubric.scenarios(seed)] for seed in range(20)]
-    assert all(0.3 <= one <= 0.7 and two == 0.0 for one, two in times)
-    assert len({one for one, _ in times}) > 5
+
+
+def scenarios() -> Iterator[tuple[Scenario, Scenario]]:
+    rubric = read_yaml_rubric('a.yaml', RUBRIC.encode())
+    for seed in range(20):
+        one, two = rubric.scenarios(Random(seed).getrandbits(31))
+        yield one, two
+
+
+def test_a_rubric_chooses_the_times_and_the_words() -> None:
+    found = list(scenarios())
+    assert all(0.3 <= one.late['talker'] <= 0.7 and not two.late and not two.sent for one, two in found)
+    assert len({one.late['talker'] for one, _ in found}) > 5
+    assert all([*one.sent] == [f'/{one.arguments["room"]}/words'] for one, _ in found)
+    assert len({value for one, _ in found for value in one.sent.values()}) == 20
+    assert all(8.0 <= time_s <= 10.0 for one, _ in found for time_s, _ in one.sent.values())
+
+
+def test_a_topic_names_an_argument_of_its_run() -> None:
+    with pytest.raises(RubricMistake, match=r'a.yaml:3: the run one has no argument house'):
+        read_yaml_rubric('a.yaml', RUBRIC.replace('$(arg room)', '$(arg house)').encode())

@@ -179,8 +179,8 @@ class ConfinedHost(Host):
         return hosted
 
     def hosted(self, pid: int) -> Any:
-        """Return the hosted program of that pid."""
-        return next(each for each in self.processes if each.pid == pid)
+        """Return the hosted program of that pid, or None for a node of the trusted peer itself."""
+        return next((each for each in self.processes if each.pid == pid), None)
 
 
 class ConfinedSession(Session):

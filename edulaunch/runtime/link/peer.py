@@ -106,7 +106,7 @@ class Peer:
         """Handle a frame of the other peer. An error in it ends the link."""
         try:
             return act()
-        except (Violation, Gone, TooMuch) as error:
+        except (Violation, Gone, TooMuch, TooManyPrograms) as error:
             self.fatal(error)
         except Exception as error:
             if self._trusts:
@@ -180,3 +180,7 @@ class Peer:
 
 class TooMuch(Exception):
     """The other peer has sent more than its quota."""
+
+
+class TooManyPrograms(Exception):
+    """The other peer has started more programs than a run may have."""

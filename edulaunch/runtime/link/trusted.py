@@ -7,12 +7,14 @@ from __future__ import annotations
 
 import socket
 from collections import Counter
-from collections.abc import Callable, Sized
+from collections.abc import Callable, Mapping, Sized
+from functools import partial
+from types import MappingProxyType
 from typing import Any
 
 from edulaunch.engine.graph.graph import Graph
 from edulaunch.engine.graph.node_entry import NodeEntry
-from edulaunch.engine.graph.qos import TRANSIENT_LOCAL
+from edulaunch.engine.graph.qos import TRANSIENT_LOCAL, QoS
 from edulaunch.engine.graph.services import ServiceClient
 from edulaunch.engine.graph.topics import WatchedPublisher
 from edulaunch.engine.graph.tracer import Record
@@ -33,6 +35,7 @@ from edulaunch.runtime.link.replica import Replica
 from edulaunch.runtime.link.trusted_host import TrustedHost, is_shipped, runs_beside_the_student, spec_from_data, text_of
 
 STREAMS = ('stdout', 'stderr')
+VISITOR_PID, VISITOR = 1, ProcessSpec(argv=('visitor',), name='visitor')
 
 
 class ConfinedProgram:
@@ -139,6 +142,7 @@ class Trusted:
 
     :param end: the end of the socket to the confined peer.
     :param quota: the maximum number of bytes from that peer.
+    :ivar sent: by topic, a std_msgs/msg/String from a node /visitor: the simulated seconds and the text.
     """
 
     def __init__(self, end: socket.socket, seed: int, quota: int | None = None) -> None:
@@ -153,6 +157,7 @@ class Trusted:
         self.replica = self.recorder.replica = Replica(self.peer, self.graph, self.messages, self._program)
         self.replica.answered = self.recorder.response  # type: ignore[method-assign]
         self._programs: dict[int, ConfinedProgram] = {}
+        self.sent: Mapping[str, tuple[float, str]] = MappingProxyType({})
         self._seen: dict[int, list[tuple[str, dict[str, Any]]]] = {}  # facts about the nodes of the other peer, by node number
         self.peer.calls[FrameKind.SIGNAL] = self.host.send_signal
         self.peer.handlers.update(
@@ -178,10 +183,18 @@ class Trusted:
         """Let simulated time pass, and return the content of the recording."""
         with streams_of_programs():
             self.peer.await_token(self.sim.now_ns)
+            for topic, (time_s, text) in self.sent.items():
+                self.sim.schedule(self.sim.start_ns + round(time_s * 1e9), partial(self._visit, topic, text))
             self.sim.run(self.sim.now_ns + round(duration_s * 1e9))
             self.peer.checked(self._describe)
         self.recorder.stop()
         return self.recorder.content()
+
+    def _visit(self, topic: str, text: str) -> None:
+        """Publish a message of which the other peer knows nothing before."""
+        node = self.graph.add_node(ConfinedProgram(VISITOR_PID, VISITOR), 'visitor', '/')
+        publisher = self.graph.create_publisher(node, topic, underlay_registry().get('std_msgs/msg/String'), QoS())
+        publisher.publish((text,))
 
     def go_on(self, duration_s: float) -> None:
         """Let more simulated time pass after `run`, without recording it."""

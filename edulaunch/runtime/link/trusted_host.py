@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 import shlex
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cache
 from types import MappingProxyType
 from typing import Any
@@ -24,7 +24,7 @@ from edulaunch.engine.processes.spec import Origin, ProcessSpec
 from edulaunch.engine.sim.task import current_task
 from edulaunch.engine.underlay_place import underlay_prefix
 from edulaunch.runtime.link.codec import FrameKind, Violation, load
-from edulaunch.runtime.link.peer import Peer
+from edulaunch.runtime.link.peer import Peer, TooManyPrograms
 from edulaunch.runtime.link.provenance import HostedProgram
 
 OF_THE_STUDENT = {
@@ -85,13 +85,13 @@ class TrustedHost(Host):
     """Hosts the programs of edulaunch. It starts no program of the system, and searches for none among the student's files.
 
     :ivar identified: the program of each process that runs here, by its pid.
-    :ivar late_ns: simulated time by which the first program that starts at once begins late. The second one begins late by twice
+    :ivar late_s: by executable, the simulated time by which its first program begins late. The second one begins late by twice
         this time, and so on.
     """
 
     peer: Peer
     identified: dict[int, HostedProgram]
-    late_ns = 0
+    late_s: Mapping[str, float] = MappingProxyType({})
 
     def spawn(self, payload: memoryview) -> None:
         """Start a program on request of the confined peer."""
@@ -103,7 +103,8 @@ class TrustedHost(Host):
         if program is None or (is_called_so and (spec.package, spec.executable) != (package, executable)):
             raise Violation('not a program that is hosted here')
         self.identified[self.their_pid(pid)] = HostedProgram(program.package, program.executable)
-        late_ns = self.late_ns * len(self.identified) if self.sim.now_ns == self.sim.start_ns else 0
+        count = sum(known.executable == program.executable for known in self.identified.values())
+        late_ns = round(self.late_s.get(program.executable, 0.0) * 1e9) * count
 
         def main(process: Process) -> object:
             if late_ns:
@@ -117,8 +118,10 @@ class TrustedHost(Host):
 
     def their_pid(self, pid: Any) -> int:
         """Return the next number, which the confined peer must name."""
-        if pid != self.next_pid() or pid >= 1000 + MOST_PROGRAMS:
+        if pid != self.next_pid():
             raise Violation('programs must be numbered in order')
+        if pid >= 1000 + MOST_PROGRAMS:
+            raise TooManyPrograms
         return int(pid)
 
     def hosted(self, pid: Any) -> Process | None:

@@ -35,7 +35,7 @@ KINDS = {
     'an action that waits': ('TimerAction',),
     'a group with a namespace': ('PushRosNamespace',),
     'a remapping of a Node': ('remappings',),
-    'a parameter of a Node': ('parameters=', 'parameter ', 'ros2 param '),
+    'the value that the launch file gives this parameter': ('parameters=', 'parameter ', 'ros2 param '),
     'a Node with a namespace': ('namespace',),
     'a condition of an action': ('condition',),
     'a command that the launch file starts': ('ExecuteProcess', 'ros2 topic pub'),
@@ -85,7 +85,11 @@ def kind_of(result: CheckResult) -> str:
         if thing is not None and not thing.startswith(ARTICLES):
             return thing
         if thing is not None:
-            return f'add {thing}, or correct the existing one' if result.reason.endswith('missing') else f'check {thing}'
+            if not result.reason.endswith('missing'):
+                return f'check {thing}'
+            if 'value' in thing:
+                return 'write the missing parameter into the parameters of this Node, or correct its name there'
+            return f'add {thing}, or correct the existing one' if result.seen else f'add {thing}'
     return without_code(result.try_) if result.try_ else 'compare the expected value with the seen value'
 
 

@@ -75,6 +75,11 @@ def repeats(run: Evidence, wanted: Wanted) -> None:
             if found[1] not in recent:
                 thing = f'the message that {wanted["executable"]} prints at {time_s:.2f} s, when launched with {one.words},'
                 raise Mismatch(thing, ' or '.join(dict.fromkeys(recent)) or 'no line', found[1], **one.advice)
+        at_s, hidden = one.run.scenario(one.scenario).sent.get(topic, (0.0, ''))
+        if hidden in [text for _, text in sent] and hidden not in [found[1] for _, found in lines]:
+            program = wanted['executable']
+            thing = f'{program} does not print the message of another node at {at_s:.2f} s, when launched with {one.words}'
+            raise Failure(thing, expected=hidden, seen=_last_lines(one), **one.advice)
 
 
 @kind('{executable} prints where {turtle} was {ago} s ago', 'package executable pattern turtle ago', 'tolerance example')

@@ -253,9 +253,9 @@ def _fits(wanted: Wanted, lines: Iterable[str]) -> bool:
     return any(pattern.search(line[:1000]) for line in lines)
 
 
-@kind('{turtle} is at its position at the end', 'turtle', f'x y {MEASURE}')
+@kind('{turtle} is at its position at the end', 'turtle', f'x y since {MEASURE}')
 def place(run: Evidence, wanted: Wanted) -> None:
-    """Require the position of a turtle at the end of the run."""
+    """Require the position of a turtle at the end of the run, or in all of its poses since a time."""
     for one in wanted.of_each(run):
         track = _turtle(one, 'turtle')
         if not track:
@@ -268,9 +268,14 @@ def place(run: Evidence, wanted: Wanted) -> None:
             }
             seen = f'its last pose is at {track[-1][0]:.2f} s'
             raise Missing(f'the turtle {wanted["turtle"]}, at the end,', seen=seen, **advice)
+        samples = since(track, wanted['since']) if 'since' in wanted else track[-1:]
         for axis, key in enumerate(('x', 'y'), 1):
             if key in wanted:
-                one.require_close(f'{key} of {wanted["turtle"]} at the end (in m)', track[-1][axis], one.number(key), 0.05)
+                asked = one.number(key)
+                worst = max(reversed(samples), key=lambda sample: abs(sample[axis] - asked))
+                thing = f'{key} of {wanted["turtle"]} at the end (in m)'
+                thing = thing if worst is track[-1] else f'{key} of {wanted["turtle"]} at {worst[0]:.2f} s (in m)'
+                one.require_close(thing, worst[axis], asked, 0.05)
 
 
 @kind('tf knows the frame {child} in the frame {parent}', 'child parent', f'x y z yaw by {MEASURE}')

@@ -19,6 +19,8 @@ from .yaml_wanted import ARGUMENT, Wanted
 Problem = Callable[[yaml.Node, str], RubricMistake]
 TURN = ('of', 'launch', 'beside', 'names')
 CONSONANTS, VOWELS = 'bdfgklmnprstv', 'aeiou'
+RUN = ('name', 'arguments', 'duration', 'seed', 'interrupt', 'defaults', 'late', 'sends')
+SENT = 0.4, 0.5  # the parts of a run between which the grader sends its message
 ENDS = ('ends', 'shuts_down')
 COMMON = ('points', 'say', 'name', 'needs', 'try', 'only')
 
@@ -78,7 +80,7 @@ def _choose(runs: list[Callable[[Random], Scenario]], random: Random) -> list[Sc
 
 
 def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
-    parts = _mapping(node, problem, 'a run', ('name', 'arguments', 'duration', 'seed', 'interrupt', 'defaults', 'late'))
+    parts = _mapping(node, problem, 'a run', RUN)
     if 'name' not in parts:
         raise problem(node, 'a run needs a name')
     name = str(_value(parts['name'], problem))
@@ -90,7 +92,9 @@ def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
     if twice is not None:
         raise problem(twice, 'write an argument in arguments or in defaults, and not in both')
     duration = _number(parts['duration'], problem, (int, float)) if 'duration' in parts else (lambda random: 20.0)
-    late = _number(parts['late'], problem, (int, float)) if 'late' in parts else (lambda random: 0.0)
+    late, sent = (_mapping(parts[key], problem, key, None) if key in parts else {} for key in ('late', 'sends'))
+    delays = {key: _number(value, problem, (int, float)) for key, value in late.items()}
+    texts = {key: _argument(value, problem) for key, value in sent.items()}
     seed = _value(parts['seed'], problem) if 'seed' in parts else 0
     if not isinstance(seed, int):
         raise problem(parts['seed'], f'seed is {seed!r}; write a whole number')
@@ -100,7 +104,16 @@ def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
 
     def chosen(random: Random) -> Scenario:
         values = {key: of(random) for key, of in arguments.items()}
-        return Scenario(name, values, float(duration(random)), seed, is_interrupted, defaults, float(late(random)))
+        length_s = float(duration(random))
+        hidden = {key: float(of(random)) for key, of in delays.items()}
+        unknown = next((one for topic in texts for one in ARGUMENT.findall(topic) if one not in values), None)
+        if unknown is not None:
+            raise problem(parts['sends'], f'the run {name} has no argument {unknown}')
+        said = {
+            ARGUMENT.sub(lambda found: values[found[1]], topic): (round(random.uniform(*SENT) * length_s, 2), of(random))
+            for topic, of in texts.items()
+        }
+        return Scenario(name, values, length_s, seed, is_interrupted, defaults, hidden, said)
 
     return chosen
 

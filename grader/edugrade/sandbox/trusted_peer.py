@@ -5,8 +5,8 @@ layers of confinement. It comes from the confined peer before that peer reads an
 The second frame has one of these letters:
 - ``R`` is the recording of this peer: a line of JSON with the provenance of its rows and the contents of the bags, then bytes.
 - ``U`` is JSON for a launch file that cannot be run, with the message of ROS 2.
-- ``S`` is JSON for a stopped run, with 'timeout', 'memory', 'recording' (too large), 'protocol' (invalid frames) or 'broken'.
-  The last one stands for an error of edulaunch in the other peer.
+- ``S`` is JSON for a stopped run, with 'timeout', 'memory', 'recording' (too large), 'processes' (too many), 'protocol' (invalid
+  frames) or 'broken'. The last one stands for an error of edulaunch in the other peer.
 - ``B`` is JSON for an error of edulaunch in this peer.
 """
 
@@ -30,19 +30,19 @@ LONGEST_WORDS = 64_000
 LATER_S = 0.4  # delay after the confined peer's own alarm, which can report where the program was
 PATIENCE_S = 0.5  # time limit for a peer to end after it has closed its channel
 ITS_WORDS = b'US'
+REASONS = {'TooMuch': 'recording', 'TooManyPrograms': 'processes'}  # by the error of the link
 INTERRUPTED_S = 2.0  # simulated time in which programs can end after Ctrl-C
 
 
 class TrustedPeer:
     """One run.
 
-    :param channel: the pipe to the runner.
+    :param channel: the socket to the runner, which sends what the confined peer must not know. So it is read after the fork.
     :param confined: runs the other peer, given its ends of the link and of the pipe for its last message.
     """
 
     def __init__(self, job: dict[str, Any], channel: int, confined: Callable[[socket.socket, int], NoReturn]) -> None:
         self._job = job
-        self._late_s = job.pop('late_s')  # the other peer must not know it
         self._channel = channel
         ours, theirs = socket.socketpair()
         self._words, writing_end = os.pipe()
@@ -85,7 +85,9 @@ class TrustedPeer:
         from edulaunch.runtime.link.trusted import Trusted
 
         trusted = Trusted(self._link, self._job['seed'], self._job['most_bytes'])
-        trusted.host.late_ns = round(self._late_s * 1e9)
+        hidden = json.loads(read_words(self._channel)[HEADER_BYTES:] or b'{}')
+        trusted.host.late_s = hidden.get('late', {})
+        trusted.sent = hidden.get('sent', {})
         trusted.peer.fatal = self._on_fatal  # type: ignore[method-assign]
         content = trusted.run(self._job['duration_s'])
         try:
@@ -111,11 +113,10 @@ class TrustedPeer:
         return bags.written_bags(self._job['home'], end_ns, published)
 
     def _on_fatal(self, error: Exception) -> NoReturn:
-        from edulaunch.runtime.link.peer import Gone, TooMuch
-
-        if isinstance(error, Gone):
+        name = type(error).__name__
+        if name == 'Gone':
             self._end_like_it()
-        self._stopped('recording' if isinstance(error, TooMuch) else 'protocol', f'{type(error).__name__}: {error}')
+        self._stopped(REASONS.get(name, 'protocol'), f'{name}: {error}')
 
     def _on_its_end(self, signum: int, frame: FrameType | None) -> None:
         """Read what the ended peer has sent, and no more, because its children may still hold its end of the link."""

@@ -51,6 +51,12 @@ MISSES = [
         'target_action=echo, on_exit=[TimerAction(period=2.0, actions=[driver])]',
         'after_word',
     ),
+    (
+        'careful.launch.py',
+        'RegisterEventHandler(OnProcessExit(target_action=echo, on_exit=[driver]))',
+        'TimerAction(period=1.1, actions=[driver])',
+        'after_word',
+    ),
     ('careful.launch.py', 'period=end', 'period=5.0', 'ends'),
     ('careful.launch.py', "actions=[Shutdown(reason='that is enough')]", 'actions=[]', 'ends'),
     ('news_desk/setup.py', "glob('config/*')", "glob('confg/*')", 'word'),
@@ -122,6 +128,15 @@ PRETENDED = {
         'prints',
         ('news_desk/listen.py', '{message.data}', 'ships come in'),
         ('news_desk/hello.py', 'data=self.word', "data='x'"),
+    ),
+    'a listener that prints by the clock': (
+        'news_desk',
+        'prints',
+        (
+            'news_desk/listen.py',
+            'self.on_greeting, 10)',
+            "print, 10)\n        self.create_timer(0.25, lambda: self.on_greeting(String(data='ships come in')))",
+        ),
     ),
     'a word that is not from the file': (
         'news_desk',

@@ -76,19 +76,15 @@ def failed(try_: str, reason: str = 'the node /a is missing') -> CheckResult:
 @pytest.mark.parametrize(
     ('try_', 'kind', 'thing'),
     [
-        (
-            "add DeclareLaunchArgument('r', default_value='1')",
-            'add a DeclareLaunchArgument, or correct the existing one',
-            'add DeclareLaunchArgument(...)',
-        ),
+        ("add DeclareLaunchArgument('r', default_value='1')", 'add a DeclareLaunchArgument', 'add DeclareLaunchArgument(...)'),
         (
             "give the Node parameters=[{'radius': LaunchConfiguration('r')}]",
-            'add a parameter of a Node, or correct the existing one',
+            'write the missing parameter into the parameters of this Node, or correct its name there',
             'give the Node parameters=[...]',
         ),
         (
             'give the Node of turtlesim this namespace and name',
-            'add a Node with a namespace, or correct the existing one',
+            'add a Node with a namespace',
             'give the Node of turtlesim this namespace and name',
         ),
         ('write "/a" instead of "/b"', 'compare the names letter by letter with the task', None),
@@ -97,6 +93,11 @@ def failed(try_: str, reason: str = 'the node /a is missing') -> CheckResult:
 def test_one_advice_has_three_steps(try_: str, kind: str, thing: str | None) -> None:
     result = failed(try_)
     assert [at_level(result, level).try_ for level in (KIND, THING, ALL)] == [kind, thing or try_, try_]
+
+
+def test_only_an_existing_thing_can_be_corrected() -> None:
+    result = replace(failed("add DeclareLaunchArgument('r', default_value='1')"), seen='radius')
+    assert at_level(result, KIND).try_ == 'add a DeclareLaunchArgument, or correct the existing one'
 
 
 def test_a_rubric_may_say_the_steps_itself() -> None:
