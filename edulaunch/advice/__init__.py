@@ -1,9 +1,8 @@
 """Advice for users: rules look for mistakes, and each rule has sentences that explain its mistake.
 
-Lower rooms raise ROS 2's own errors and record facts. Rules look for mistakes in an error, a dry run, a Recording or the
-sources of a package. `rendered` puts a finding into words at the edge (console, cell, page, report). `docs/advice.md` lists
-every rule, and `reference.py` where each is described.
-An import is inside a function only if most uses of the module do not need it.
+Lower rooms raise ROS 2's own errors and record facts. Rules look for mistakes in an error, a dry run, a Recording or the sources
+of a package. `rendered` turns a finding into sentences for the console, a cell, a page or a report. `docs/advice.md` lists every
+rule, and `reference.py` where each is described. An import is inside a function only if most uses of the module do not need it.
 """
 
 from __future__ import annotations

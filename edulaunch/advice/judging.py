@@ -89,8 +89,8 @@ def _has_failed(process: ProcessRecord) -> bool:
 def about_command(findings: list[Finding], recording: Recording) -> list[Finding]:
     """Return the findings that concern the command of the recording, or all if the recording is of a whole machine.
 
-    A finding that names nodes or programs concerns the command when one of them is the command's own. Another finding does if
-    it is about a topic, service or frame that its nodes use, or its own file or argument.
+    A finding that names nodes or programs concerns the command when one of them is the command's own. Any other finding concerns
+    the command if it is about its own file or argument, or about a topic, service or frame of its nodes.
     """
     if recording.command is None or all(process.name in recording.command for process in recording.processes):
         return findings

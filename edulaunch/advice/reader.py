@@ -1,8 +1,8 @@
 """The reader's language, folder and notebook, and the translation of finished English sentences.
 
-For those a catalogue's templates are read backwards. Reports are created and stored in English, so a rubric does not depend
-on languages. `'{thing} is missing'` finds the facts of 'the frame laser is missing' again, and they go into the other
-language's template. Facts that are sentences themselves are retold, too.
+To translate a finished sentence, the templates of a catalogue are matched against it. Reports are created and stored in English,
+so a rubric does not depend on languages. `'{thing} is missing'` finds the facts of 'the frame laser is missing' again, and they
+go into the other language's template. Facts that are sentences themselves are translated, too.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ def language_of(env: Mapping[str, str]) -> str:
     """Return the language that environment variables choose: `EDULAUNCH_LANG`, else as gettext does.
 
     The locale is the first that is set of `LC_ALL`, `LC_MESSAGES` and `LANG`. `LANGUAGE` lists languages by preference; as for
-    gettext it counts only where the locale is not `C` or `POSIX`. Of several the first one that has a catalogue is chosen.
+    gettext it counts only where the locale is not `C` or `POSIX`. The first language with a catalogue is chosen.
     """
     locale = next(filter(None, (env.get(name) for name in ('LC_ALL', 'LC_MESSAGES', 'LANG'))), 'C')
     wanted = [locale] if _plain_name(locale) in ('C', 'POSIX') else [*env.get('LANGUAGE', '').split(':'), locale]

@@ -1,7 +1,7 @@
 """Rules, the findings that they report, and how rules are loaded.
 
-Each file of a folder beside this one has rules for one kind of thing; they are loaded when they are asked. A finding is plain
-data; `rendering.py` turns it into sentences. A failure may come out of a file, so nothing of it is ever executed.
+Each folder beside this file has the rules for one kind of thing. They are loaded when they are first used. A finding is plain
+data; `rendering.py` turns it into sentences. A failure may come from a file, so no code in it is ever executed.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Names that a module of ROS 2 contains only because it imports them, and that programs still import from there.
 
-Editors insert `from rclpy.node import Publisher` automatically, and it works with ROS 2. Here a module imports what it needs,
-late. `passed_on.txt` lists the other names of the module in ROS 2, which are loaded on request.
+Editors insert `from rclpy.node import Publisher` automatically, and it works with ROS 2. Here a module imports only what it
+needs, when it is first used. `passed_on.txt` lists the other names of the module in ROS 2, which are loaded on request.
 """
 
 from __future__ import annotations

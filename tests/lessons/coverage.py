@@ -1,4 +1,6 @@
-"""What of the seed tutorials our lessons teach, from lessons/coverage.toml: `python -m tests.lessons.coverage` writes docs/coverage*."""
+"""What of the seed tutorials our lessons teach, from lessons/coverage.toml: `python -m tests.lessons.coverage`
+writes docs/coverage*.
+"""
 
 from __future__ import annotations
 
@@ -86,7 +88,7 @@ def places() -> dict[str, tuple[list[str], str]]:
     """Each cell as LESSON/CELL: the sections in which it stands, and its source."""
     found = {}
     for name in ORDER:
-        section = f'begin of lesson {int(name[:2])}'
+        section = f'start of lesson {int(name[:2])}'
         for cell in Lesson(name).cells:
             headings = re.findall(r'(?m)^## (.+)$', cell.source) if cell.kind == 'markdown' else []
             sections = [] if cell.source.startswith('## ') else [section]

@@ -180,8 +180,6 @@ def explain(
 ) -> Explanation:
     """Return what a launch file would do, as a tree, without starting anything.
 
-    Each value has its origin and the values that it overrides.
-
     The result is a tree of its includes, decisions and actions. Each value has its origin, and the values that it replaced.
 
     :param path_or_package: path of a launch file, or name of a package.

@@ -2,7 +2,7 @@
 systems.
 
 A plan starts no process. The endpoints of a program come from an earlier run or from its Python source. A program of edulaunch
-itself runs for a moment in a simulation of its own. Everything else is reported as unknown.
+itself runs for a moment in a separate simulation. Everything else is reported as unknown.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """The computer as a launch file sees it in a dry run. Changes that the launch file would make are noted, but not made.
 
 A Python launch file is a program, and a dry run executes it. Programs that it starts itself seem to end at once (`rehearsal.py`).
-Files that it writes are kept apart: it can read them again, and no other program sees them. Other changes seem to succeed.
-Libraries do not use the views of a simulated program. What they would change is refused, by Python's audit events.
+Files that it writes are stored separately: it can read them again, but no other program can. Other changes seem to succeed.
+Libraries do not use the views of a simulated program. Python's audit events refuse their changes.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Record what a launch does while it runs, for the live view, for replays and for `edulaunch launch --step`.
 
-A trace is an observer of one launch service. It keeps a step for each action and each event. A step has the launch
-configurations and the environment of its moment. :meth:`LaunchTrace.as_data` returns them as plain data.
+A trace is an observer of one launch service. It keeps a step for each action and each event. A step contains the launch
+configurations and the environment at its time. :meth:`LaunchTrace.as_data` returns them as plain data.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """A host that starts no process. It records each process that launch would start, and ends it when launch stops it.
 
-What a launch file would change by itself (`subprocess`, `os.system`, `open(..., 'w')`, `os.remove`) is not done: see `closed.py`.
+Changes that a launch file would make itself (`subprocess`, `os.system`, `open(..., 'w')`, `os.remove`) are not made; see
+`closed.py`.
 """
 
 from __future__ import annotations
@@ -166,7 +167,7 @@ class RehearsalHost(Host):
         """Let the next process end with code 0: plain commands first, then nodes, each in the order they
         started.
 
-        A process that came back by `respawn` does not end again. False when none is left to end.
+        A process that `respawn` started again does not end again. Return False if no process is left.
         """
         for waiting in (self._commands, self._nodes):
             while waiting:

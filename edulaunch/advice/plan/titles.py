@@ -53,7 +53,8 @@ class Branch:
 class Setters:
     """The branch that set each launch configuration, while scopes open and close.
 
-    For a declared one, it is the declaration, whose :attr:`Branch.setters` has the earlier branch.
+    For a declared launch configuration, it is the declaration, and the :attr:`Branch.setters` of the declaration contains the
+    earlier branch.
     """
 
     def __init__(self) -> None:

@@ -1,6 +1,6 @@
 """An observer that builds the outline of what a launch service visits, with the phase of each action.
 
-The dry run uses it as it is; the trace of a launch that really runs (`launch_trace.py`) adds to it.
+The dry run uses it unchanged. The trace of a launch that really runs (`launch_trace.py`) extends it.
 """
 
 from __future__ import annotations

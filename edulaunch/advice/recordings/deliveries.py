@@ -132,7 +132,7 @@ def reply_not_taken(recording: Recording) -> Iterator[Finding]:
 def no_server(recording: Recording) -> Iterator[Finding]:
     """Report a client that existed for a second without a server.
 
-    Of edulaunch's own nodes, report only the ones that send a request.
+    A node of edulaunch itself is reported only if it sends a request.
     """
     served, actions, own = names_of(recording, 'service'), _actions(recording), own_nodes(recording)
     asked = {

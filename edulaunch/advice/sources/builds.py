@@ -30,7 +30,7 @@ LEVELS_ABOVE = 4
 def changed_after_build(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report source files that differ from the installed ones, or are not installed. The rule compares contents, not times.
 
-    Links, and what `--symlink-install` leaves in place of modules, always show the sources.
+    Links, and the files that `--symlink-install` writes in place of modules, always lead to the sources.
     """
     package = source.package
     prefix, workspace = _installed_prefix(package.folder, package.name)

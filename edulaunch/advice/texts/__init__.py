@@ -1,8 +1,8 @@
 """Checking a file while the student writes it: findings with line and column, and the edit that cures them where one is certain.
 
-`check(text, path)` reads and executes nothing of the text. It looks at launch files, parameter files, package files and nodes. It
-predicts errors of Python and launch as `Failure` objects, and the rules over errors judge these as they do after a run. Start
-reading in `check.py`.
+`check(text, path)` executes no code of the file. It looks at launch files, parameter files, package files and nodes. It predicts
+errors of Python and launch as `Failure` objects, and the rules over errors judge these as they do after a run. Start reading in
+`check.py`.
 """
 
 from __future__ import annotations

@@ -89,7 +89,7 @@ class Switch:
                 self._tell('the network is off, because edulaunch failed on messages from it; see the log of the machine')
 
     def off(self) -> bool:
-        """Leave; return whether it was on."""
+        """Leave the network. Return whether it was on."""
         bridge, self.bridge = self.bridge, None
         if bridge is None:
             return False

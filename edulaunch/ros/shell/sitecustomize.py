@@ -29,7 +29,7 @@ def _is_asked_by_installed():
 def _join_machine():
     """Run a program of the student that a person has started in a terminal on the machine of all terminals, in place of here.
 
-    A debugger, an interactive Python, a test and a program that is read through a pipe stay alone.
+    A debugger, an interactive Python, a test and a program that is read through a pipe do not join it.
     """
     main = os.path.abspath(getattr(sys.modules.get('__main__'), '__file__', None) or '')
     is_script = bool(sys.argv[0]) and os.path.isfile(main) and os.path.abspath(sys.argv[0]) == main

@@ -1,8 +1,8 @@
 """Read what a CMakeLists.txt installs, without running CMake.
 
-Understood: project, set, list(APPEND), file(GLOB), foreach, install(PROGRAMS | FILES | DIRECTORY | TARGETS),
-rosidl_generate_interfaces, ament_python_install_package, ament_auto_package(INSTALL_TO_SHARE ...). Branches
-of `if` are all followed but those of BUILD_TESTING.
+It evaluates these commands: project, set, list(APPEND), file(GLOB), foreach, install(PROGRAMS | FILES | DIRECTORY | TARGETS),
+rosidl_generate_interfaces, ament_python_install_package, ament_auto_package(INSTALL_TO_SHARE ...). It evaluates all branches of
+`if` except those of BUILD_TESTING.
 """
 
 from __future__ import annotations

@@ -25,7 +25,7 @@ _GIVEN = frozenset((*dir(builtins), '__file__', '__name__', '__doc__', '__builti
 def first_undefined_name(tree: ast.Module) -> tuple[str, int] | None:
     """Return the first undefined name and its line; None without one, or if that cannot be determined.
 
-    Only what is evaluated in any case is looked at: no bodies of functions, conditions, loops and `try`.
+    It checks only code that always runs, and not the bodies of functions, conditions, loops and `try`.
     """
     bound = set(_bound(tree))
     used = [node for statement in tree.body for node in _evaluated(statement)]

@@ -1,7 +1,7 @@
 """Evaluate Python text without running it, with a small interpreter for assignments, loops and harmless calls.
 
 An unsupported expression becomes an :class:`~edulaunch.ros.sources.static_values.Unknown`, which spreads to the expression around
-it. Thus one clever line in a setup.py costs only its own value.
+it. Therefore, a line of a setup.py that cannot be evaluated affects only its own value.
 """
 
 from __future__ import annotations

@@ -27,7 +27,7 @@ Parse = Callable[..., tuple[type, dict[str, Any]]]
 class ParsedByFrontend:
     """A descriptor for `parse`. It returns the nearest class that the frontend knows, together with the class that was asked.
 
-    So `super().parse(entity, parser)` in a student's sub-class gives the keyword arguments of the base class.
+    So `super().parse(entity, parser)` in a student's sub-class returns the keyword arguments of the base class.
 
     :param kind: 'action' or 'substitution'.
     :param otherwise: for classes that it does not know; without one they have no `parse`.

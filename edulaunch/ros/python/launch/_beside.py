@@ -55,7 +55,7 @@ def run_beside_threads(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int],
 async def run_beside_tasks(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], threads: StartedThreads) -> int:
     """Run a simulated loop until its task is done, while the loop that awaits this runs what else it has.
 
-    In a notebook the simulation is alone: what other tasks a kernel has is not the student's.
+    In a notebook, the simulation counts as alone, because the other tasks of the kernel are not the student's.
 
     :raises SimulationError: as above.
     """

@@ -1,6 +1,6 @@
 """The connection of launch to the engine: the only module of launch that uses edulaunch's processes.
 
-Everything is looked up through the running process, so that two simulations in one interpreter never meet.
+All data belongs to the running process, so that two simulations in one interpreter are separate.
 """
 
 from __future__ import annotations
@@ -122,9 +122,9 @@ def absent_package(package: str) -> str | None:
 def run_command(argv: Sequence[str], *, stderr_to_stdout: bool) -> tuple[int, str, str]:
     """Run a command to its end; returns its exit code, standard output and standard error.
 
-    A dry run with missing packages may know better; see :func:`assumptions`.
-    A command that the simulation knows (`ros2 ...`) runs in it, while launch waits in simulated time. Any
-    other is a real program and takes no simulated time, so that the run repeats.
+    A dry run with missing packages may replace the output; see :func:`assumptions`. A command that the simulation knows (`ros2
+    ...`) runs in it, while launch waits in simulated time. Any other command is a real program. It takes no simulated time, so
+    that every run is the same.
 
     :raises FileNotFoundError: when there is no such command.
     """

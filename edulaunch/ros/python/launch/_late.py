@@ -24,7 +24,7 @@ def late_names(
 ) -> tuple[list[str], Callable[[str], Any], Callable[[], list[str]]]:
     """Make the `__all__`, `__getattr__` and `__dir__` of a package.
 
-    Its modules are attributes without an import, too, as they are in ROS 2 (`launch.actions.timer_action.TimerAction`).
+    As in ROS 2, the modules of the package are attributes without an import, too (`launch.actions.timer_action.TimerAction`).
 
     :param package: name of the package.
     :param names: what it exports, each with the module of the package that defines it.

@@ -1,7 +1,7 @@
 """Find the launch file and the line that created an action.
 
-ROS 2 has no such record; errors, `edulaunch doctor` and grades use it. It must cost next to nothing, because every action pays
-for it. Two numbers are stored, and converted to a readable form on request.
+ROS 2 has no such record; errors, `edulaunch doctor` and grades use it. It must take very little time, because every action needs
+it. Two numbers are stored, and converted to a readable form on request.
 """
 
 from __future__ import annotations

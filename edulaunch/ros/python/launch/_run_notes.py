@@ -36,7 +36,7 @@ def note_include(path: str) -> None:
 def note_undeclared(names: Iterable[str], declared: Iterable[str], file: str, origin: Origin | None) -> None:
     """Record arguments that an included file does not declare. ROS 2 sets them without a message.
 
-    They are kept in `launch.undeclared`.
+    They are stored in `launch.undeclared`.
     """
     known = list(declared)
     rows: list[tuple[str, list[str], str, Origin | None]] = process_state('launch.undeclared', list)

@@ -29,7 +29,7 @@ def _only_a_condition(entity: Entity, parser: ParserProtocol) -> tuple[type, dic
 class Action(LaunchDescriptionEntity):
     """Something that a launch file requests: start a program, set a value, include a file.
 
-    Making one does nothing yet; :meth:`visit` executes it when its condition holds.
+    Creating an action has no effect. :meth:`visit` executes it if its condition is true.
 
     :param condition: without one the action is always executed.
     """
@@ -82,7 +82,7 @@ class Action(LaunchDescriptionEntity):
         """Execute the action if its condition holds. Afterwards, emit an ExecutionComplete event if a handler is registered for
         it.
 
-        Add the place of this action to an exception on its way out, for the message that people see.
+        If an exception is raised, add the place of this action to it, for the message that people see.
         """
         try:
             if self.__condition is not None and not self.__condition.evaluate(context):

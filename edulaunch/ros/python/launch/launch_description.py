@@ -86,8 +86,7 @@ class LaunchDescription(LaunchDescriptionEntity):
     def get_launch_arguments_with_include_launch_description_actions(self, conditional_inclusion: bool = False) -> FoundArguments:
         """Do the same as :meth:`get_launch_arguments`, each with the include actions that lead to it (None for none).
 
-        The first declaration of a name counts. Files whose path is not known before launching, or which
-        cannot be loaded, are passed over. Nothing is seen after a `ResetLaunchConfigurations`, nor inside an
-        `OpaqueFunction`.
+        The first declaration of a name counts. Files whose path is not known before launching, or which cannot be loaded, are
+        skipped. Arguments after a `ResetLaunchConfigurations` or inside an `OpaqueFunction` are not found.
         """
         return found_arguments(self.__entities, conditional_inclusion)

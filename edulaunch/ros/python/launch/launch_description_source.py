@@ -65,7 +65,7 @@ class LaunchDescriptionSource:
     def try_get_launch_description_without_context(self) -> LaunchDescription | None:
         """Return the description if its path is known without a running launch and it can be loaded, and otherwise None.
 
-        As upstream the file is executed for this, but within one visit only once.
+        As upstream, the file is executed for this, but only once within one visit.
         """
         if self.__launch_description is not None:
             return self.__launch_description

@@ -62,8 +62,8 @@ class Done(Coroutine[Any, Any, None]):
 class LaunchService:
     """Visits launch descriptions, and handles events until nothing is left to do.
 
-    Time is that of the running simulation. In a simulated process, :meth:`run` blocks only that process. In a plain script, it
-    runs its own simulation. In a notebook, both `run()` and `await run_async()` work.
+    The service uses the time of the running simulation. In a simulated process, :meth:`run` blocks only that process. In a plain
+    script, it runs its own simulation. In a notebook, both `run()` and `await run_async()` work.
 
     :param argv: for `context.argv`.
     :param noninteractive: no terminal is attached, so ctrl-c must be passed on to the processes.

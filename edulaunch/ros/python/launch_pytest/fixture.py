@@ -79,8 +79,8 @@ def fixture(
     """Make a pytest fixture from a function that returns a launch description. It is launched before the tests that use it.
 
     The function returns (or yields) a LaunchDescription, or a sequence that begins with one. It becomes a pytest fixture. Its
-    module gets the fixtures `event_loop`, `launch_service` and `launch_context` of the same scope, unless it has its own, or some
-    with a longer life.
+    module gets the fixtures `event_loop`, `launch_service` and `launch_context` of the same scope. Existing fixtures of these
+    names, or of a wider scope, are not replaced.
 
     :param shutdown_when_idle: launch ends when nothing is left to do.
     :param auto_shutdown: after the tests the launch is asked to end; else its end is waited for.

@@ -29,7 +29,7 @@ NO_NAMESPACE = '<node_namespace_unspecified>'
 class ParameterArguments:
     """The parameters of one node.
 
-    Generated files are only named here and left with the host, which passes their content to simulated programs.
+    This module only names generated files. The host stores them, and passes their content to simulated programs.
 
     :param number: of the node's process; it keeps the files of equal nodes apart.
     :param node_name: the node's name as far as it is known.

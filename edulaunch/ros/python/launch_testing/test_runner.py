@@ -46,7 +46,7 @@ def run_all(test_runs: Sequence[TestRun], arguments: Sequence[str], debug: bool)
 class RunWorker:
     """Launches a test's description in the main task of the running process, and runs its tests in another.
 
-    Both give their turns to each other in simulated time, so tests may sleep, wait for output and spin nodes.
+    Both tasks take turns in simulated time, so tests may sleep, wait for output and spin nodes.
     """
 
     def __init__(self, test_run: TestRun, result: TestResult, arguments: Sequence[str], debug: bool) -> None:

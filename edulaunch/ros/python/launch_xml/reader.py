@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 class Element(list['Element']):
     """An element with a list of child elements, the same attributes as `xml.etree.ElementTree.Element`, and the line.
 
-    The standard library's fast element has no room for a line number; this one is as small.
+    The fast element of the standard library cannot store a line number. This element is equally small.
     """
 
     __slots__ = ('tag', 'attrib', 'line')

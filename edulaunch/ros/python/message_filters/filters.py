@@ -55,7 +55,7 @@ def stamp_of(message: Any, allow_headerless: bool, logger_name: str) -> Time | N
 class Subscriber(SimpleFilter):
     """A subscription as a filter: `Subscriber(node, MessageType, 'topic')`.
 
-    Further arguments go to `Node.create_subscription`; `qos_profile` is 10 when left out.
+    Further arguments go to `Node.create_subscription`; the default of `qos_profile` is 10.
     """
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
@@ -83,7 +83,7 @@ class Subscriber(SimpleFilter):
 class Cache(SimpleFilter):
     """Stores the latest `cache_size` messages of the filter `f` in order of arrival, and passes all of them on.
 
-    Questions are asked with rclpy Times of ROS time.
+    Its methods take rclpy Times of ROS time.
 
     :param allow_headerless: messages without a header count as made when they come; else they are dropped.
     """

@@ -188,8 +188,8 @@ class CppNode(Node):
 def run_program(main: Callable[[], int | None]) -> int:
     """Run `main` between rclpy's init and shutdown, and answer the exit code a C++ program would have.
 
-    Ctrl-C is logged and ends the program normally. An exception that C++ has, too, is printed as by its runtime, and aborts
-    (signal 6).
+    Ctrl-C is logged and ends the program normally. An exception that also exists in C++ is printed as the C++ runtime prints it,
+    and aborts the program (signal 6).
     """
     try:
         rclpy.init()

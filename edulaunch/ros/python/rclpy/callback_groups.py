@@ -8,7 +8,7 @@ from typing import Any
 class CallbackGroup:
     """The base class of callback groups. It decides whether the callback of an entity may start.
 
-    `busy_with` is the entity whose callback runs now, where that shuts out others.
+    `busy_with` is the entity whose running callback blocks the others, if the group has one.
     """
 
     def __init__(self) -> None:

@@ -178,7 +178,7 @@ class Clock:
     def sleep_until(self, until: Time, context: Context | None = None) -> bool:
         """Wait until this clock reaches `until`.
 
-        While /clock controls it, only a message of /clock ends the wait, even for a time that is over (as in ROS 2).
+        While /clock controls it, only a message of /clock ends the wait, even for a time in the past (as in ROS 2).
 
         :returns: False when the context ended or the time source changed before that.
         :raises NotInitializedException: before init.

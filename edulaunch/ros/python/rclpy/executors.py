@@ -67,7 +67,8 @@ class MultiThreadedExecutor(Executor):
     def _execute(self, item: Item) -> None:
         """Give an item to a thread, and let the thread run until it blocks.
 
-        Raises what a callback has raised until then (as rclpy: when it blocks first, that comes out at the next item).
+        It raises an exception of the callback up to then. As in rclpy, an exception after the callback has blocked is raised at
+        the next item.
         """
         if isinstance(item, Task):
             self._submit(item)

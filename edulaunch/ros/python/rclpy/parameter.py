@@ -130,7 +130,7 @@ def parameter_value_to_python(parameter_value: Any) -> Any:
 def get_parameter_value(string_value: str) -> ParameterValue:
     """Read a string as YAML 1.1 (`off` is a bool, `5` an integer), as `ros2 param set` does with its value.
 
-    An empty list is one of bools; what YAML cannot parse or no parameter can hold stays text.
+    An empty list is a list of bools. A value that YAML cannot parse, or that no parameter can have, is a string.
 
     :raises yaml.scanner.ScannerError: when the text has no YAML tokens (`@`), as in ROS 2.
     """
@@ -157,7 +157,7 @@ def parameter_dict_from_yaml_file(
     """Return the parameters of a parameter file as messages, by name with the prefix `namespace`. As in ROS 2, `namespace` must
     end with a dot.
 
-    Of a parameter that is there for several nodes the last value counts. One without a value is the text 'None', as in ROS 2.
+    If several nodes have a parameter, its last value counts. As in ROS 2, a parameter without a value becomes the string 'None'.
 
     :param use_wildcard: whether entries under `/**` count.
     :param target_nodes: the full names of the nodes that count; None for all of the file.

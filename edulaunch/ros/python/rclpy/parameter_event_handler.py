@@ -34,7 +34,7 @@ class ParameterEventCallbackHandle:
 class ParameterEventHandler:
     """Subscribes to /parameter_events.
 
-    Parameters are looked at in the order in which they got their first callback; of several callbacks the newest is called first.
+    It checks parameters in the order of their first callbacks. If a parameter has several callbacks, the newest is called first.
     """
 
     def __init__(

@@ -79,7 +79,7 @@ _OPEN = ('SYSTEM_DEFAULT', 'UNKNOWN')
 def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> tuple[QoSCompatibility, str]:
     """Return whether a publisher and a subscription with these profiles can communicate, and the reasons if not.
 
-    A policy that one side leaves open (system default, unknown) makes a warning where the choice matters.
+    A policy that one side leaves open (system default, unknown) causes a warning if the choice matters.
     """
     errors = _clashes(publisher_qos, subscription_qos)
     if errors:

@@ -89,7 +89,7 @@ class Subscription(TopicEnd, Entity):
         """Call `callback` with the wire tuple of each message in place of the current callback, which must do the same with
         messages.
 
-        For listeners of our own that only put the values elsewhere: no message is made. Another callback ends it.
+        Built-in programs that only copy values use it, because it creates no message. A new callback ends it.
         """
         self._wire_callback = callback
         self._simple = False

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 class _UnfetchedException:
     """Exists as long as a future whose exception was never read, and then reports the exception.
 
-    Not in the future itself: hardly any needs it, and an object with a `__del__` costs more to make and to drop.
+    It is a separate object, because few futures need it, and an object with `__del__` takes longer to create and delete.
     """
 
     __slots__ = ('exception',)
@@ -36,7 +36,7 @@ class _UnfetchedException:
 class Future:
     """The result of running work: a service call, a goal, a task.
 
-    Callbacks are run by the executor that the future belongs to; a future that belongs to none calls them itself, at once.
+    Callbacks are run by the executor that the future belongs to; a future without an executor calls them itself, immediately.
     """
 
     # Programs create thousands of futures and tasks, so values that rarely change are class attributes.
@@ -197,7 +197,7 @@ class Future:
 class Task(Future):
     """A function or coroutine that an executor runs. A coroutine that waits continues at each turn.
 
-    Calling the task runs it until it waits or ends; its outcome is the future's.
+    Calling the task runs it until it waits or ends; its result is the result of the future.
 
     :param entity: the one whose callback it is.
     """

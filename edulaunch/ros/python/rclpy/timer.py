@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 class Timer(TimedEntity):
     """Calls its callback on an exact grid of nanoseconds. The first call is one period after its creation.
 
-    A grid point that is over when the executor comes to it is skipped, never made up for. Made by `Node.create_timer`.
+    A grid point that has passed when the executor checks the timer is skipped. `Node.create_timer` creates timers.
 
     :ivar _next_ns: the next grid point, in the clock's own time.
     :ivar due_ns: the same in simulated time; `NEVER_NS` while cancelled, or while only /clock knows it.
@@ -89,7 +89,7 @@ class Timer(TimedEntity):
         """Handle a time jump as rcl does: a forward jump past the grid point makes the timer ready once, and a backward jump
         restarts it.
 
-        A new source takes over what was left to wait as if it were what had passed (rcl's way); time 0 counts as unknown.
+        As in rcl, a new source uses the remaining time as if it were the elapsed time. Time 0 counts as unknown.
         """
         now = self._clock.now_ns()
         if source_changed:

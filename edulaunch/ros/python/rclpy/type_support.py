@@ -1,6 +1,6 @@
 """Check whether a class is a message, a service or an action.
 
-The type variables in the signatures of publishers, subscriptions, clients and services, as annotations name them.
+The module also defines the type variables for annotations of publishers, subscriptions, clients and services.
 """
 
 from __future__ import annotations

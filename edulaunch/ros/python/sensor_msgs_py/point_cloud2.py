@@ -106,7 +106,7 @@ def dtype_from_fields(fields: Iterable[Any], point_step: int | None = None) -> A
 def create_cloud(header: Any, fields: Iterable[Any], points: Any, step: int | None = None) -> Any:
     """Return a cloud of points: a structured array, a plain array or a list with a row for each point.
 
-    Arrays of two dimensions that are structured, or of three that are not, make an organized cloud.
+    A structured array with two dimensions, or a plain array with three, makes an organized cloud.
 
     :param step: bytes of one point, padding included.
     """

@@ -115,8 +115,7 @@ class NotImplementedException(Exception):
 class BufferInterface:
     """Transforms stamped objects with the lookups of a subclass.
 
-    Which types can be transformed is decided by imports: `import tf2_geometry_msgs` adds the stamped types of
-    geometry_msgs.
+    Imports decide which types can be transformed: `import tf2_geometry_msgs` adds the stamped types of geometry_msgs.
     """
 
     def __init__(self) -> None:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 class StaticTransformBroadcaster:
     """Publishes transforms on /tf_static, also for late subscriptions. Each message repeats all frames sent so far.
 
-    As in Jazzy's Python version, a child frame that was sent before is not changed by sending it again.
+    As in Jazzy's Python version, sending a child frame again does not change its first transform.
 
     :param qos: of the publisher; depth 1 and transient local when left out.
     """

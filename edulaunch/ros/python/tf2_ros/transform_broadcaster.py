@@ -29,8 +29,8 @@ class TransformBroadcaster:
     def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:  # noqa: N802
         """Publish one transform, or several in one message.
 
-        A single one, the usual case, is sent without creating a message around it. The wire of a TFMessage is the tuple of its
-        transforms' wires.
+        A single transform, the usual case, is sent without a message around it. The wire tuple of a TFMessage contains the wire
+        tuples of its transforms.
         """
         publisher = self.pub_tf
         if transform.__class__ is TransformStamped and publisher.context.alive:

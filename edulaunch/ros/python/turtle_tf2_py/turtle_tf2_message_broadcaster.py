@@ -14,7 +14,7 @@ from turtle_tf2_py._spawning import SpawningNode
 class PointPublisher(SpawningNode):
     """For each pose of turtle3, publish a command to continue the circle, and the place as a PointStamped in `world`.
 
-    As upstream's it makes a further set of publishers and subscription every second.
+    As upstream, it creates another set of publishers and a subscription every second.
     """
 
     def __init__(self) -> None:

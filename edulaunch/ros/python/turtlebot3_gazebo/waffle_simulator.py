@@ -20,7 +20,7 @@ class WaffleSimulator(CppNode):
     """A Waffle that starts at the parameters x_pose, y_pose (metres) and yaw (radians).
 
     TurtleBot3 takes TwistStamped since Jazzy and took Twist before; `enable_stamped_cmd_vel` sets a real robot to one of them.
-    This robot accepts both, so that programs of either time drive it. With the parameter true (the default), a plain Twist works
+    This robot accepts both, so that old and new programs can drive it. With the parameter true (the default), a plain Twist works
     with one warning; with false, a TwistStamped does.
     """
 

@@ -41,7 +41,7 @@ class DrawSquare(CppNode):
         """Send the request when the server exists: as with a real middleware, a request before the start of turtlesim is not
         lost.
 
-        Returns whether the reset is over.
+        Return whether the reset is complete.
         """
         if self._reset_reply is None:
             if not self._reset.service_is_ready():

@@ -21,7 +21,7 @@ from turtlesim.srv import SetPen, TeleportAbsolute, TeleportRelative
 class RotateAbsoluteServer:
     """Accepts every goal and every cancel request at once. A new goal replaces the previous one.
 
-    The turning itself is the turtle's update; `goal` is the handle of the goal being followed, or None.
+    The update of the turtle does the turning. `goal` is the handle of the current goal, or None.
     """
 
     def __init__(self, node: Node, turtle: Turtle) -> None:

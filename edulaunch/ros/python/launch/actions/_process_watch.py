@@ -101,7 +101,7 @@ class ProcessWatch(BaseEventHandler):
     def begin(self, context: LaunchContext) -> None:
         """Start the program, unless launch has given up meanwhile. Called on launch's loop.
 
-        A mistake that comes up here ends the action; the launch service reports it.
+        An error here ends the action, and the launch service reports it.
         """
         self._respawn = None
         if context.starts_are_abandoned:
@@ -290,7 +290,7 @@ def _wants_terminal(context: LaunchContext, options: ProcessOptions) -> bool:
 def start_failure(error: Exception, action: ExecuteLocal, details: dict[str, Any]) -> str:
     """Return Python's own last line about `error`, and a line of help with the place of the action.
 
-    ROS 2 shows a traceback of launch instead, in which nothing is the student's.
+    ROS 2 shows a traceback of launch instead, which contains no code of the student.
     """
     text = ''.join(format_exception_only(error)).rstrip()
     origin = action.origin

@@ -18,8 +18,7 @@ if TYPE_CHECKING:
 class DeclareLaunchArgument(Action):
     """Declare a launch argument, which users set with `ros2 launch ... name:=value`, and includes with `launch_arguments`.
 
-    Its value is the launch configuration of that name. One that is set already stays; else it gets the
-    default.
+    Its value is the launch configuration of that name. If it is already set, it does not change; otherwise, it gets the default.
 
     :param name: a plain text.
     :param default_value: a string or substitutions (so '3', not 3). Without a default, the argument is required.

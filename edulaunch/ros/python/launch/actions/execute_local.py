@@ -208,7 +208,7 @@ class ExecuteLocal(Action):
     def start_again(self, context: LaunchContext) -> None:
         """Start the program again, even without `respawn`. A running program receives SIGINT first.
 
-        Called on launch's loop. (edulaunch only.)
+        It is called on launch's loop. (edulaunch only.)
         """
         if self.__watch is not None:
             self.__watch.start_again(context)

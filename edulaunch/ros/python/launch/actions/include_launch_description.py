@@ -32,8 +32,7 @@ LaunchArguments = Iterable[tuple[SomeSubstitutionsType, SomeSubstitutionsType]]
 class IncludeLaunchDescription(Action):
     """Visit another launch description here.
 
-    It is not scoped: its arguments, and all it sets, are seen by what follows (put it into a `GroupAction` to
-    prevent that).
+    It is not scoped: later actions see its arguments and everything that it sets. Put it into a `GroupAction` to prevent that.
 
     :param launch_description_source: a source, or the path of a launch file of any format.
     :param launch_arguments: (name, value) pairs, such as `{'name': 'value'}.items()`; set before the

@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 class TimerAction(Action):
     """Visit the actions once, after `period` seconds of simulated time, unless the timer is cancelled first.
 
-    They see the locals of the moment when the timer was executed, but the launch configurations of the moment when it fires.
-    Configurations of a group around it are gone by then.
+    They see the locals from the time when the timer was executed, but the launch configurations from the time when it fires. The
+    configurations of an enclosing group no longer exist then.
 
     :param period: a float (not an int), or substitutions.
     :param actions: what to visit then.

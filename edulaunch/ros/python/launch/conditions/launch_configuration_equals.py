@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 class LaunchConfigurationEquals(Condition):
     """True if the launch configuration equals the expected string. The expected value None means "not set".
 
-    Deprecated upstream in favour of `IfCondition(EqualsSubstitution(...))`; making one warns.
+    Upstream has deprecated it in favour of `IfCondition(EqualsSubstitution(...))`. Creating one logs a warning.
     """
 
     def __init__(self, launch_configuration_name: str, expected_value: SomeSubstitutionsType | None) -> None:

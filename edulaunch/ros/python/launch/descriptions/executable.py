@@ -108,7 +108,7 @@ class Executable:
     def final_cmd(self) -> list[str] | None:
         """The arguments of the command line, or None before :meth:`prepare`.
 
-        Announce the files that the command names: launch writes generated files at their first use.
+        Reading it writes the generated files that the command names.
         """
         if self._named_files is not None:
             self._named_files()

@@ -18,7 +18,7 @@ Pair = tuple[str, Any, int]
 class Entity(ABC):
     """One element: its name, its attributes and the elements inside it.
 
-    Attributes and children that no parse function asks for are errors: as a rule they are misspelt.
+    Attributes and children that no parse function asks for are errors, because they are usually misspelt.
     """
 
     __slots__ = ('asked',)
@@ -65,15 +65,15 @@ class Entity(ABC):
     def given(self, attributes: Collection[str], children: Collection[str] = ()) -> list[str]:
         """Return the existing `attributes` and then the existing `children`, and mark all of them as requested.
 
-        (edulaunch only.) Much quicker than asking for each, where the format overrides it.
+        (edulaunch only.) A format can override it, which is much faster than one request for each name.
         """
         return [name for name in attributes if self._has(name, None)] + [name for name in children if self._has(name, Entities)]
 
     def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
         """Return (first, second, line) of each child called `tag`, if each has exactly these two attributes and nothing else.
 
-        (edulaunch only.) None says nothing: ask for each. Most of a long file are such elements; formats give the quick answer,
-        and no entities need be made of them.
+        (edulaunch only.) Return None if the caller must request each attribute. Most elements of a long file have this form, so
+        formats answer quickly without creating entities.
 
         :param is_typed: the second one is a scalar by YAML's rules; otherwise, both are strings.
         """

@@ -34,7 +34,7 @@ for sibling in SIBLINGS:
 def __expose_impl(name: str, parse_methods_map: dict[str, ParseMethod], exposed_type: str) -> Callable[[Exposed], Exposed]:
     """Return the decorator behind :func:`expose_action` and :func:`expose_substitution`.
 
-    It takes a class with a `parse` method, or the parse function itself, and gives it back unchanged.
+    It takes a class with a `parse` method, or the parse function itself, and returns it unchanged.
 
     :raises RuntimeError: for anything else, and when the name is taken by other code.
     """
@@ -73,8 +73,8 @@ def _parse_method_of(exposed: Any, name: str, exposed_type: str) -> ParseMethod:
 def _same_code(known: ParseMethod, new: ParseMethod) -> bool:
     """Return whether both come from one definition.
 
-    A launch file that exposes its own element may be executed many times in one interpreter; upstream each
-    run has a new one. Cells of a notebook count as one definition, whatever was edited in them.
+    A launch file that exposes its own element may be executed many times in one interpreter; upstream, each run has a new
+    interpreter. All versions of a notebook's cell count as one definition.
     """
     return _place(known) == _place(new)
 

@@ -1,6 +1,6 @@
 """Elements, substitutions and formats of installed packages, found through entry points.
 
-Looking entry points up costs more than parsing a launch file, so this waits until something unknown is met.
+Finding entry points takes longer than parsing a launch file, so it happens only when a name is unknown.
 """
 
 from __future__ import annotations

@@ -214,7 +214,7 @@ def parse_substitution(string: str) -> list[Substitution]:
 def parse_if_substitutions(value: Any) -> Any:
     """Parse a string that contains `$(...)` like :func:`parse_substitution`. A plain string remains an (unescaped) string.
 
-    Other scalars are returned as they are; a list is treated item by item.
+    Other scalars are returned unchanged, and each item of a list is parsed.
 
     :raises ValueError: when the items of a list, but for those with substitutions, are not all of one type.
     """

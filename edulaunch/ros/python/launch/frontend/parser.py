@@ -113,7 +113,7 @@ class Parser:
     def load(cls, file: str | os.PathLike[str] | TextIO) -> tuple[Entity, Parser]:
         """Return the root element of a file (its path, or an open text stream) and the parser for it.
 
-        Formats that claim the file's name are tried first, then all others.
+        Formats that handle the file's name are tried first, and then all others.
 
         :raises InvalidFrontendLaunchFileError: when no format reads it.
         :raises FileNotFoundError: when there is no such file.

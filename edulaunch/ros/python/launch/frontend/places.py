@@ -1,7 +1,7 @@
 """Places and facts that edulaunch attaches to errors of ROS in XML and YAML launch files.
 
-Attributes of the error: `edulaunch_file`, `edulaunch_line`, and its facts (`edulaunch.engine.facts`), of which
-`edulaunch.advice` makes words.
+Attributes of the error: `edulaunch_file`, `edulaunch_line`, and its facts (`edulaunch.engine.facts`), which `edulaunch.advice`
+turns into sentences.
 """
 
 from __future__ import annotations

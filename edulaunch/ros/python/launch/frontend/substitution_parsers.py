@@ -1,6 +1,6 @@
 """The built-in `$(name ...)`: the class that each creates, and its number of arguments.
 
-An argument is a list of substitutions. Wrong numbers raise upstream's errors, of upstream's (two) types.
+An argument is a list of substitutions. A wrong number of arguments raises the errors of upstream, which have two types.
 """
 
 from __future__ import annotations

@@ -16,7 +16,7 @@ class PathSubstitution(PathJoinSubstitution):
     """A path that is joined with `/`, as in pathlib: `PathSubstitution(FindPackageShare('p')) / 'launch' / ['robot_', name,
     '.launch.py']`.
 
-    Newer than Jazzy's first release; here so that files written for it run.
+    The class is newer than Jazzy's first release. It is here so that files that use it run.
     """
 
     def __init__(self, path: SomeSubstitutionsType) -> None:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 def plain_text(value: Any) -> str | None:
     """Return the text of a `str`, or of a list or tuple that contains exactly one literal string; None for anything else.
 
-    Launch files hold hardly anything else, and to evaluate them the general way is ten times the work.
+    Launch files contain hardly anything else, and the general evaluation takes ten times as long.
     """
     kind = type(value)
     if kind is str:

@@ -1,6 +1,6 @@
 """Typed values: int, float, bool, str and uniform lists of these types, as literals or substitutions.
 
-Used by parameter values, by typed arguments of actions and by the XML and YAML frontends.
+Parameter values, typed arguments of actions, and the XML and YAML frontends use them.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Wait until a process has started, has ended, or has written something.
 
 Each has two forms: a coroutine, and a `..._sync` one for tests that are plain functions. Timeouts are in simulated seconds; None
-waits for as long as it takes. Actions whose output is looked at need `cached_output=True`.
+waits without a limit. Actions whose output is checked need `cached_output=True`.
 """
 
 from __future__ import annotations

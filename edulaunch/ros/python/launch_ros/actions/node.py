@@ -51,8 +51,8 @@ class Node(ExecuteProcess):
     :param kwargs: those of :class:`launch.actions.ExecuteProcess`, but for `cmd`.
     :raises TypeError: when `parameters` or `remappings` are not of the right kind.
 
-    Errors when it is executed: PackageNotFoundError, SubstitutionFailure (no such executable), and rclpy's
-    InvalidNodeNameException and InvalidNamespaceException.
+    Its execution can raise PackageNotFoundError, SubstitutionFailure (no such executable), and rclpy's InvalidNodeNameException
+    and InvalidNamespaceException.
     """
 
     UNSPECIFIED_NODE_NAME = '<node_name_unspecified>'

@@ -10,7 +10,7 @@ from rclpy.task import Task
 class EventsExecutor(SingleThreadedExecutor):
     """Executes tasks, oldest first, then each node's messages and other events in the order in which they came, then due timers.
 
-    The other executors go by the kind and the age of what is ready. Everything else is as in `SingleThreadedExecutor`.
+    The other executors sort ready entities by kind and age. Everything else is as in `SingleThreadedExecutor`.
     """
 
     __module__ = 'rclpy.experimental.events_executor'

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 class Handle:
     """An entity's `handle`. Inside `with entity.handle:` the entity is known to be there; as in ROS 2 `as` gives None.
 
-    Everything else is asked of what is held.
+    All other attributes are those of the object that the handle owns.
     """
 
     def __init__(self, held: Any, is_destroyed: Callable[[], bool] = lambda: False) -> None:

@@ -171,7 +171,7 @@ class Waiting:
     def _ready_items(self, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Generator[Item, None, None]:
         """Yield the items of one wait, and without a deadline those of the next ones: tasks first, then ready entities.
 
-        With `poll` it does not wait, but gives out what is ready now.
+        With `poll`, it does not wait, and yields only what is ready now.
 
         :raises TimeoutException: at `deadline_ns`, or when a poll has given out everything.
         :raises ConditionReachedException: when `condition()` holds.

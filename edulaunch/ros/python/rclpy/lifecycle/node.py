@@ -109,7 +109,7 @@ class LifecycleNodeMixin(ManagedEntity):
 class LifecycleNode(LifecycleNodeMixin, Node):
     """A node that other nodes configure, activate, deactivate, clean up and shut down.
 
-    Override `on_configure(state)` and the like; call `super().on_activate(state)` to activate managed publishers.
+    Override `on_configure(state)` and similar methods, and call `super().on_activate(state)` to activate managed publishers.
 
     :param enable_communication_interface: as of `LifecycleNodeMixin`; all other arguments are those of `Node`.
     """

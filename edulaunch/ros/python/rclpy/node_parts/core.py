@@ -42,7 +42,7 @@ class NodeCore:
     :param name, namespace: as the program gives them; remap rules are applied here.
     :raises InvalidNodeNameException, InvalidNamespaceException: for names that break the rules.
 
-    The files of what it holds import this one, so their classes have no name here.
+    The files of its entities import this one, so this file cannot name their classes.
     """
 
     clock: Any

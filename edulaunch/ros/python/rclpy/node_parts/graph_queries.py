@@ -103,7 +103,7 @@ class NodeGraphQueries:
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
         """Wait at most `timeout` seconds for a node with that full name. Return whether it exists.
 
-        As in rclpy each look is followed by 0.1 s of sleep, also when it found the node, and without time there is no look.
+        As in rclpy, it sleeps for 0.1 s after each check, even if it has found the node. With a timeout of 0, it does not check.
         """
         name = '/' + fully_qualified_node_name.removeprefix('/')
         sim = current_task().sim

@@ -89,7 +89,7 @@ class ParameterStore:
     def check_declared(self, parameters: Iterable[Parameter]) -> None:
         """Refuse undeclared parameters, unless they are allowed.
 
-        As in rclpy the names in the text leave out the first one: it was used up by looking whether there is any.
+        As in rclpy, the message leaves out the first name, because the test for an empty iterator has consumed it.
 
         :raises TypeError: when one is not a Parameter.
         :raises ParameterNotDeclaredException: when there are any.

@@ -128,7 +128,7 @@ class NodeParameters:
     def get_parameter_type(self, name: str) -> int | ParameterType:
         """Return the number of the type of a parameter's value, or 0 without a value.
 
-        As in rclpy it is `Parameter.Type.NOT_SET` itself for an undeclared parameter where those are allowed.
+        As in rclpy, the result for an undeclared parameter, if those are allowed, is `Parameter.Type.NOT_SET` itself.
         """
         store = self._rclpy.parameters
         if name in store.values:
@@ -266,7 +266,7 @@ def _prepared(
 def _unpacked(index: int, entry: tuple[Any, ...]) -> tuple[str, Any, ParameterDescriptor]:
     """Return name, value and descriptor of one entry of `declare_parameters`.
 
-    As in rclpy the descriptor is the given one, not a copy: a second declaration with it changes the first one's type.
+    As in rclpy, the descriptor is the given one, not a copy, so a second declaration with it changes the first one's type.
     """
     from rcl_interfaces.msg import ParameterDescriptor
 
