@@ -34,8 +34,8 @@ class Scenario(NamedTuple):
     :param is_interrupted: whether launch gets Ctrl-C after the recorded part of the run. The grader then reads the bags.
     :param defaults: arguments that the run does not give, each with the default that the launch file should declare. None
         stands for any default. See `edugrade.bare_runs`.
-    :param late: by executable, the simulated seconds by which the first program of edulaunch with this name begins late, the
-        second one by twice this time, and so on. It stays hidden from the submission, as does the next one, so that a clock
+    :param late: by executable, the simulated seconds by which the first program of edulaunch with this name begins late. The
+        second one begins late by twice this time, and so on. The delay stays hidden from the submission, as does the next one, so that a clock
         cannot replace a node that receives messages.
     :param sent: by topic, a std_msgs/msg/String that the grader publishes there: the simulated seconds and the text.
     """

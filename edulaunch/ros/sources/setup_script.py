@@ -244,7 +244,7 @@ class _SetupScript:
                 self.warn(f'scripts= lists {script!r}, which is not there')
 
     def _left_out(self, name: str, module: str, above: str) -> None:
-        """Tell of an entry point in a folder that no build installs, although it is there."""
+        """Warn about an entry point in an existing folder that no build installs."""
         place = module.replace('.', '/')
         if os.path.isfile(os.path.join(self.folder, f'{place}.py')):
             self.warn(
