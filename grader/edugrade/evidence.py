@@ -35,8 +35,8 @@ class Scenario(NamedTuple):
     :param defaults: arguments that the run does not give, each with the default that the launch file should declare. None
         stands for any default. See `edugrade.bare_runs`.
     :param late: by executable, the simulated seconds by which the first program of edulaunch with this name begins late. The
-        second one begins late by twice this time, and so on. The delay stays hidden from the submission, as does the next one, so that a clock
-        cannot replace a node that receives messages.
+        second one begins late by twice this time, and so on. The delay stays hidden from the submission, as does the next one,
+        so that a clock cannot replace a node that receives messages.
     :param sent: by topic, a std_msgs/msg/String that the grader publishes there: the simulated seconds and the text.
     """
 
