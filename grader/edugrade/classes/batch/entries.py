@@ -22,6 +22,7 @@ MOST_OF_ONE = 50  # number of submissions of one student
 LONGEST_UNPACKING_S = 20.0
 STRANGE_ARCHIVES = ('.7z', '.rar', '.xz', '.zst')
 BY_THE_WAY = ('__MACOSX', '__pycache__', 'build', 'install', 'log')
+LINK = 'it is a link, and links are not followed'
 NOTHING = 'it contains no launch file or package of an exercise'
 
 
@@ -103,7 +104,7 @@ class Finder:
         """Return the submissions of one student. Only directories, archives and launch files count."""
         folder = os.path.dirname(item.path)
         if item.is_symlink():
-            yield Entry(item.name, *student_of(item.name), refused='it is a link, and links are not followed')
+            yield Entry(item.name, *student_of(item.name), refused=LINK)
             return
         found = list(self._item(folder, item, item.name, student_of, 0))[:MOST_OF_ONE]
         if not found and item.is_dir(follow_symlinks=False) and item.name not in BY_THE_WAY:
@@ -130,14 +131,17 @@ class Finder:
                 yield Entry(shown, *student_of(shown + '/'), file=folder)
             return
         for item in _sorted(folder):
-            if not item.is_symlink() and item.name not in BY_THE_WAY:
+            if item.name not in BY_THE_WAY:
                 yield from self._item(folder, item, f'{shown}/{item.name}', student_of, nested)
 
     def _item(
         self, folder: str, item: os.DirEntry[str], shown: str, student_of: Callable[[str], Student], nested: int
     ) -> Iterator[Entry]:
-        path = os.path.join(folder, item.name)
-        if item.is_dir(follow_symlinks=False):
+        path, name = os.path.join(folder, item.name), plain_name(item.name)
+        is_exercise = name.endswith(ENDINGS) and self._is_wanted(exercise_of(name))
+        if item.is_symlink():
+            yield from [Entry(shown, *student_of(shown), refused=LINK)] if is_exercise else []
+        elif item.is_dir(follow_symlinks=False):
             yield from self._walk(path, shown, student_of, nested)
         elif item.name.lower().endswith(ARCHIVES):
             yield from self._archive(path, shown, student_of, nested)
@@ -145,7 +149,7 @@ class Finder:
             yield Entry(
                 shown, *student_of(shown), refused='edugrade cannot read this kind of archive', help='pack it as .zip or .tar.gz'
             )
-        elif plain_name(item.name).endswith(ENDINGS) and self._is_wanted(exercise_of(plain_name(item.name))):
+        elif is_exercise:
             yield self._launch_file(Entry(shown, *student_of(shown), file=path))
 
     def _launch_file(self, entry: Entry) -> Entry:

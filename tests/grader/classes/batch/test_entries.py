@@ -45,6 +45,8 @@ def test_folders_archives_and_files(tmp_path: Path) -> None:
     packed(folder / 'fred' / 'work.zip', '../circle.launch.py')
     (folder / 'gina.rar').write_text('')
     (folder / 'hugo').symlink_to(folder / 'anna')
+    (folder / 'ida').mkdir()
+    (folder / 'ida' / 'circle.launch.py').symlink_to(folder / 'anna' / 'circle.launch.py')
     (folder / '.git').mkdir()
     entries = find(folder)
     assert seen(entries) == [
@@ -56,6 +58,7 @@ def test_folders_archives_and_files(tmp_path: Path) -> None:
         ('fred', 'fred/work.zip', "the archive contains a path that leads out of it: '../circle.launch.py'"),
         ('gina.rar', 'gina.rar', 'edugrade cannot read this kind of archive'),
         ('hugo', 'hugo', 'it is a link, and links are not followed'),
+        ('ida', 'ida/circle.launch.py', 'it is a link, and links are not followed'),
     ]
     assert Path(entries[3].file).read_text() == '# hw/circle.launch.py'
 
