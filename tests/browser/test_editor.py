@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import json
+import re
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from tests.browser.lab import WAIT_MS, WANTED, Lab
+from tests.browser.lab import STARTED, WAIT_MS, WANTED, Lab
 
 pytestmark = pytest.mark.browser
 for _name in ('pygls', 'jupyterlab_lsp', 'pylsp'):
@@ -45,7 +47,8 @@ def tab(lab: Lab, course: Path) -> Iterator[Any]:
         'language_info': {'name': 'python'},
     }
     notebook = {'nbformat': 4, 'nbformat_minor': 5, 'metadata': spec, 'cells': [cell]}
-    (course / 'help.ipynb').write_text(json.dumps(notebook), encoding='utf-8')
+    for name in ('help', 'late'):
+        (course / f'{name}.ipynb').write_text(json.dumps(notebook), encoding='utf-8')
     (course / 'help.launch.xml').write_text(MARKUP, encoding='utf-8')
     page = lab._new_tab()
     yield page
@@ -93,6 +96,35 @@ def test_a_cell_that_writes_a_launch_file_is_marked_while_typing(tab: Any, shots
         TYPE, CELL.replace('turtlesm', 'turtlesim').replace('_nod', '_node').replace('_nodee', '_node').replace('nmae', 'name')
     )
     tab.wait_for_function("() => !document.querySelector('.cm-lintRange')", timeout=WAIT_MS, polling=500)
+
+
+def test_what_is_typed_while_the_server_starts_is_marked(tab: Any, lab: Lab) -> None:
+    """The server's answers are held back until JupyterLab has got to know the other server."""
+    held: list[tuple[Any, Any]] = []
+    told: list[str] = []
+    answers = threading.Event()
+
+    def hold(socket: Any) -> None:
+        socket.connect_to_server().on_message(
+            lambda message: socket.send(message) if answers.is_set() else held.append((socket, message))
+        )
+
+    page = lab._new_tab()
+    page.route_web_socket(re.compile('/lsp/ws/edulaunch'), hold)
+    page.on('websocket', lambda socket: socket.on('framesent', lambda frame: told.append(str(frame))))
+    page.reload()
+    page.wait_for_function(STARTED)
+    page.evaluate(OPEN, ['late.ipynb', 'Notebook'])
+    page.get_by_text('Python 3 (ipykernel) | Idle').wait_for(timeout=WAIT_MS)
+    page.evaluate(TYPE, CELL.partition('        Node')[0] + '    ])\n')
+    page.evaluate(TYPE, CELL)
+    while not held or not any('textDocument/didOpen' in frame for frame in told):
+        page.wait_for_timeout(100)
+    answers.set()
+    for socket, message in held:
+        socket.send(message)
+    marked(page, ['turtlesm', 'turtlesim_nod', 'nmae='])
+    page.context.close()
 
 
 def test_a_launch_file_in_xml_is_marked(tab: Any, shots: Path) -> None:

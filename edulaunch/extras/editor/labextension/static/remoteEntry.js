@@ -22,16 +22,25 @@
     },
   };
 
+  function catchUp(manager, cell) {
+    // JupyterLab does not tell a server what was typed while the server started; it tells with the next change of the notebook.
+    if (cell.language !== extractor.language) return;
+    setTimeout(() => manager.adapters.get(cell.root.path)?.updateDocuments(), 500);
+  }
+
   async function load() {
     // A JupyterLab without language servers must start all the same.
-    const {ILSPCodeExtractorsManager} = await shared('@jupyterlab/lsp').catch(() => ({}));
+    const {ILSPCodeExtractorsManager, ILSPDocumentConnectionManager} = await shared('@jupyterlab/lsp').catch(() => ({}));
     return {
       __esModule: true,
       default: {
         id: 'edulaunch-cells:plugin',
         autoStart: true,
-        optional: ILSPCodeExtractorsManager ? [ILSPCodeExtractorsManager] : [],
-        activate: (app, extractors) => extractors && extractors.register(extractor, 'python'),
+        optional: ILSPCodeExtractorsManager ? [ILSPCodeExtractorsManager, ILSPDocumentConnectionManager] : [],
+        activate: (app, extractors, connections) => {
+          extractors?.register(extractor, 'python');
+          connections?.connected.connect((manager, {virtualDocument}) => catchUp(manager, virtualDocument));
+        },
       },
     };
   }
