@@ -35,7 +35,7 @@ def encode(content: dict[str, Any]) -> bytes:
 
 
 def lines_of(content: dict[str, Any]) -> Iterator[bytes]:
-    """Yield the same bytes line by line, so that writing a long run needs less memory."""
+    """Yield the bytes of a recording file line by line, so that writing a long run needs less memory."""
     yield _line({'format': FORMAT, 'version': VERSION, **{key: content[key] for key in HEADER_NUMBERS}})
     yield from (_line({part: content[part]}) for part in PARTS)
     yield from (_line({part: content[part]}) for part in OPTIONAL_PARTS if content.get(part))

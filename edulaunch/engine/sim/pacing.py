@@ -116,7 +116,7 @@ class RealTime:
         self.go_on()
 
     def go_on(self) -> None:
-        """Let simulated time follow from here, without catching up the real time that has passed."""
+        """Let simulated time follow real time from now on, without catching up the real time that has passed."""
         if not self._is_wall:
             self._began = self.sim.now_ns, self._clock()
 

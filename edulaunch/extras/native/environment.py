@@ -40,7 +40,7 @@ class Environment(NamedTuple):
 
     @property
     def python(self) -> str:
-        """Return the path of its Python."""
+        """Return the path of the environment's Python."""
         return os.path.join(self.place, 'bin', 'python')
 
 

@@ -294,7 +294,7 @@ class Bridge:
 
 
 class Asker(ServiceClient):
-    """Calls a service here on behalf of clients on the network. It is in no list of clients."""
+    """Calls a service here on behalf of clients on the network. No command lists it as a client."""
 
     def __init__(self, bridge: Bridge, server: Any, handle: int) -> None:
         super().__init__(bridge.graph, bridge.mirror.unknown(), server.service_name, server.cls, server.qos, self._answered)

@@ -220,7 +220,7 @@ class Arcball(_matrices.Arcball):  # type: ignore[misc]
         self.constrain = bool(constrain)
 
     def getconstrain(self) -> bool:
-        """Return whether turns are about an axis only."""
+        """Return whether rotations are limited to one axis."""
         return bool(self.constrain)
 
 
