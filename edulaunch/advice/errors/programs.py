@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from linecache import getline
 
 from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.rule import Failure, Finding, rule
@@ -186,7 +187,8 @@ def called_too_early(failure: Failure) -> Iterator[Finding]:
     match = re.match(r"\w+\.(\w+)\(\) missing 1 required positional argument: '(\w+)'", failure.message)
     tree = script_of(failure.file) if match is not None and failure.process is not None else None
     own = [node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)] if tree is not None else []
-    if match is not None and match[1] in own and not match[1].startswith('__'):
+    line = getline(failure.file or '', failure.line or 0)
+    if match is not None and match[1] in own and f'.{match[1]}()' in line and not match[1].startswith('__'):
         yield report(failure, method=match[1], argument=match[2])
 
 

@@ -20,6 +20,8 @@ FORMS = (
     (r'(StaticTransformBroadcaster)\.__init__\(\) missing', 'StaticTransformBroadcaster(self)'),
     (r'(TransformListener)\.__init__\(\) missing', 'TransformListener(self.buffer, self)'),
     (r'RcutilsLogger\.(debug|info|warning|warn|error|fatal)\(\) takes 2 positional', "get_logger().{}(f'speed: {{speed}}')"),
+    (r'(Node)\.__init__\(\) takes 2 positional', "super().__init__('node_name')"),
+    (r'Invalid parameter tuple length', "declare_parameters('', [('speed', 1.0), ('name', 'robo')])"),
     (r'(QoSProfile)\.__init__\(\) takes 1 positional', 'QoSProfile(depth=10)'),
     (r"'Buffer' object has no attribute '(?:create_|get_|destroy_|declare_)", 'TransformListener(self.buffer, self)'),
     (r'parameter must be instance of type', "set_parameters([Parameter('speed', value=0.4)])"),
@@ -178,7 +180,10 @@ def fields_by_name(failure: Failure) -> Iterator[Finding]:
     hides=('messages.field-value',),
 )
 def parameter_no_value(failure: Failure) -> Iterator[Finding]:
-    """Report a parameter without a value that a program assigns to a field of a message."""
+    """Report a parameter without a value that a program reads, or assigns to a field of a message."""
+    unset = re.match(r"The parameter '(\S+)' is not initialized", failure.message)
+    if unset is not None and failure.process is not None:
+        yield report(failure, parameter=unset[1])
     is_none = failure.facts.get('about') == 'messages.field-value' and failure.facts.get('given') == 'None'
     tree = script_of(failure.file) if is_none and any(map(_reads_parameter, calls_on_line(failure))) else None
     for call in [] if tree is None else ast.walk(tree):

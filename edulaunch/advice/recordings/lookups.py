@@ -83,11 +83,18 @@ def leading_slash(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.empty-buffer',
-    what="{node} looks up '{frame}' in a buffer that never received a transform, although a node broadcasts '{frame}'",
-    why='only a TransformListener fills a buffer, and only while its node spins',
+    what=(
+        "{node} looks up '{frame}', but {sender} sent it only once, before {node} could receive it",
+        "{node} looks up '{frame}' in a buffer that never received a transform, although a node broadcasts '{frame}'",
+    ),
+    why=(
+        'TransformBroadcaster in {sender} does not store a transform for listeners that come later',
+        'only a TransformListener fills a buffer, and only while its node spins',
+    ),
     do=(
+        'let {sender} send the transform again and again from a timer, or use StaticTransformBroadcaster if it never changes',
         'write self.tf_listener = TransformListener(self.tf_buffer, self) with the buffer of the lookup, and call '
-        'rclpy.spin(node)'
+        'rclpy.spin(node)',
     ),
     lesson=LESSON,
     level='error',
@@ -99,7 +106,9 @@ def empty_buffer(recording: Recording) -> Iterator[Finding]:
     for fact in _lookups(recording):
         name = next((name for name in fact.data['unknown'] if name in known), None)
         if name is not None and not fact.data['frames'] and not _is_early(recording, fact):
-            yield _found(recording, fact, name)
+            sent = [one for one in broadcasts(recording) if name in (one.child, one.parent)]
+            is_once = all(one.first_ns == one.last_ns and not one.is_static for one in sent)
+            yield _found(recording, fact, name, sender=sent[0].node if sent and is_once else None)
 
 
 @rule(

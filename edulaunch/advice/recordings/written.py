@@ -98,6 +98,40 @@ def method_twice(recording: Recording) -> Iterator[Finding]:
 
 
 @rule(
+    'programs.activated-without-super',
+    what='on_activate() of {klass} does not call super().on_activate(state), so its lifecycle publishers send nothing',
+    why='on_activate() of LifecycleNode enables the publishers, and a method of the same name replaces it',
+    do='end on_activate() with: return super().on_activate(state)',
+    level='error',
+)
+def activated_without_super(recording: Recording) -> Iterator[Finding]:
+    """Report a class with lifecycle publishers whose own on_activate() calls no other on_activate()."""
+    for file, tree in program_scripts(recording):
+        for klass in (node for node in ast.walk(tree) if isinstance(node, ast.ClassDef)):
+            text = ast.unparse(klass)
+            for method in klass.body if 'create_lifecycle_publisher(' in text and '.on_activate(' not in text else ():
+                if isinstance(method, ast.FunctionDef) and method.name == 'on_activate':
+                    yield found('class', klass.name, file=file, line=method.lineno, klass=klass.name)
+
+
+@rule(
+    'programs.spin-in-constructor',
+    what='the constructor of {klass} calls rclpy.spin(self) in line {at}, so its next lines never run',
+    why='rclpy.spin() returns only when the program ends',
+    do='remove this line, and call rclpy.spin(node) in main(), after the node is created',
+    level='error',
+)
+def spin_in_constructor(recording: Recording) -> Iterator[Finding]:
+    """Report a call of rclpy.spin(self) in a constructor that is not its last line."""
+    for file, tree in program_scripts(recording):
+        for klass in (node for node in ast.walk(tree) if isinstance(node, ast.ClassDef)):
+            for method in klass.body:
+                for line in method.body[:-1] if isinstance(method, ast.FunctionDef) and method.name == '__init__' else ():
+                    if ast.unparse(line) == 'rclpy.spin(self)':
+                        yield found('class', klass.name, file=file, line=line.lineno, klass=klass.name, at=line.lineno)
+
+
+@rule(
     'programs.equals-plus',
     what='{written} sets {variable} to {value} each time, because =+ is an assignment of +{value}',
     why='Python reads `=+ 1` as `= (+1)`',

@@ -129,7 +129,9 @@ def _about_file(path: str) -> dict[str, Any]:
     if not os.path.isdir(folder):
         return {'wanted': path, 'no_folder': folder}
     name, ending = os.path.basename(path), os.path.splitext(path)[1]
-    return {'wanted': path, 'near': nearest_file(name, [other for other in os.listdir(folder) if other.endswith(ending)])}
+    beside = os.listdir(folder)
+    longer = next((f'{name}{end}' for end in ('.py', '.xml', '.yaml') if f'{name}{end}' in beside), None)
+    return {'wanted': path, 'near': longer or nearest_file(name, [other for other in beside if other.endswith(ending)])}
 
 
 def _class_that_was_made(error: BaseException) -> dict[str, Any]:

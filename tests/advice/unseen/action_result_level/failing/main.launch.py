@@ -1,0 +1,12 @@
+import os
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    here = os.path.dirname(__file__)
+    return LaunchDescription([
+        ExecuteProcess(cmd=['python3', os.path.join(here, 's.py')], output='screen'),
+        ExecuteProcess(cmd=['python3', os.path.join(here, 'c.py')], output='screen'),
+    ])
