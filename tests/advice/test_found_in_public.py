@@ -170,6 +170,20 @@ def test_a_parameter_file_of_a_package_is_told_once_and_without_a_generated_path
     assert 'the parameter file share/robo/launch/speeed.yaml does not exist' in said and 'write speed.yaml' in said
 
 
+def test_the_keys_of_other_nodes_are_not_to_be_replaced(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / 'p.yaml').write_text('sonar_node:\n  ros__parameters: {a: 1}\ndvl_node:\n  ros__parameters: {a: 1}\n')
+    node = SIM.replace("'sim'", "'sensor_node'").format(f", parameters=['{tmp_path}/p.yaml']")
+    main(['doctor', str(launch_file(tmp_path, f'return LaunchDescription([{node}])')), '--for', '1'])
+    out = capsys.readouterr().out
+    assert 'p.yaml sets no parameter of /sensor_node' in out and 'replace the key' not in out
+
+
+def test_empty_brackets_of_a_type_are_no_missing_comma(tmp_path: Path) -> None:
+    (tmp_path / 'd.py').write_text('def changed(values: list[]):\n    pass\n')
+    body = f"return LaunchDescription([ExecuteProcess(cmd=['python3', '{tmp_path}/d.py'])])"
+    assert 'comma is missing' not in '\n'.join(reports(launch_file(tmp_path, body)))
+
+
 def test_a_name_that_only_setup_uses_is_no_mistake(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

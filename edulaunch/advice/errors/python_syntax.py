@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from linecache import getline
 from typing import Any
 
 from edulaunch.advice.rule import Failure, Finding, Rule, found, rule
@@ -131,11 +132,11 @@ def indentation(failure: Failure) -> Iterator[Finding]:
         yield _in_line(failure, opened=None if match is None else int(match[3]), statement=statement)
 
 
-def _simple(name: str, pattern: str, what: str, do: str) -> Rule:
-    """Return a rule that explains an error message of Python in one sentence."""
+def _simple(name: str, pattern: str, what: str, do: str, unless: str = r'$^') -> Rule:
+    """Return a rule that explains an error message of Python in one sentence, unless the line has something of that pattern."""
 
     def look(failure: Failure) -> Iterator[Finding]:
-        if _matched(failure, pattern):
+        if _matched(failure, pattern) and not re.search(unless, getline(failure.file or '', failure.line or 0)):
             yield _in_line(failure)
 
     return rule(name, what=what, do=do, level='error')(look)
@@ -146,6 +147,7 @@ NO_COMMA = _simple(
     r'Perhaps you forgot a comma',
     'a comma is missing in this line, or at the end of the line above',
     'write a comma between the two values',
+    unless=r'\w\[\]',  # as in `parameters: list[]`, where Python suggests a comma
 )
 NO_COLON = _simple(
     'programs.no-colon', r"expected ':'", 'a colon is missing at the end of this line', 'write a colon at the end of the line'

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.outlines import branches, launch_files, name_of, nodes, place_of
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.engine.nearest import nearest, nearest_file
+from edulaunch.engine.nearest import nearest_file, nearest_spelling
 
 if TYPE_CHECKING:
     from edulaunch.advice.plan import Rehearsal
@@ -49,7 +49,7 @@ def key_for_no_node(rehearsal: Rehearsal) -> Iterator[Finding]:
                 free = [key for key in keys if not any(pattern_matches(key, name) for name in names)]
                 if not free:
                     continue  # the file is meant for other nodes of the launch file
-                near = nearest(item['runtime_name'], free) or (keys[0] if len(keys) == 1 else None)
+                near = nearest_spelling(item['runtime_name'], free) or (keys[0] if len(keys) == 1 else None)
                 yield found(
                     'file',
                     os.path.basename(source['file']),

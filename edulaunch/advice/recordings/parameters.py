@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from edulaunch.advice.recordings.programs import ENDED_WELL
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import node_place, origin_place
-from edulaunch.engine.nearest import nearest
+from edulaunch.engine.nearest import nearest, nearest_spelling
 from edulaunch.engine.recording.records import Fact, UnreadArgument
 
 if TYPE_CHECKING:
@@ -79,7 +79,7 @@ def key_for_no_node(recording: Recording) -> Iterator[Finding]:
         given = {process.name for process in recording.processes if any(os.path.basename(word) == file for word in process.argv)}
         if not given & containers and all(node.name in without for node in recording.nodes if node.process in given):
             node, keys, line = facts[0].data['node'], facts[0].data['keys'], max(facts[0].data['line'] - 2, 1)
-            near = nearest(node, keys) or (keys[0] if len(keys) == 1 else None)
+            near = nearest_spelling(node, keys) or (keys[0] if len(keys) == 1 else None)
             is_made = file.startswith('launch_params_')  # launch generates this file, so nobody can edit it
             places = node_place(recording, node) if is_made else (file, line)
             details = {'node': node, 'keys': keys[:5], 'near': near, 'launched': keys[0] if is_made else None}
