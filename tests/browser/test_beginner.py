@@ -38,7 +38,6 @@ def typed(page: Any, text: str) -> None:
     assert page.evaluate(SOURCE, 0) == text
 
 
-@pytest.mark.skip(reason='the mark of the first mistake does not always appear in JupyterLab, and nobody knows why yet')
 def test_a_beginner_mends_three_mistakes_and_sees_the_follower(lab: Lab, course: Path, shots: Path) -> None:
     cells = [
         {'cell_type': 'code', 'id': name, 'metadata': {}, 'execution_count': None, 'outputs': [], 'source': source}
