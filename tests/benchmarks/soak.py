@@ -1,7 +1,9 @@
-"""An hour on the real ROS 2 network: `python -m tests.benchmarks.soak MINUTES LINK DOMAIN` says memory and processor time, each minute.
+"""Machines, their pages and both links at once: `python -m tests.benchmarks.soak MINUTES` says memory and processor time, each minute.
 
-A machine with three turtles and their tf; a peer that joins, hears all of it, drives each turtle 50 times a second, and leaves
-after a while, again and again. Nothing leaves the loopback. LINK is cyclonedds or rclpy.
+For each link there is a machine with three turtles and their tf, a page that asks for what is new thirty times a second, and a peer. The peer
+joins, hears all of it, drives each turtle 50 times a second, and leaves after a while, again and again. Nothing leaves the loopback.
+The last lines are the slopes of memory over the second half. `python -m tests.benchmarks.soak MINUTES LINK DOMAIN` has one link only,
+cyclonedds or rclpy.
 """
 
 from __future__ import annotations
@@ -11,21 +13,29 @@ import select
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from pathlib import Path
+from statistics import linear_regression
 
-from edulaunch.desk.machine.place import folder, read_address
+from edulaunch.desk.machine import wire
+from edulaunch.desk.machine.client import hello
+from edulaunch.desk.machine.place import Address, folder, read_address
+from edulaunch.desk.machine.starting import open_connection
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.extras.network.link import PUBLISHER, SUBSCRIPTION, Interface, Message, Settings
 from edulaunch.extras.network.links import make_link
 from edulaunch.ros.serialization.cdr import encode
+from edulaunch.runtime.framing import frame
 from tests.benchmarks.network import TURTLES
 
 STAYS_S = 18.0
 AWAY_S = 2.0
 DRIVE_EVERY_S = 0.02
 EVERY_S = 59.0
+PICTURE_S = 1 / 30
+BOTH = {'cyclonedds': 105, 'rclpy': 106}
 HEARD = {'/tf': 'tf2_msgs/msg/TFMessage', **{f'/{name}/turtle1/pose': 'turtlesim/msg/Pose' for name in 'abc'}}
 
 
@@ -60,6 +70,30 @@ class Visit:
         return heard
 
 
+class Page(threading.Thread):
+    """A page that asks for what is new, thirty times a second, and takes it."""
+
+    def __init__(self, address: Address) -> None:
+        super().__init__(daemon=True)
+        found = open_connection(address)
+        assert found is not None
+        self.connection = found[0]
+        self.connection.sendall(hello(address.token, ['machine', 'view'], keyboard=False))
+        self.taken = 0
+        self.start()
+
+    def run(self) -> None:
+        """Until the machine ends."""
+        while True:
+            self.connection.sendall(frame(wire.INPUT, b'{"op": "next"}\n'))
+            due_s = time.monotonic() + PICTURE_S
+            while select.select([self.connection], [], [], max(0.0, due_s - time.monotonic()))[0]:
+                data = self.connection.recv(1 << 18)
+                if not data:
+                    return
+                self.taken += len(data)
+
+
 def processes(pid: int) -> list[int]:
     """A machine's process, and its children."""
     children = Path(f'/proc/{pid}/task/{pid}/children').read_text().split()
@@ -81,6 +115,7 @@ def watch(minutes: float, domain: int) -> None:
     began_s = said_s = time.monotonic()
     visits = heard = 0
     before = {pid: figures(pid)[1] for pid in processes(address.pid)}
+    page, memories = Page(address), dict[int, list[tuple[float, float]]]()
     while time.monotonic() - began_s < minutes * 60:
         heard += Visit(domain).stay()
         visits += 1
@@ -88,14 +123,21 @@ def watch(minutes: float, domain: int) -> None:
         now_s = time.monotonic()
         if now_s - said_s >= EVERY_S:
             now = {pid: figures(pid) for pid in processes(address.pid)}
+            for pid, (megabytes, _) in now.items():
+                memories.setdefault(pid, []).append(((now_s - began_s) / 3600, megabytes))
             shares = [(used - before.get(pid, 0.0)) / (now_s - said_s) * 100 for pid, (_, used) in now.items()]
             memory = [f'{megabytes:.1f} MB {share:.1f} %' for (megabytes, _), share in zip(now.values(), shares, strict=True)]
             load = os.getloadavg()[0]
             text = (
-                f'{(now_s - began_s) / 60:5.1f} min  {visits} visits  {heard} heard  {"  side: ".join(memory)}  load {load:.1f}'
+                f'{(now_s - began_s) / 60:5.1f} min  {visits} visits  {heard} heard  {"  side: ".join(memory)}'
+                f'  page {page.taken / 1e6:.1f} MB {"open" if page.is_alive() else "CLOSED"}  load {load:.1f}'
             )
             print(text, flush=True)
             before, said_s = {pid: used for pid, (_, used) in now.items()}, now_s
+    for pid, points in memories.items():
+        half = points[len(points) // 2 :]
+        if len(half) > 1:
+            print(f'process {pid}: {linear_regression(*zip(*half, strict=True)).slope:+.1f} MB an hour in the second half')
 
 
 def soak(minutes: float, link: str, domain: int) -> None:
@@ -117,5 +159,14 @@ def soak(minutes: float, link: str, domain: int) -> None:
             subprocess.run([*edulaunch, 'machine', 'stop'], check=True)
 
 
+def both(minutes: str) -> int:
+    """A soak of each link at the same time; how many failed."""
+    words = [sys.executable, '-u', '-m', 'tests.benchmarks.soak', minutes]
+    runs = [subprocess.Popen([*words, link, str(domain)]) for link, domain in BOTH.items()]
+    return sum(run.wait() != 0 for run in runs)
+
+
 if __name__ == '__main__':
+    if len(sys.argv) == 2:
+        sys.exit(both(sys.argv[1]))
     soak(float(sys.argv[1]), sys.argv[2], int(sys.argv[3]))
