@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
+import os
+import sys
+
 from edulaunch.runtime.quiet_start import run_quietly
 
 
 def edulaunch() -> int:
-    """Run the command `edulaunch`, and return its exit code."""
+    """Run the command `edulaunch`, and return its exit code.
+
+    `edulaunch launch` first starts Python again with a fixed hash seed, so that a set of strings has the same order in every run.
+    """
+    if sys.argv[1:2] == ['launch'] and 'PYTHONHASHSEED' not in os.environ and sys.platform not in ('win32', 'emscripten'):
+        os.environ['PYTHONHASHSEED'] = '0'
+        os.execv(sys.executable, sys.orig_argv)
     return run_quietly('edulaunch.desk.cli.main', 'main')
 
 

@@ -47,7 +47,7 @@ def test_run_of_something_unknown(machine) -> None:
         == "No executable found\n  help: turtlesim has no executable mimik; write 'mimic'\n"
     )
     assert machine.fails('ros2 run turtlesim x').endswith(
-        'use one of these arguments: draw_square, mimic, turtle_teleop_key, turtlesim_node\n'
+        'use one of its executables: draw_square, mimic, turtle_teleop_key, turtlesim_node\n'
     )
 
 
