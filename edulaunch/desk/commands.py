@@ -15,7 +15,7 @@ def edulaunch() -> int:
     """
     if sys.argv[1:2] == ['launch'] and 'PYTHONHASHSEED' not in os.environ and sys.platform not in ('win32', 'emscripten'):
         os.environ['PYTHONHASHSEED'] = '0'
-        os.execv(sys.executable, sys.orig_argv)
+        os.execv(sys.executable, [sys.executable, *sys.orig_argv[1:]])
     return run_quietly('edulaunch.desk.cli.main', 'main')
 
 
