@@ -98,6 +98,13 @@ def test_a_cell_that_writes_a_launch_file_is_marked_while_typing(tab: Any, shots
     tab.wait_for_function("() => !document.querySelector('.cm-lintRange')", timeout=WAIT_MS, polling=500)
 
 
+def test_a_launch_file_in_xml_is_marked(tab: Any, shots: Path) -> None:
+    tab.evaluate(OPEN, ['help.launch.xml', 'Editor'])
+    marked(tab, ['turtlesim_nod'])
+    assert "write 'turtlesim_node'" in message(tab, 'turtlesim_nod')
+    picture(tab, shots, 'editor-xml')
+
+
 def test_what_is_typed_while_the_server_starts_is_marked(tab: Any, lab: Lab) -> None:
     """The server's answers are held back until JupyterLab has got to know the other server."""
     held: list[tuple[Any, Any]] = []
@@ -125,10 +132,3 @@ def test_what_is_typed_while_the_server_starts_is_marked(tab: Any, lab: Lab) -> 
         socket.send(message)
     marked(page, ['turtlesm', 'turtlesim_nod', 'nmae='])
     page.context.close()
-
-
-def test_a_launch_file_in_xml_is_marked(tab: Any, shots: Path) -> None:
-    tab.evaluate(OPEN, ['help.launch.xml', 'Editor'])
-    marked(tab, ['turtlesim_nod'])
-    assert "write 'turtlesim_node'" in message(tab, 'turtlesim_nod')
-    picture(tab, shots, 'editor-xml')
