@@ -58,7 +58,8 @@ class ChildRun:
             ends.callback(os.close, output_end)
             failed.callback(os.close, self.output)
             self.link = starter.begin(job, channel_end, output_end)
-            with suppress(OSError):  # the end of the starter is noticed elsewhere
+            failed.callback(self.link.close)  # at which the guard ends the run
+            with suppress(BrokenPipeError, ConnectionResetError):  # the end of the starter is noticed elsewhere
                 send(self.channel, b'H', json.dumps(job.scenario.hidden).encode())
             failed.pop_all()
         self.deadline = monotonic() + job.limits.wall_s + GRACE_S + PATIENCE_S
