@@ -207,12 +207,12 @@ class Underlay:
     def _entries(self, package: str) -> dict[str, tuple[str, str]]:
         entries = self._scripts.get(package)
         if entries is None:
-            entries = self._scripts[package] = {}
             try:
                 with open(os.path.join(self.path, 'share', package, 'console_scripts.txt'), encoding='utf-8') as stream:
                     lines = [line.partition('#')[0] for line in stream]
-            except OSError:
-                lines = []  # a package without executables
+            except (FileNotFoundError, NotADirectoryError):
+                lines = []  # a package without executables; any other error is a fault of this computer
+            entries = self._scripts[package] = {}
             for line in filter(str.strip, lines):
                 name, _, target = line.partition('=')
                 module, _, function = target.strip().partition(':')
