@@ -86,7 +86,7 @@ def test_compiled_modules_are_found(world: Any, text: str, name: str, place: str
 
 def test_modules_that_cmake_would_build_are_found_too(tmp_path: Path) -> None:
     for name, text in {
-        'package.xml': '<package><name>robo</name><export><build_type>ament_cmake_python</build_type></export></package>',
+        'package.xml': '<package><name>robo</name><export><build_type>ament_cmake</build_type></export></package>',
         'CMakeLists.txt': 'project(robo)\nament_python_install_package(robo)\npybind11_add_module(_core SHARED src/core.cpp)\n',
         'robo/__init__.py': 'from robo._core import go\n',
     }.items():
