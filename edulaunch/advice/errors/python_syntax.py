@@ -132,7 +132,7 @@ def indentation(failure: Failure) -> Iterator[Finding]:
         yield _in_line(failure, opened=None if match is None else int(match[3]), statement=statement)
 
 
-def _simple(name: str, pattern: str, what: str, do: str, unless: str = r'$^') -> Rule:
+def _simple(name: str, pattern: str, what: str, do: str, unless: str = r'(?!)') -> Rule:
     """Return a rule that explains an error message of Python in one sentence, unless the line has something of that pattern."""
 
     def look(failure: Failure) -> Iterator[Finding]:
