@@ -6,6 +6,7 @@ import json
 import re
 import threading
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ import pytest
 
 from tests.browser.lab import STARTED, WAIT_MS, WANTED, Lab
 
+PLAYWRIGHT = pytest.importorskip('playwright.sync_api', reason='playwright is not installed: pip install ".[browser]"')
 pytestmark = pytest.mark.browser
 for _name in ('pygls', 'jupyterlab_lsp', 'pylsp'):
     pytest.importorskip(_name, reason=f"{_name} is not installed: pip install 'edulaunch[editor,browser]'")
@@ -70,14 +72,20 @@ def marked(page: Any, words: list[str]) -> None:
 
 
 def message(page: Any, word: str) -> str:
-    """Return the message that appears while the pointer is on a word and Ctrl is held."""
+    """Return the message that appears while the pointer is on a word and Ctrl is held. A mark that is drawn again loses it."""
+    mark = page.locator('.cm-lintRange:visible', has_text=word).first
+    shown = page.locator('.cm-tooltip-lint, .lsp-tooltip, .cm-tooltip-hover').first
     page.keyboard.down('Control')
-    page.locator('.cm-lintRange', has_text=word).first.hover()
-    shown = page.locator('.cm-tooltip-lint, .lsp-tooltip, .cm-tooltip-hover')
-    shown.first.wait_for(timeout=WAIT_MS)
-    text = str(shown.first.inner_text())
-    page.keyboard.up('Control')
-    return text
+    try:
+        for timeout_ms in (*[5000] * 9, WAIT_MS):
+            page.mouse.move(0, 0)
+            mark.hover(timeout=WAIT_MS)
+            with suppress(PLAYWRIGHT.TimeoutError):
+                shown.wait_for(timeout=timeout_ms)
+                return str(shown.inner_text())
+        pytest.fail(f'no message appears at {word}')
+    finally:
+        page.keyboard.up('Control')
 
 
 def picture(page: Any, shots: Path, name: str) -> None:
