@@ -12,9 +12,10 @@ MOST_UNSEEN = 500_000
 
 
 class _Unseen:
-    """The number of objects that were created in pauses since the last collection."""
+    """The number of objects that were created in pauses since the last collection, and whether frozen ones were found."""
 
     things = 0
+    has_frozen = False
 
 
 @contextmanager
@@ -40,7 +41,9 @@ def _let_age() -> None:
     that shares frozen objects with others keeps them frozen: it lets the collector run.
     """
     made = gc.get_count()[0]
-    if made < MANY or gc.get_freeze_count():
+    if made >= MANY and not _Unseen.has_frozen:
+        _Unseen.has_frozen = gc.get_freeze_count() > 0  # Python counts them one by one: 24 ms for a million
+    if made < MANY or _Unseen.has_frozen:
         return
     _Unseen.things += made
     if _Unseen.things > MOST_UNSEEN:

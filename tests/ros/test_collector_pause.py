@@ -39,6 +39,7 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[str]]:
     monkeypatch.setattr(gc, 'unfreeze', lambda: happened.append('unfreeze'))
     monkeypatch.setattr(gc, 'get_freeze_count', lambda: 0)
     monkeypatch.setattr(collector_pause._Unseen, 'things', 0)
+    monkeypatch.setattr(collector_pause._Unseen, 'has_frozen', False)
     gc.collect()
     gc.callbacks.append(note)
     yield happened
@@ -78,8 +79,20 @@ def test_the_collector_is_back_after_an_error() -> None:
     assert gc.isenabled()
 
 
-def test_a_process_that_shares_frozen_things_keeps_them_so() -> None:
+def test_a_process_that_shares_frozen_things_keeps_them_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(collector_pause._Unseen, 'has_frozen', False)
+    counted: list[int] = []
+
+    def count(really: Callable[[], int] = gc.get_freeze_count) -> int:
+        counted.append(really())
+        return counted[-1]
+
     gc.freeze()
-    with collector_paused():
-        made = [[number] for number in range(2 * MANY)]
+    monkeypatch.setattr(gc, 'get_freeze_count', count)
+    made = []
+    for _ in range(3):
+        with collector_paused():
+            made += [[number] for number in range(2 * MANY)]
+    monkeypatch.undo()
     assert gc.get_freeze_count() and made
+    assert len(counted) == 1, 'each count walks along all that is frozen'

@@ -111,6 +111,7 @@ def test_a_cache_answers_by_time_and_forgets_the_oldest() -> None:
     assert [stamp_ms(message) for message in cache.getInterval(at(20), at(30))] == [20, 30]
     assert stamp_ms(cache.getElemAfterTime(at(31))) == 40
     assert stamp_ms(cache.getElemBeforeTime(at(29))) == 20
+    assert stamp_ms(cache.getElemBeforeTime(at(30))) == stamp_ms(cache.getElemAfterTime(at(30))) == 30
     assert cache.getElemBeforeTime(at(19)) is None
     assert (cache.getOldestTime(), cache.getLatestTime(), stamp_ms(cache.getLast())) == (at(20), at(40), 40)
 
