@@ -102,8 +102,11 @@ def test_headerless_messages_are_dropped_with_a_warning_unless_allowed(world: Wo
 def test_a_cache_answers_by_time_and_forgets_the_oldest() -> None:
     cache = message_filters.Cache(cache_size=3)
     assert (cache.getLast(), cache.getLastestTime(), cache.getOldestTime()) == (None, None, None)
+    passed: list[int] = []
+    cache.registerCallback(lambda message: passed.append(stamp_ms(message)))
     for stamp in (10, 20, 30, 40):
         cache.add(point(stamp))
+    assert passed == [10, 20, 30, 40]
 
     def at(ms: int) -> Time:
         return Time.from_msg(point(ms).header.stamp)

@@ -185,12 +185,10 @@ def test_a_new_descriptor_is_checked_against_the_value_and_replaces_the_old_one(
         world.say(node.set_descriptor('p', ranged(5.0, 9.0), other).double_value)
         world.say((node.describe_parameter('p').description, node.describe_parameter('p').name, results(node, 10.0)))
         world.say(raised(node.set_descriptor, 'p', ranged(7.0, 9.0), Parameter('p', value=2.5).get_parameter_value()))
-        world.say(
-            node.set_descriptor(
-                'p', ranged(7.0, 9.0, read_only=True), Parameter('p', value=8.5).get_parameter_value()
-            ).double_value
-        )
+        world.say(node.set_descriptor('p', ranged(6.0, 9.0, read_only=True)).double_value)
         world.say((results(node, 8.0), raised(node.set_descriptor, 'p', ranged(1.0, 9.0))))
+        node.declare_parameter('r', 1.5)
+        world.say(node.set_descriptor('r', ranged(5.0, 9.0, read_only=True), other).double_value)
 
     out_of_range = 'Parameter p out of range Min: {}, Max: 9.0, value: {}'
     refused = 'InvalidParameterValueException: Invalid parameter value ({}) for parameter. Reason: {}: p'
@@ -201,6 +199,7 @@ def test_a_new_descriptor_is_checked_against_the_value_and_replaces_the_old_one(
         6.5,
         ('speed', 'p', [out_of_range.format(5.0, 10.0)]),
         refused.format('2.5', out_of_range.format(7.0, 2.5)),
-        8.5,
+        6.5,
         (['Trying to set a read-only parameter: p.'], 'ParameterImmutableException: Attempted to modify read-only parameter: p'),
+        6.5,
     ]
