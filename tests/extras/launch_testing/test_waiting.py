@@ -65,12 +65,12 @@ def test_a_start_and_an_end_are_waited_for_until_they_come(by_name: bool) -> Non
     began = now_s()
     late(1.5, lambda: info.append(ProcessStarted(**details)))
     info.assertWaitForStartup(process, timeout=5)
-    assert now_s() - began == 1.5
+    assert now_s() - began == pytest.approx(1.5)
     late(2.5, lambda: info.append(ProcessExited(returncode=0, **details)))
     info.assertWaitForShutdown(process, timeout=5)
-    assert now_s() - began == 4.0
+    assert now_s() - began == pytest.approx(4.0)
     info.assertWaitForStartup(process, timeout=5)
-    assert now_s() - began == 4.0, 'it has started, even if it has ended since'
+    assert now_s() - began == pytest.approx(4.0), 'it has started, even if it has ended since'
     assert [type(event) for event in info] == [ProcessExited]
 
 
@@ -80,7 +80,7 @@ def test_what_does_not_come_is_told_after_the_time() -> None:
     began = now_s()
     with pytest.raises(AssertionError) as nothing:
         info.assertWaitForStartup('server', timeout=2)
-    assert now_s() - began == 2.0
+    assert now_s() - began == pytest.approx(2.0)
     assert str(nothing.value) == (
         "Timed out waiting for process 'server' to finish\n  help: it has not started; started are: none"
     )
@@ -91,4 +91,4 @@ def test_what_does_not_come_is_told_after_the_time() -> None:
     with pytest.raises(AssertionError) as running:
         info.assertWaitForShutdown(action)
     assert str(running.value) == f"Timed out waiting for process '{details['name']}' to finish"
-    assert now_s() - began == 13.0, 'ten seconds, if nothing else is said'
+    assert now_s() - began == pytest.approx(13.0), 'ten seconds, if nothing else is said'
