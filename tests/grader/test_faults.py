@@ -26,6 +26,7 @@ from edugrade.sandbox.confine import _tried
 from edugrade.submission import Submission
 
 from edulaunch.engine.recording import Recording
+from edulaunch.engine.recording.records import LogRecord
 from tests.grader import faulty_starter
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -49,6 +50,19 @@ def test_only_numbers_of_such_errors_are_looked_into() -> None:
     assert looks_like_one(Outcome(scenario, 'unusable', text="RuntimeError: can't start new thread"))
     assert not looks_like_one(Outcome(scenario, 'unusable', text='FileNotFoundError: [Errno 2] No such file'))
     assert not looks_like_one(Outcome(scenario, 'stopped', text='it did not finish'))
+
+
+@pytest.mark.parametrize(
+    ('process', 'message', 'is_one'),
+    [
+        ('launch', 'exception occurred while executing process:\nOSError: [Errno 12] Cannot allocate memory', True),
+        ('launch', 'exception occurred while executing process:\nFileNotFoundError: [Errno 2] No such file', False),
+        ('turtle-1', 'exception occurred while executing process:\nOSError: [Errno 12] Cannot allocate memory', False),
+    ],
+)
+def test_a_program_that_launch_could_not_start_is_looked_into(process: str, message: str, is_one: bool) -> None:
+    recording: Any = SimpleNamespace(processes=[], logs=[LogRecord(0.0, process, 'turtle-1', 40, message)])
+    assert looks_like_one(Outcome(Scenario('s'), 'recorded', recording=recording)) is is_one
 
 
 @pytest.mark.processes

@@ -109,11 +109,9 @@ class Prefix:
 
     def _entry_points(self) -> dict[str, tuple[str, str]]:
         if self._entries is None:
-            self._entries = {}
-            for folder in self._site_folders():
-                for name in sorted(os.listdir(folder)):
-                    if name.endswith(('.egg-info', '.dist-info')):
-                        self._entries.update(_console_scripts(os.path.join(folder, name, 'entry_points.txt')))
+            names = [(folder, name) for folder in self._site_folders() for name in sorted(os.listdir(folder))]
+            found = [os.path.join(*each, 'entry_points.txt') for each in names if each[1].endswith(('.egg-info', '.dist-info'))]
+            self._entries = dict(entry for path in found for entry in _console_scripts(path).items())
         return self._entries
 
 
