@@ -67,8 +67,10 @@ def test_one_mark_goes_before_what_wakes_tasks_until_something_is_scheduled_here
     pair.sim.schedule(pair.sim.now_ns, lambda: None)
     pair.peer.tell(FrameKind.READY, b'c')
     pair.peer.send(FrameKind.NOTE, b'x' * FLUSH_BYTES)
-    marks = [NUMBER.unpack(data)[0] for kind, data in pair.sent() if kind == FrameKind.MARK]
-    assert marks == [1, 4 + FOR_THE_OTHER]
+    found = [(kind, NUMBER.unpack(data)[0] if kind == FrameKind.MARK else data[:1]) for kind, data in pair.sent()]
+    first = [(FrameKind.MARK, 1), (FrameKind.READY, b'a'), (FrameKind.READY, b'b')]
+    then = [(FrameKind.MARK, 4 + FOR_THE_OTHER), (FrameKind.READY, b'c'), (FrameKind.NOTE, b'x')]
+    assert found == [*first, *then]
 
 
 def test_much_is_sent_without_a_call(ends: Any) -> None:
@@ -172,6 +174,8 @@ def test_a_quota_counts_every_byte(ends: Any, quota: int | None, is_right: bool)
 def test_an_end_that_is_closed_is_gone(ends: Any) -> None:
     pair = Pair(ends, trusts=True)
     pair.end.close()
+    with pytest.raises(Gone):
+        pair.peer.send(FrameKind.NOTE, b'x' * FLUSH_BYTES)
     with pytest.raises(Gone):
         pair.peer.await_token(EPOCH_NS)
     with pytest.raises(Gone):
