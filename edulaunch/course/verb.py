@@ -127,7 +127,7 @@ def course_arguments(parser: argparse.ArgumentParser) -> None:
     release.add_argument('--with-rubrics', action='store_true', help="include the rubrics, which check('...') needs")
     template = verbs.add_parser('template', help='add the files with which a platform opens, checks or grades a course')
     template.add_argument(
-        'name', metavar='NAME', help='github, classroom, gradescope, devcontainer, binder, docker or jupyterhub'
+        'name', metavar='NAME', help='github, classroom, gradescope, devcontainer, binder, docker, jupyterhub or vscode'
     )
     template.add_argument('folder', nargs='?', default='.', metavar='DIR')
     lite = verbs.add_parser('lite', help='write the edition that runs in a browser, for any web server')

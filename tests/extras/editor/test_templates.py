@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -30,9 +31,10 @@ const vscode = {
   Range, Diagnostic, CodeAction, WorkspaceEdit, CodeActionKind: {QuickFix: 'quickfix'},
   Location: class {}, Hover: class {}, MarkdownString: class {}, CompletionItem: class { constructor(label) { this.label = label; } },
   Uri: {parse: uri},
-  window: {showWarningMessage: text => { console.log('WARNING ' + text); process.exit(1); }},
+  window: {showErrorMessage: async (text, button) => { console.log(text + ' [' + button + ']'); return button; }},
+  commands: {executeCommand: (...words) => { console.log(words.join(' ')); process.exit(3); }},
   workspace: {
-    isTrusted: true, workspaceFolders: [{uri: uri(process.argv[5])}], textDocuments: [document],
+    isTrusted: process.argv[7] !== 'not trusted', workspaceFolders: [{uri: uri(process.argv[5])}], textDocuments: [document],
     getConfiguration: () => ({get: name => name === 'command' ? JSON.parse(process.argv[6]) : true}),
     onDidOpenTextDocument: on('open'), onDidChangeTextDocument: on('change'), onDidSaveTextDocument: on('save'),
     onDidCloseTextDocument: on('close'), onDidChangeConfiguration: on('settings'), onDidGrantWorkspaceTrust: on('trust'),
@@ -65,20 +67,64 @@ def test_the_template_brings_the_extension(tmp_path: Path) -> None:
     assert (tmp_path / 'mine' / PLACE / about['main']).is_file()
 
 
-@pytest.mark.processes
-def test_a_stand_in_of_vs_code_shows_the_diagnostic_and_its_fix(tmp_path: Path) -> None:
-    pytest.importorskip('pygls', reason="pygls is not installed: pip install 'edulaunch[editor]'")
+def played(folder: Path, command: list[str], trust: str = 'trusted') -> subprocess.CompletedProcess[str]:
+    """Play the extension in a folder with a mistake in a file, with the command of its setting."""
     node = shutil.which('node')
     if node is None:
         pytest.skip('no Node.js on this machine: apt-get install nodejs')
-    (tmp_path / 'stand_in.js').write_text(STAND_IN, encoding='utf-8')
+    (folder / 'stand_in.js').write_text(STAND_IN, encoding='utf-8')
     extension = ROOT / 'edulaunch/extras/editor/vscode/extension.js'
-    file = (tmp_path / 'a.launch.py').as_uri()
     text = 'from launch.actions import LogInof\n\n\ndef generate_launch_description():\n    return []\n'
-    command = json.dumps([sys.executable, '-m', 'edulaunch', 'lsp'])
-    words = [node, str(tmp_path / 'stand_in.js'), str(extension), file, text, f'file://{tmp_path}', command]
-    done = subprocess.run(words, capture_output=True, text=True, timeout=120)
+    words = [(folder / 'a.launch.py').as_uri(), text, f'file://{folder}', json.dumps(command), trust]
+    return subprocess.run(
+        [node, str(folder / 'stand_in.js'), str(extension), *words], capture_output=True, text=True, timeout=120
+    )
+
+
+@pytest.mark.processes
+def test_a_stand_in_of_vs_code_shows_the_diagnostic_and_its_fix(tmp_path: Path) -> None:
+    pytest.importorskip('pygls', reason="pygls is not installed: pip install 'edulaunch[editor]'")
+    done = played(tmp_path, [sys.executable, '-m', 'edulaunch', 'lsp'])
     assert done.returncode == 0, done.stdout + done.stderr
     found = json.loads(done.stdout.splitlines()[-1])
-    assert (found['where'], [one['code'] for one in found['list']]) == (file, ['launch.import-name'])
+    assert (found['where'], [one['code'] for one in found['list']]) == (
+        (tmp_path / 'a.launch.py').as_uri(),
+        ['launch.import-name'],
+    )
     assert found['fixes'] == [["replace 'LogInof' by 'LogInfo'", [[found['list'][0]['range'], 'LogInfo']]]]
+
+
+@pytest.mark.processes
+@pytest.mark.parametrize(
+    ('command', 'reason'),
+    [
+        (['/nowhere/edulaunch', 'lsp'], 'spawn /nowhere/edulaunch ENOENT'),
+        ([sys.executable, '-c', "raise SystemExit('pygls is not installed')"], 'pygls is not installed'),
+        ([sys.executable, '-c', 'raise SystemExit(7)'], 'exit code 7'),
+    ],
+)
+def test_a_server_that_does_not_start_is_told_with_its_reason_and_the_setting(
+    tmp_path: Path, command: list[str], reason: str
+) -> None:
+    done = played(tmp_path, command)
+    told, opened = done.stdout.splitlines()
+    assert told.startswith(f'edulaunch gives no help here: its language server has ended ({reason}). Install it: ')
+    assert told.endswith('[Open Settings]')
+    assert (opened, done.returncode) == ('workbench.action.openSettings edulaunch.command', 3)
+
+
+@pytest.mark.processes
+@pytest.mark.parametrize(('trust', 'is_own'), [('trusted', True), ('not trusted', False)])
+def test_the_environment_of_a_trusted_folder_comes_before_the_path(tmp_path: Path, trust: str, is_own: bool) -> None:
+    own = tmp_path / '.venv' / 'bin' / 'edulaunch'
+    own.parent.mkdir(parents=True)
+    own.write_text(f'#!{sys.executable}\nraise SystemExit("the own one")\n', encoding='utf-8')
+    own.chmod(0o755)
+    other = tmp_path / 'path' / 'edulaunch'
+    other.parent.mkdir()
+    other.write_text(f'#!{sys.executable}\nraise SystemExit("the one of the path")\n', encoding='utf-8')
+    other.chmod(0o755)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv('PATH', str(other.parent), prepend=os.pathsep)
+        told = played(tmp_path, ['edulaunch', 'lsp'], trust).stdout
+    assert ('(the own one)' in told, '(the one of the path)' in told) == (is_own, not is_own)

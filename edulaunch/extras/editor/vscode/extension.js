@@ -2,6 +2,8 @@
 'use strict';
 const vscode = require('vscode');
 const {spawn} = require('child_process');
+const fs = require('fs');
+const path = require('path');
 
 const SELECTOR = [
   {scheme: 'file', language: 'python'},
@@ -12,20 +14,27 @@ let server;
 
 class Server {
   constructor(command, folder) {
-    this.child = spawn(command[0], command.slice(1), {cwd: folder, stdio: ['pipe', 'pipe', 'ignore']});
+    this.child = spawn(command[0], command.slice(1), {cwd: folder, stdio: 'pipe'});
     this.waiting = new Map();
     this.handlers = {};
     this.number = 0;
     this.buffer = Buffer.alloc(0);
     this.child.stdout.on('data', data => this.receive(data));
-    this.child.on('error', error => this.failed(error));
+    this.said = '';
+    this.child.stderr.on('data', data => { this.said = (this.said + data).slice(-2000); });
+    this.child.on('error', error => this.failed(error.message));
+    this.child.on('close', code => code && this.failed(this.said.trim() || `exit code ${code}`));
     this.child.stdin.on('error', () => {});
   }
 
-  failed(error) {
-    vscode.window.showWarningMessage(
-      `edulaunch cannot be started (${error.message}). Install it: pip install '.[editor]' in the clone of edulaunch. ` +
-      'Or name the command in the setting edulaunch.command.');
+  async failed(reason) {
+    if (this.isTold) return;
+    this.isTold = true;
+    const open = 'Open Settings'; // VS Code hides a message without a button after ten seconds
+    const chosen = await vscode.window.showErrorMessage(
+      `edulaunch gives no help here: its language server has ended (${reason}). Install it: pip install '.[editor]' in the clone of edulaunch. ` +
+      'Or name the command in the setting edulaunch.command. Then reload the window.', open);
+    if (chosen === open) vscode.commands.executeCommand('workbench.action.openSettings', 'edulaunch.command');
   }
 
   send(message) {
@@ -63,6 +72,14 @@ class Server {
   }
 }
 
+// The command of the settings; where that is the default, the edulaunch of a trusted folder's own environment comes first.
+function commandOf(settings, folder) {
+  const [program, ...words] = settings.get('command');
+  if (program !== 'edulaunch' || !folder || !vscode.workspace.isTrusted) return [program, ...words];
+  const places = [['.venv', 'bin', 'edulaunch'], ['.venv', 'Scripts', 'edulaunch.exe']].map(one => path.join(folder, ...one));
+  return [places.find(one => fs.existsSync(one)) || program, ...words];
+}
+
 const toRange = range => new vscode.Range(range.start.line, range.start.character, range.end.line, range.end.character);
 const at = (document, position) => ({
   textDocument: {uri: document.uri.toString()},
@@ -73,7 +90,8 @@ const toLocation = place => new vscode.Location(vscode.Uri.parse(place.uri), toR
 async function activate(context) {
   const settings = vscode.workspace.getConfiguration('edulaunch');
   const folder = (vscode.workspace.workspaceFolders || [])[0];
-  server = new Server(settings.get('command'), folder && folder.uri.fsPath);
+  const home = folder && folder.uri.fsPath;
+  server = new Server(commandOf(settings, home), home);
   const found = vscode.languages.createDiagnosticCollection('edulaunch');
   const kept = new Map();
   server.handlers['textDocument/publishDiagnostics'] = params => {
