@@ -7,9 +7,9 @@ from typing import Any
 
 import pytest
 import rclpy.lifecycle.state_machine as machine
+from rclpy._rclpy_pybind11 import RCLError
 from rclpy.lifecycle.managed_entity import ManagedEntity, SimpleManagedEntity
 from rclpy.lifecycle.state_machine import STATES, Life, TransitionCallbackReturn, all_transitions, transition_from
-from rclpy._rclpy_pybind11 import RCLError
 
 OK, FAILURE, ERROR = TransitionCallbackReturn
 GRAPH = """
