@@ -22,6 +22,9 @@ class Heard:
     def take(self, request: Any) -> None:
         self.log.append(request)
 
+    def close(self) -> None:
+        self.log.append('closed')
+
 
 @pytest.fixture
 def page(monkeypatch: pytest.MonkeyPatch) -> tuple[LivePage, Heard]:
@@ -46,3 +49,21 @@ def test_what_is_not_json_is_a_value_error(page: tuple[LivePage, Heard], data: b
     with pytest.raises(ValueError):
         one.take(wire.INPUT, data)
     assert heard.log == []
+
+
+def test_what_the_viewer_says_is_a_line_of_json_and_the_end_closes_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    heard, log = Heard(), list[Any]()
+    says: list[Any] = []
+
+    def viewer(machine: Any, say: Any) -> Heard:
+        says.append(say)
+        return heard
+
+    monkeypatch.setattr(live_page, 'Viewer', viewer)
+    machine: Any = None
+    one = LivePage(machine, lambda *frame: log.append(frame), log.append)
+    says[0]({'a': [1, 2]})
+    one.take(wire.SIZE, b'not read\n')
+    one.take(wire.INPUT, b' ' * LONGEST_LINE)
+    one.hang_up()
+    assert (log, heard.log) == ([(wire.OUTPUT, b'{"a":[1,2]}\n'), one], ['closed'])
