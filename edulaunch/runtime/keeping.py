@@ -8,7 +8,7 @@ import signal
 import sys
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from types import FrameType, TracebackType
 from typing import Any
 
@@ -92,7 +92,9 @@ class Reserve:
 
     def __init__(self) -> None:
         self._memory = bytearray(MEMORY_BYTES)
-        self._files = [os.open(os.devnull, os.O_RDONLY) for _ in range(DESCRIPTORS)]
+        self._files: list[int] = []
+        with suppress(OSError):  # a computer without descriptors runs without a reserve
+            self._files += (os.open(os.devnull, os.O_RDONLY) for _ in range(DESCRIPTORS))
 
     def release(self) -> None:
         """Release the reserve; repeating it changes nothing."""

@@ -39,10 +39,10 @@ def refuse(context):
 """
 SQUARE = "Node(package='turtlesim', executable='draw_square', name='driver')"
 SIGNAL = (
-    "TimerAction(period=LaunchConfiguration('end'), actions=[EmitEvent(event=SignalProcess(signal_number=2, "
+    "TimerAction(period=LaunchConfiguration('end'), actions=[EmitEvent(event=SignalProcess(signal_number=SIGINT, "
     "process_matcher=lambda process: {!r} in process.process_details['name']))])"
 )
-SIGNALS = 'from launch.actions import EmitEvent\nfrom launch.events.process import SignalProcess\n'
+SIGNALS = 'from signal import SIGINT\nfrom launch.actions import EmitEvent\nfrom launch.events.process import SignalProcess\n'
 XML_ROOMS = ''.join(
     f'<node pkg="demo_nodes_py" exec="listener" namespace="{room}"><remap from="chatter" to="/hall/chatter"/></node>'
     for room in ROOMS

@@ -193,5 +193,15 @@ def test_the_reserve_gives_back_open_files() -> None:
     assert len(os.listdir('/dev/fd')) == before
 
 
+def test_a_computer_without_descriptors_runs_without_a_reserve(monkeypatch: pytest.MonkeyPatch) -> None:
+    def no_descriptor(*arguments: object) -> int:
+        raise OSError(errno.EMFILE, os.strerror(errno.EMFILE))
+
+    with monkeypatch.context() as patched:
+        patched.setattr(os, 'open', no_descriptor)
+        reserve = Reserve()
+    reserve.release()
+
+
 def test_another_error_is_not_the_fault_of_a_program() -> None:
     assert spent(OSError(errno.ENOENT, 'No such file')) is spent(ValueError()) is spent(None) is None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from launch.action import Action
 from launch.actions.execute_local import ExecuteLocal
@@ -13,9 +13,6 @@ from launch.substitutions.launch_configuration import LaunchConfiguration
 from edulaunch.advice.plan.explanation import add_facts, entry, is_declaration, kind_and_text
 from edulaunch.advice.plan.titles import Branch
 from edulaunch.advice.plan.why import declared_steps, parameter_chain, setter_steps
-
-if TYPE_CHECKING:
-    pass
 
 Row = dict[str, Any]
 LAUNCH_OWN = frozenset(('timer', 'emit_event'))

@@ -89,7 +89,7 @@ WRONG: dict[str, tuple[str, str, str]] = {
         'no_node_dies',
         changed(CIRCLE, (RADIUS, RADIUS + " sigterm_timeout='1',")).replace(
             "        Node(\n            package='part3",
-            "        TimerAction(period=8.0, actions=[ExecuteProcess(cmd=['ros2', 'service', 'call', '/reset', 'std_srvs/srv/Empty']), __import__('launch').actions.EmitEvent(event=__import__('launch').events.process.SignalProcess(signal_number=9, process_matcher=lambda action: 'param_circle' in str(action.process_details['cmd'])))]),\n        Node(\n            package='part3",
+            "        TimerAction(period=8.0, actions=[ExecuteProcess(cmd=['ros2', 'service', 'call', '/reset', 'std_srvs/srv/Empty']), __import__('launch').actions.EmitEvent(event=__import__('launch').events.process.SignalProcess(signal_number='SIGKILL', process_matcher=lambda action: 'param_circle' in str(action.process_details['cmd'])))]),\n        Node(\n            package='part3",
         ),
     ),
     'static_frame: in the last instant': (

@@ -74,6 +74,19 @@ def test_descriptions_name_the_choices(kwargs: Any, description: str) -> None:
     assert DeclareLaunchArgument('x', **kwargs).description == description
 
 
+@pytest.mark.parametrize(
+    ('kwargs', 'text'),
+    [
+        ({'choices': []}, 'Provided choices arg is empty. Use None to ignore the choice list.'),
+        ({'choices': ['a'], 'default_value': 'b'}, 'Provided default_value "b" is not in provided choices "[\'a\']".'),
+    ],
+)
+def test_choices_that_cannot_be_are_logged_too(launch_it: Any, kwargs: Any, text: str) -> None:
+    code, lines = launch_it(OpaqueFunction(function=lambda context: [DeclareLaunchArgument('x', **kwargs)]))
+    assert (code, lines[0]) == (1, f'[ERROR] [launch.actions.declare_launch_argument]: {text}')
+    assert lines[1].endswith(text)
+
+
 def test_a_scoped_group_undoes_configurations_and_environment(launch_it: Any) -> None:
     inside = [SetLaunchConfiguration('a', '1'), SetEnvironmentVariable('E', '1')]
     after = say(conf('a'), EnvironmentVariable('E', default_value='-'))

@@ -297,3 +297,15 @@ def test_prepare_alone_resolves_everything() -> None:
 def test_signal_events_know_their_name() -> None:
     event = SignalProcess(signal_number=signal.SIGTERM, process_matcher=lambda action: True)
     assert (event.signal, event.signal_name) == (signal.SIGTERM, 'SIGTERM')
+    kill = SignalProcess(signal_number='SIGKILL', process_matcher=lambda action: True)
+    assert (kill.signal, kill.signal_name) == ('SIGKILL', 'SIGKILL')
+    with pytest.raises(TypeError, match=r"'SignalProcess' expected 'signal_number' to be one of .* but got '2' of type"):
+        SignalProcess(signal_number=2, process_matcher=lambda action: True)  # type: ignore[arg-type]
+
+
+def test_a_signal_by_its_name_is_no_number_as_in_ros(launch_it: Any, host: Any) -> None:
+    forever = ExecuteProcess(cmd=['forever'])
+    by_name = SignalProcess(signal_number='SIGUSR1', process_matcher=matches_action(forever))
+    code, lines = launch_it(forever, TimerAction(period=1.0, actions=[EmitEvent(event=by_name)]))
+    assert code == 1 and any("'str' object cannot be interpreted as an integer" in line for line in lines), lines
+    assert [entry[1] for entry in host.log] == ['start', 'SIGINT']

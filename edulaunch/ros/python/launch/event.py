@@ -2,12 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from ._bases import StableRepr
-
-if TYPE_CHECKING:
-    pass
 
 
 class Event(StableRepr):

@@ -8,6 +8,8 @@ from functools import cached_property
 from traceback import format_exception_only
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.engine.processes.spec import Signals
+
 from .._engine import running_process
 from ..conditions.evaluate_condition_expression_impl import evaluate_condition_expression
 from ..event import Event
@@ -259,7 +261,9 @@ class ProcessWatch(BaseEventHandler):
             self._logger.debug(f"signal '{event.signal_name}' not sent to '{name}' because it is already closing")
             return
         self._logger.info(f"sending signal '{event.signal_name}' to process[{name}]")
-        self._run.send_signal(event.signal)
+        if isinstance(event.signal, str) and event.signal != 'SIGKILL':
+            raise TypeError("'str' object cannot be interpreted as an integer")
+        self._run.send_signal(Signals[event.signal_name])
 
     def _shut_down(self, context: LaunchContext, *, send_sigint: bool) -> Entities | None:
         """Start to end the process: send the first signal, and return the timers for stronger signals."""

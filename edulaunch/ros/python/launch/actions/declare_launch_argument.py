@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, NoReturn
 
 from .._bases import ReadOnly
 from .._run_notes import note_declared
@@ -61,31 +61,30 @@ class DeclareLaunchArgument(Action):
         values = context.launch_configurations
         if self.__name not in values:
             if self.__default_value is None:
-                self.__log_error(
-                    f'Required launch argument "{self.__name}" (description: "{self.__description}") was not provided'
-                )
+                _log_error(f'Required launch argument "{self.__name}" (description: "{self.__description}") was not provided')
                 raise RuntimeError(f'Required launch argument "{self.__name}" was not provided.')
             values[self.__name] = perform_substitutions(context, self.__default_value)
         if self.__choices is not None and values[self.__name] not in self.__choices:
-            message = (
-                f'Argument "{self.__name}" provided value "{values[self.__name]}" is not valid. '
-                f'Valid options are: {self.__choices}'
-            )
-            self.__log_error(message)
-            raise RuntimeError(message)
+            given = f'Argument "{self.__name}" provided value "{values[self.__name]}"'
+            _refuse(f'{given} is not valid. Valid options are: {self.__choices}')
 
-    @staticmethod
-    def __log_error(message: str) -> None:
-        from ..logging import get_logger
 
-        get_logger(__name__).error(message)
+def _log_error(message: str) -> None:
+    from ..logging import get_logger
+
+    get_logger(__name__).error(message)
+
+
+def _refuse(message: str) -> NoReturn:
+    _log_error(message)
+    raise RuntimeError(message)
 
 
 def _check_choices(choices: list[str], default_value: object) -> None:
     if not choices:
-        raise RuntimeError('Provided choices arg is empty. Use None to ignore the choice list.')
+        _refuse('Provided choices arg is empty. Use None to ignore the choice list.')
     if isinstance(default_value, str) and default_value not in choices:
-        raise RuntimeError(f'Provided default_value "{default_value}" is not in provided choices "{choices}".')
+        _refuse(f'Provided default_value "{default_value}" is not in provided choices "{choices}".')
 
 
 def _describe(description: str | None, choices: list[str] | None) -> str:

@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    pass
-
 
 class InvalidConditionExpressionError(ValueError):
     """The condition is not true, 1, false or 0."""

@@ -2,12 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from ._expression_condition import _ExpressionCondition
-
-if TYPE_CHECKING:
-    pass
 
 
 class UnlessCondition(_ExpressionCondition):

@@ -3,12 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from ..event import Event
-
-if TYPE_CHECKING:
-    pass
 
 
 def event_named(name: str) -> Callable[[Event], bool]:

@@ -2,13 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from .._bases import ReadOnly
 from ..event import Event
-
-if TYPE_CHECKING:
-    pass
 
 
 class Shutdown(Event):

@@ -2,14 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from ..substitution import SomeSubstitutionsType, Substitution
 from .path_join_substitution import PathJoinSubstitution
 from .string_join_substitution import StringJoinSubstitution
-
-if TYPE_CHECKING:
-    pass
 
 
 class PathSubstitution(PathJoinSubstitution):

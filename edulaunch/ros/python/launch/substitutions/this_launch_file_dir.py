@@ -2,12 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from .this_launch_file import ThisLaunchFile
-
-if TYPE_CHECKING:
-    pass
 
 
 class ThisLaunchFileDir(ThisLaunchFile):

@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    pass
-
 
 def is_root_namespace(ns: str) -> bool:
     """Return whether a namespace is `/`."""

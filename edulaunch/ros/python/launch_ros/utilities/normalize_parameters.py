@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from launch.substitution import SomeSubstitutionsType_types_tuple, Substitution
 from launch.utilities.texts import normalize_to_list_of_substitutions
@@ -11,10 +11,6 @@ from launch.utilities.type_utils import ensure_argument_type
 
 from ..parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from ..parameters_type import Parameters, ParametersDict, SomeParameters, SomeParametersDict
-
-if TYPE_CHECKING:
-    pass
-
 
 _LITERALS = (str, bool, int, float, bytes, ParameterValue)
 

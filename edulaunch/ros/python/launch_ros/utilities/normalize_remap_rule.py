@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
 from launch.utilities.texts import normalize_to_list_of_substitutions
 from launch.utilities.type_utils import ensure_argument_type
 
 from ..remap_rule_type import RemapRule, SomeRemapRule, SomeRemapRules
-
-if TYPE_CHECKING:
-    pass
 
 
 def normalize_remap_rule(remap_rule: SomeRemapRule) -> RemapRule:

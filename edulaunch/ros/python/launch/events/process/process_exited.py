@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ..._bases import ReadOnly
 from .running_process_event import RunningProcessEvent
-
-if TYPE_CHECKING:
-    pass
 
 
 class ProcessExited(RunningProcessEvent):

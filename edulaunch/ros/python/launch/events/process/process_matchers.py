@@ -2,12 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from .process_targeted_event import ProcessMatcher
-
-if TYPE_CHECKING:
-    pass
 
 
 def matches_pid(pid: int) -> ProcessMatcher:

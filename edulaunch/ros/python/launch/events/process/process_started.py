@@ -2,12 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from .running_process_event import RunningProcessEvent
-
-if TYPE_CHECKING:
-    pass
 
 
 class ProcessStarted(RunningProcessEvent):

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from .process_io import ProcessIO
-
-if TYPE_CHECKING:
-    pass
 
 
 class ProcessStderr(ProcessIO):

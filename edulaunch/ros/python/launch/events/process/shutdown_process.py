@@ -2,12 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from .process_targeted_event import ProcessTargetedEvent
-
-if TYPE_CHECKING:
-    pass
 
 
 class ShutdownProcess(ProcessTargetedEvent):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ..._bases import ReadOnly
+from ...utilities.type_utils import ensure_argument_type
 from .process_targeted_event import ProcessMatcher, ProcessTargetedEvent
 
 if TYPE_CHECKING:
@@ -14,7 +15,8 @@ if TYPE_CHECKING:
 class SignalProcess(ProcessTargetedEvent):
     """Sends a signal to processes.
 
-    :param signal_number: a `signal.Signals`, or its name such as 'SIGUSR1'.
+    :param signal_number: a `signal.Signals`, or the string 'SIGKILL', because some systems do not have that signal.
+    :raises TypeError: for a plain number.
     """
 
     name = 'launch.events.process.SignalProcess'
@@ -23,8 +25,12 @@ class SignalProcess(ProcessTargetedEvent):
         super().__init__(process_matcher=process_matcher)
         from edulaunch.engine.processes.spec import Signals
 
-        self.__signal = Signals[signal_number] if isinstance(signal_number, str) else Signals(signal_number)
+        ensure_argument_type(signal_number, (str, Signals), 'signal_number', 'SignalProcess')
+        self.__signal = signal_number
 
-    signal: ReadOnly[Signals] = ReadOnly('The signal.')
+    signal: ReadOnly[str | Signals] = ReadOnly("The signal, or 'SIGKILL'.")
 
-    signal_name: ReadOnly[str] = ReadOnly('Its name.', '__signal.name')
+    @property
+    def signal_name(self) -> str:
+        """Its name."""
+        return self.__signal if isinstance(self.__signal, str) else self.__signal.name

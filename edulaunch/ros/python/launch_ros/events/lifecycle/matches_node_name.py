@@ -4,12 +4,9 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from .. import matchers
-
-if TYPE_CHECKING:
-    pass
 
 
 def matches_node_name(node_name: str) -> Callable[[Any], bool]:
