@@ -8,8 +8,6 @@ from functools import cached_property
 from traceback import format_exception_only
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.engine.processes.spec import Signals
-
 from .._engine import running_process
 from ..conditions.evaluate_condition_expression_impl import evaluate_condition_expression
 from ..event import Event
@@ -254,6 +252,8 @@ class ProcessWatch(BaseEventHandler):
             self._lines_of('stdout' if event.from_stdout else 'stderr').write(event.text)
 
     def _on_signal(self, event: SignalProcess) -> None:
+        from edulaunch.engine.processes.spec import Signals
+
         if self._run is None:
             raise RuntimeError('Signal event received before subprocess transport available.')
         name = self._details['name']
