@@ -45,9 +45,10 @@ def main(words: Sequence[str]) -> int:
         else:
             grade_here(todo, store, how)
         results = [(entry, store.result(entry)) for entry in entries]
-        refused = sum(1 for _, found in results if found and 'refused' in found)
+        new = {entry.path for entry, _ in todo}
+        kept = sum(entry.path not in new and 'refused' not in (found or {}) for entry, found in results)
         _write_tables(_with_decisions(results, store), options.csv, options.html, options.junit, store)
-    print(_closing(results, len(entries) - len(todo) - refused, store.folder))
+    print(_closing(results, kept, store.folder))
     is_broken = any((found or {}).get('exit_code', BROKEN_GRADER) == BROKEN_GRADER for _, found in results)
     return BROKEN_GRADER if is_broken else 0
 

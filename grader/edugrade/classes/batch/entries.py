@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator
-from contextlib import suppress
 from typing import NamedTuple
 
 from edulaunch.errors import UnusableInput
 
+from ...faults import raise_fault
 from ...files import read_regular
 from ...sandbox.remove_tree import remove_tree
 from ...submission import ENDINGS, LARGEST_BYTES, exercise_of, package_at
@@ -194,6 +194,9 @@ class Finder:
 
 
 def _sorted(folder: str) -> list[os.DirEntry[str]]:
-    with suppress(OSError), os.scandir(folder) as found:
-        return sorted((item for item in found if not item.name.startswith('.')), key=lambda item: item.name)
-    return []
+    try:
+        with os.scandir(folder) as found:
+            return sorted((item for item in found if not item.name.startswith('.')), key=lambda item: item.name)
+    except OSError as error:
+        raise_fault(error)  # else a student whose folder cannot be read for a moment would have sent nothing
+        return []

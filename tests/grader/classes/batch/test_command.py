@@ -304,6 +304,37 @@ def test_a_result_that_cannot_be_written_is_no_older_mark(
     assert main([*words, '--resume']) == 0
 
 
+def test_a_folder_that_cannot_be_read_for_a_moment_is_not_empty(
+    two: tuple[Path, Path], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder, rubric = two
+    scandir = os.scandir
+
+    def short_of_descriptors(path: str) -> Any:
+        if str(path) == str(folder / 'anna'):
+            raise OSError(errno.EMFILE, os.strerror(errno.EMFILE), path)
+        return scandir(path)
+
+    monkeypatch.setattr(os, 'scandir', short_of_descriptors)
+    assert main(['batch', str(folder), '--rubric', str(rubric)]) == 3
+    assert 'this process has no descriptors left' in capsys.readouterr().err
+    assert list(Path(f'{folder}.results').rglob('*.json')) == []
+
+
+@pytest.mark.processes
+def test_a_result_that_the_grader_could_not_make_is_from_no_earlier_batch(
+    two: tuple[Path, Path], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder, rubric = two
+
+    def short_of_memory(report: object) -> Any:
+        raise MemoryError
+
+    monkeypatch.setattr('edugrade.classes.batch.work.document', short_of_memory)
+    assert main(['batch', str(folder), '--rubric', str(rubric)]) == 3
+    assert capsys.readouterr().out.startswith('1 submissions; 0 have a mark.')
+
+
 def test_a_table_says_what_confined_a_mark_and_is_safe_in_every_country() -> None:
     held = {'checks': [], 'points': {}, 'sandbox': {'files': 'held', 'view': 'no namespaces'}}
     assert confined_by(held) == 'files; without view (no namespaces)'
