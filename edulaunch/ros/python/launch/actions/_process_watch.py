@@ -272,6 +272,8 @@ class ProcessWatch(BaseEventHandler):
         if self._run is None:
             self._ends_on_start = send_sigint
             return None
+        from edulaunch.engine.processes.spec import Signals
+
         from ._escalation import escalation_timers, request_signal
 
         self._is_asked_to_end = True
@@ -280,7 +282,7 @@ class ProcessWatch(BaseEventHandler):
             self._loop.call_soon(self._finish)
         context.extend_locals({'process_name': self._details['name']})
         self._timers = escalation_timers(self._action, self._logger)
-        return [*self._timers, *([request_signal(self._action, signal.SIGINT)] if send_sigint else [])]
+        return [*self._timers, *([request_signal(self._action, Signals.SIGINT)] if send_sigint else [])]
 
 
 def _wants_terminal(context: LaunchContext, options: ProcessOptions) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from typing import TYPE_CHECKING
 
 from ..._bases import ReadOnly
@@ -25,7 +26,8 @@ class SignalProcess(ProcessTargetedEvent):
         super().__init__(process_matcher=process_matcher)
         from edulaunch.engine.processes.spec import Signals
 
-        ensure_argument_type(signal_number, (str, Signals), 'signal_number', 'SignalProcess')
+        kinds = dict.fromkeys((str, signal.Signals, Signals))  # on Windows, the simulated machine has more signals than Python
+        ensure_argument_type(signal_number, tuple(kinds), 'signal_number', 'SignalProcess')
         self.__signal = signal_number
 
     signal: ReadOnly[str | Signals] = ReadOnly("The signal, or 'SIGKILL'.")
