@@ -1,6 +1,4 @@
-"""Find the packages of a source workspace, as colcon does, and define what reading one returns: package.xml, programs, installed
-files, problems.
-"""
+"""Find the packages of a source workspace, as colcon does, and define what reading one returns: programs, files, problems."""
 
 from __future__ import annotations
 

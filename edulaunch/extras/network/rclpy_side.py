@@ -30,7 +30,7 @@ from rclpy.serialization import deserialize_message, serialize_message
 from edulaunch.extras.native.qos import from_rclpy, to_rclpy
 from edulaunch.extras.native.typesupport.classes import ITS_OWN, SupportedClasses, layered
 from edulaunch.extras.network import rclpy_wire as wire
-from edulaunch.extras.network.link import ENCLAVE, MARK
+from edulaunch.extras.network.network_link import ENCLAVE, MARK
 from edulaunch.runtime.framing import Frames
 
 LOOK_EVERY_S = 0.1
