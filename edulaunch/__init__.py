@@ -17,6 +17,7 @@ from edulaunch.desk.facade import __getattr__ as __getattr__
 if TYPE_CHECKING:
     from edulaunch.advice.explaining import explain as explain
     from edulaunch.desk.machine.started import start as start
+    from edulaunch.desk.notebook import load_ipython_extension as load_ipython_extension
     from edulaunch.desk.notebook.checking import check as check
     from edulaunch.desk.notebook.interact import interact as interact
     from edulaunch.engine.recording import Recording as Recording

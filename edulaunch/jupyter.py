@@ -1,3 +1,3 @@
-"""The name under which a notebook loads the magics: `%load_ext edulaunch.jupyter`. The code is in `edulaunch/desk/notebook/`."""
+"""The name under which lessons load the magics: `%load_ext edulaunch.jupyter` does the same as `%load_ext edulaunch`."""
 
-from edulaunch.desk.notebook import load_ipython_extension as load_ipython_extension
+from edulaunch import load_ipython_extension as load_ipython_extension

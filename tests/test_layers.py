@@ -24,7 +24,7 @@ REAL_CLOCK = {
     'sim/pacing.py',
     'sim/real_pace.py',
     'sim/real_threads.py',
-    'processes/views/time_views.py',
+    'processes/module_views/time_views.py',
     'processes/watchdog.py',
 }
 

@@ -27,9 +27,10 @@ PLACES = {
     'run': ('runtime.session', 'run'),
     'source': ('ros.sourcing', 'source'),
     'start': ('desk.machine.started', 'start'),
+    'load_ipython_extension': ('desk.notebook', 'load_ipython_extension'),
 }
 
-__all__ = [name for name in PLACES if name[0] != '_']
+__all__ = [name for name in PLACES if name not in ('__version__', 'load_ipython_extension')]
 
 
 def _load_view(name: str) -> None:

@@ -1,8 +1,9 @@
-"""The place of the underlay: the built-in packages, with the layout of a ROS install prefix."""
+"""The place of the underlay (the built-in packages, with the layout of a ROS install prefix), and the data beside it."""
 
 from __future__ import annotations
 
 import os
+from typing import Any
 
 
 def engine_folder() -> str:
@@ -13,6 +14,24 @@ def engine_folder() -> str:
 def underlay_prefix() -> str:
     """Return the prefix folder; below it `python/` (import packages) and `share/` (package data)."""
     return os.path.join(engine_folder(), 'ros')
+
+
+def underlay_data(file: str) -> Any:
+    """Return the content of a JSON file beside the built-in packages."""
+    import json  # imported here, because `import edulaunch` does not need it
+
+    with open(os.path.join(underlay_prefix(), file), encoding='utf-8') as stream:
+        return json.load(stream)
+
+
+def help_text(key: str, **facts: object) -> str:
+    """Return a line of help below an error of the engine. Such lines name commands, so they are data.
+
+    :param key: the key of the sentence in `engine_help.json`.
+    :param facts: the names and values that are in braces in the sentence.
+    """
+    sentence: str = underlay_data('engine_help.json')[key]
+    return sentence.format(**facts)
 
 
 def underlay_python() -> str:

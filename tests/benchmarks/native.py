@@ -19,7 +19,7 @@ from edulaunch.engine.packages import Index, Program
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.extras.native.command import command
 from edulaunch.extras.native.environment import needed
-from edulaunch.extras.network.link import SERVICE, Interface, Request, Settings
+from edulaunch.extras.network.network_link import SERVICE, Interface, Request, Settings
 from edulaunch.extras.network.rclpy_link import RclpyLink
 
 DOMAIN = 58

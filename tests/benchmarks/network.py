@@ -73,8 +73,8 @@ def host(words: list[str], link: str, until_closed: bool = True) -> None:
     from edulaunch.engine.processes.streams import streams_of_programs
     from edulaunch.engine.sim.pacing import RealTime
     from edulaunch.extras.network.bridge import Bridge
-    from edulaunch.extras.network.link import Settings
     from edulaunch.extras.network.links import make_link
+    from edulaunch.extras.network.network_link import Settings
     from edulaunch.runtime.session import Session
 
     session = Session(start_ns=time.time_ns())
@@ -149,8 +149,8 @@ class Host:
 
 def joined() -> Any:
     """Somebody on the network who is no machine."""
-    from edulaunch.extras.network.link import Settings
     from edulaunch.extras.network.links import make_link
+    from edulaunch.extras.network.network_link import Settings
 
     link = make_link()
     link.open(Settings(DOMAIN))
@@ -163,7 +163,7 @@ class Pinger:
     def __init__(self, folder: Path, text: str, link_name: str) -> None:
         from edulaunch.engine.graph.qos import QoS
         from edulaunch.engine.interfaces.registry import underlay_registry
-        from edulaunch.extras.network.link import Interface
+        from edulaunch.extras.network.network_link import Interface
 
         (folder / 'program.py').write_text(text)
         self.machine, self.link = Host(['python3', str(folder / 'program.py')], link_name), joined()
@@ -181,7 +181,7 @@ class Pinger:
 
     def hear(self, longest_s: float) -> str | None:
         """The next answer; None when there is none for so long."""
-        from edulaunch.extras.network.link import Message
+        from edulaunch.extras.network.network_link import Message
         from edulaunch.ros.serialization.cdr import decode
 
         end_s = time.monotonic() + longest_s
@@ -242,7 +242,7 @@ def three_turtles(folder: Path, link_name: str) -> dict[str, float]:
     """The processor's share, while somebody out there hears all poses and tf."""
     from edulaunch.engine.graph.qos import QoS
     from edulaunch.engine.interfaces.registry import underlay_registry
-    from edulaunch.extras.network.link import Interface, Message
+    from edulaunch.extras.network.network_link import Interface, Message
 
     (folder / 'turtles.launch.py').write_text(TURTLES)
     machine = Host(['ros2', 'launch', str(folder / 'turtles.launch.py')], link_name)

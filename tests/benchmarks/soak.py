@@ -24,8 +24,8 @@ from edulaunch.desk.machine.place import Address, folder, read_address
 from edulaunch.desk.machine.starting import open_connection
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
-from edulaunch.extras.network.link import PUBLISHER, SUBSCRIPTION, Interface, Message, Settings
 from edulaunch.extras.network.links import make_link
+from edulaunch.extras.network.network_link import PUBLISHER, SUBSCRIPTION, Interface, Message, Settings
 from edulaunch.ros.serialization.cdr import encode
 from edulaunch.runtime.framing import frame
 from tests.benchmarks.network import TURTLES

@@ -83,9 +83,9 @@ def by_link(kind: str, topics: int, reliability: str, size: int, rate: float) ->
     """Publish through a link."""
     from edulaunch.engine.graph.qos import BEST_EFFORT, RELIABLE, QoS
     from edulaunch.engine.interfaces.registry import underlay_registry
-    from edulaunch.extras.network.link import PUBLISHER as KIND
-    from edulaunch.extras.network.link import Interface, Settings
     from edulaunch.extras.network.links import make_link
+    from edulaunch.extras.network.network_link import PUBLISHER as KIND
+    from edulaunch.extras.network.network_link import Interface, Settings
     from edulaunch.ros.serialization.cdr import encode
 
     cls, link = underlay_registry().get('std_msgs/msg/String'), make_link(kind)

@@ -20,8 +20,8 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.facts import with_facts
 from edulaunch.engine.processes.frame_owner import is_library, is_own
+from edulaunch.engine.processes.module_views.file_views import PlainFunction
 from edulaunch.engine.processes.real_machine import REPEATS, VIEWS
-from edulaunch.engine.processes.views.file_views import PlainFunction
 from edulaunch.engine.sim.task import running_task
 
 if TYPE_CHECKING:

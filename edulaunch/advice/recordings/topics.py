@@ -99,11 +99,11 @@ def _commands(recording: Recording) -> set[str]:
 )
 def nobody_listens(recording: Recording) -> Iterator[Finding]:
     """Report velocities without a subscription. Most other topics need none."""
-    heard = [name for kind, name in ends_by_name(recording) if kind == 'subscription']
+    received = [name for kind, name in ends_by_name(recording) if kind == 'subscription']
     for end in lone_ends(recording, 'publisher'):
         if end.type in COMMANDS and _sent(recording, end):
             file, line = end_place(recording, end.kind, end.name, end.node)
-            listening = [name for name in heard if ends_by_name(recording)['subscription', name][0].type == end.type]
+            listening = [name for name in received if ends_by_name(recording)['subscription', name][0].type == end.type]
             near = nearest(end.name, listening) if len(listening) > 1 else next(iter(listening), None)
             facts = {'node': speaker(recording, end.node), 'near': near, 'empty': _empty_part(end.name)}
             yield found('topic', end.name, file=file, line=line, time_s=end.made_s, **facts)

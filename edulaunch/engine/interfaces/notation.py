@@ -4,27 +4,13 @@ and the values of constants and defaults.
 
 from __future__ import annotations
 
-import os
 import re
 from typing import Any, NamedTuple, NoReturn
 
 from edulaunch.engine.interfaces.spec import KINDS, PRIMITIVE_NAMES, FieldType, primitive_name
 from edulaunch.engine.nearest import did_you_mean
-from edulaunch.engine.underlay_place import underlay_prefix
+from edulaunch.engine.underlay_place import help_text
 from edulaunch.errors import InterfaceError
-
-
-def help_text(key: str, **facts: object) -> str:
-    """Return a line of help about a mistake in an interface file. The sentences are data beside the built-in packages.
-
-    :param key: the key of the sentence in `notation_help.json`.
-    :param facts: the names and values that are in braces in the sentence.
-    """
-    import json  # imported here, because only a mistake needs it
-
-    with open(os.path.join(underlay_prefix(), 'notation_help.json'), encoding='utf-8') as file:
-        sentence: str = json.load(file)[key]
-    return sentence.format(**facts)
 
 
 class Line(NamedTuple):

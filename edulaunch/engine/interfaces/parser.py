@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from keyword import iskeyword
 
-from edulaunch.engine.interfaces.notation import Line, constant_value, default_value, field_type, help_text, sections_of
+from edulaunch.engine.interfaces.notation import Line, constant_value, default_value, field_type, sections_of
 from edulaunch.engine.interfaces.spec import ActionSpec, Constant, Field, FieldType, InterfaceSpec, MessageSpec, ServiceSpec
+from edulaunch.engine.underlay_place import help_text
 
 FIELD_NAME = '^(?!.*__)(?!.*_$)[a-z][a-z0-9_]*$'
 CONSTANT_NAME = '^[A-Z]([A-Z0-9_]?[A-Z0-9]+)*$'

@@ -135,7 +135,7 @@ class Registry:
 
     def _made(self, type_name: str) -> type[Any]:
         if type_name in self._making:
-            from edulaunch.engine.interfaces.notation import help_text
+            from edulaunch.engine.underlay_place import help_text
 
             ring = ' -> '.join([*self._making[self._making.index(type_name) :], type_name])
             raise InterfaceError(f'{type_name} contains itself: {ring}', help=help_text('endless'))

@@ -7,13 +7,9 @@ missing. The names are data beside the built-in packages.
 
 from __future__ import annotations
 
-import json
-import os
+from edulaunch.engine.underlay_place import underlay_data
 
-from edulaunch.engine.underlay_place import underlay_prefix
-
-with open(os.path.join(underlay_prefix(), 'absent.json'), encoding='utf-8') as _file:
-    _TABLE = json.load(_file)
+_TABLE = underlay_data('absent.json')
 
 KINDS: dict[str, dict[str, list[str]]] = _TABLE['kinds']
 """By what they belong to: names of `packages` (`*` stands for any text) and of Python `modules`."""

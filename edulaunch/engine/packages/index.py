@@ -11,7 +11,7 @@ from edulaunch.engine.packages.absent import absent_kind
 from edulaunch.engine.packages.prefix import Prefix, Underlay, expand_prefixes
 from edulaunch.engine.packages.reading import Contents, PackageWarning, Program, SourceReader
 from edulaunch.engine.packages.workspace import Workspace
-from edulaunch.engine.underlay_place import underlay_prefix
+from edulaunch.engine.underlay_place import help_text, underlay_prefix
 
 if TYPE_CHECKING:
     from edulaunch.engine.interfaces.registry import Registry
@@ -212,7 +212,7 @@ class Index:
 
     def _note_stand_in(self, place: Workspace, package: str, executable: str) -> None:
         file = os.path.join(place.package_folder(package), 'CMakeLists.txt')
-        sentence = f'{executable} is built from C++, which does not run here; the built-in {package} has it and is used'
+        sentence = help_text('stand-in', executable=executable, package=package)
         warning = PackageWarning(file, place.contents(package).native.get(executable, 0), sentence, 'stand-in')
         if warning not in self._warnings:
             self._warnings.append(warning)

@@ -1,12 +1,12 @@
-"""Find the packages of a source workspace, as colcon does, and define what reading one returns: package.xml, programs, installed
-files, problems.
-"""
+"""Find the packages of a source workspace, as colcon does, and define what reading one returns: programs, files, problems."""
 
 from __future__ import annotations
 
 import os
 import re
 from typing import NamedTuple, Protocol
+
+from edulaunch.engine.underlay_place import help_text
 
 
 class PackageWarning(NamedTuple):
@@ -130,8 +130,8 @@ def _what_colcon_does(folder: str) -> str:
     """Return what colcon does with a folder without a usable package.xml, as a sentence."""
     for file, kind in (('setup.py', 'Python'), ('CMakeLists.txt', 'CMake')):
         if os.path.isfile(os.path.join(folder, file)):
-            return f'colcon builds it as a plain {kind} package, which `ros2 launch` and `ros2 run` do not find'
-    return 'colcon skips the package'
+            return help_text('plain-package', kind=kind)
+    return help_text('skipped-package')
 
 
 def _guess_build_type(folder: str) -> str:

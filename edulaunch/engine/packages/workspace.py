@@ -20,6 +20,7 @@ from edulaunch.engine.packages.reading import (
     find_packages,
     read_manifest,
 )
+from edulaunch.engine.underlay_place import help_text
 
 
 class Image:
@@ -275,7 +276,7 @@ class Workspace:
                 PackageWarning(
                     os.path.join(manifest.folder, 'package.xml'),
                     0,
-                    f'there is a package {manifest.name!r} in {other}/ already, which is used; colcon refuses duplicate names',
+                    help_text('same-package', name=manifest.name, other=other),
                     'same name',
                 )
             )

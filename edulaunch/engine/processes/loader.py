@@ -3,7 +3,7 @@
 Two copies of one node must not share globals, and each must have its own clock, arguments and streams. So each process executes
 its own copy of modules of a student's workspace, the main script and launch files. Their `__builtins__` have an `__import__`
 that calls this module first. Everything else (the standard library, numpy, the ROS packages) is shared. Views
-(`processes/views/`) replace
+(`processes/module_views/`) replace
 the few standard modules with time, random numbers, threads or the process itself. A few more are executed privately, so that
 they
 use those views.
@@ -23,7 +23,7 @@ from edulaunch.engine.packages.absent import REFUSED
 from edulaunch.engine.processes import real_machine
 from edulaunch.engine.processes.finding import Finder, Found, Overlay, code_of, namespace, read_script, regular
 from edulaunch.engine.processes.frame_owner import is_own
-from edulaunch.engine.processes.views import PRIVATE_COPIES, VIEWS, make_view
+from edulaunch.engine.processes.module_views import PRIVATE_COPIES, VIEWS, make_view
 
 _shared_import = builtins.__import__
 LOADED_FIRST = frozenset((*sys.builtin_module_names, 'io', 'os', 'posixpath'))

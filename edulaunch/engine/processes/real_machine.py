@@ -33,7 +33,7 @@ REPEATS = frozenset({'/dev/null', '/dev/full', '/dev/zero', '/dev/stdin', '/dev/
 SOCKETS = tuple(f'socket.{name}' for name in ('bind', 'connect', 'getaddrinfo', 'gethostbyname', 'gethostname', 'sendto'))
 FILES = frozenset({'open', 'os.listdir', 'os.scandir'})
 PROGRAMS = frozenset({'subprocess.Popen', 'os.system', 'os.posix_spawn', 'os.fork', 'os.exec'})
-VIEWS = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'views', '')
+VIEWS = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'module_views', '')
 EVENTS = frozenset({*SOCKETS, *FILES, *PROGRAMS})
 _listening = False
 

@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from edulaunch.engine.recording import schema
+from edulaunch.engine.underlay_place import help_text
 from edulaunch.errors import RecordingError
 
 FORMAT = 'edulaunch recording'
@@ -72,8 +73,7 @@ def refuse_huge(data: bytes, name: str) -> None:
     ):
         if count > most:
             raise RecordingError(
-                f'cannot read the recording {name!r}: it has more than {most} {what}',
-                help='load a recording that you trust with --trusted, or in Python with Recording.load(FILE, trusted=True)',
+                f'cannot read the recording {name!r}: it has more than {most} {what}', help=help_text('huge-recording')
             )
 
 
@@ -85,9 +85,7 @@ def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
     lines = io.BytesIO(data)
     header = _parse(lines.readline(), name, 1)
     if header.get('format') != FORMAT:
-        raise RecordingError(
-            f'{name} is not a recording of edulaunch.', help='recordings are written by `edulaunch launch ... --record FILE`'
-        )
+        raise RecordingError(f'{name} is not a recording of edulaunch.', help=help_text('no-recording'))
     if header.get('version') != VERSION:
         raise RecordingError(f'{name} has recording format {header.get("version")!r}; this edulaunch reads format {VERSION}.')
     content: dict[str, Any] = {**{key: header.get(key) for key in HEADER_NUMBERS}, 'facts': [], 'descriptors': [], 'beside': {}}

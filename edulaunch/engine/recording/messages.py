@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.engine.interfaces import current_registry
 from edulaunch.engine.recording.absent import NoMessages
 from edulaunch.engine.recording.records import ServiceCall, TopicRecord
+from edulaunch.engine.underlay_place import help_text
 from edulaunch.errors import InterfaceError, RecordingError, UnusableInput
 
 if TYPE_CHECKING:
@@ -179,7 +180,7 @@ class Messages:
         try:
             import pandas  # type: ignore[import-untyped, unused-ignore]
         except ImportError:
-            raise UnusableInput('to_pandas() needs pandas', help='pip install pandas') from None
+            raise UnusableInput('to_pandas() needs pandas', help=help_text('pandas')) from None
         messages = self.messages(topic)
         if isinstance(messages, NoMessages):
             messages[0]  # raises an error that lists the existing topics

@@ -35,7 +35,7 @@ class WireChecks:
         """
         if type_name not in self._known:
             if type_name in self._open:
-                from edulaunch.engine.interfaces.notation import help_text
+                from edulaunch.engine.underlay_place import help_text
 
                 raise InterfaceError(f'{type_name} contains itself', help=help_text('endless'))
             self._open.append(type_name)

@@ -14,6 +14,7 @@ from greenlet import GreenletExit, getcurrent, greenlet
 from edulaunch.engine.sim.parking import Parking
 from edulaunch.engine.sim.parking import TaskKilled as TaskKilled
 from edulaunch.engine.sim.simulation import Simulation
+from edulaunch.engine.underlay_place import help_text
 from edulaunch.errors import SimulationError
 
 
@@ -155,8 +156,7 @@ class AmbientTask(Task):
                 return False
             if not sim.step():
                 raise SimulationError(
-                    'waiting forever: no scheduled event can end this wait',
-                    help='a plain script has its own simulation; start it with ros2 run, or in the launch file of the others',
+                    'waiting forever: no scheduled event can end this wait', help=help_text('script-waits-forever')
                 )
         self._woken = False
         self._deliver_interrupts()

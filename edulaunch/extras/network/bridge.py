@@ -14,7 +14,8 @@ from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.errors import InterfaceError
 from edulaunch.extras.network.crossing import EVERYTHING, Crossing
 from edulaunch.extras.network.diagnostics import LinkDiagnostics
-from edulaunch.extras.network.link import (
+from edulaunch.extras.network.mirror import Mirror
+from edulaunch.extras.network.network_link import (
     PUBLISHER,
     SERVICE,
     SUBSCRIPTION,
@@ -28,7 +29,6 @@ from edulaunch.extras.network.link import (
     Response,
     Settings,
 )
-from edulaunch.extras.network.mirror import Mirror
 from edulaunch.extras.network.remote import NullQueue, RemotePublisher, is_remote, named
 from edulaunch.ros.serialization.cdr import decode, encode
 from edulaunch.runtime.session import Session

@@ -8,8 +8,8 @@ from typing import NamedTuple, NoReturn
 
 from edulaunch.engine.nearest import did_you_mean
 from edulaunch.errors import UnusableInput
-from edulaunch.extras.network.link import CLIENT, PUBLISHER
 from edulaunch.extras.network.links import DEFAULT
+from edulaunch.extras.network.network_link import CLIENT, PUBLISHER
 
 LISTS = {
     'topics': 'let only these topics, services and namespaces cross',

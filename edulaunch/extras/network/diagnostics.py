@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from edulaunch.extras.network.link import LinkDiagnostic
+from edulaunch.extras.network.network_link import LinkDiagnostic
 
 MOST = 100
 MOST_NAMED = 3

@@ -6,7 +6,7 @@ from importlib import import_module
 
 from edulaunch.engine.nearest import did_you_mean
 from edulaunch.errors import how_to_install
-from edulaunch.extras.network.link import Link, LinkError
+from edulaunch.extras.network.network_link import Link, LinkError
 
 LINKS = {
     'cyclonedds': ('edulaunch.extras.network.dds.link', 'CycloneLink'),

@@ -11,7 +11,7 @@ from edulaunch.engine.graph.node_entry import NodeEntry
 from edulaunch.engine.interfaces.registry import Registry
 from edulaunch.errors import InterfaceError
 from edulaunch.extras.network.crossing import Crossing
-from edulaunch.extras.network.link import (
+from edulaunch.extras.network.network_link import (
     PUBLISHER,
     SERVICE,
     SUBSCRIPTION,

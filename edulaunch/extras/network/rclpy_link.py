@@ -18,7 +18,7 @@ from edulaunch.extras.native.command import command, interface_layers
 from edulaunch.extras.native.environment import needed
 from edulaunch.extras.native.loopback import is_alone
 from edulaunch.extras.network import rclpy_wire as wire
-from edulaunch.extras.network.link import (
+from edulaunch.extras.network.network_link import (
     MARK,
     Event,
     GraphChanged,
@@ -52,7 +52,7 @@ _SIDE = Program('entry_point', '', 'link', 'link', module='edulaunch.extras.netw
 
 
 class RclpyLink:
-    """See `network.link.Link`. It does not know the publisher of a message."""
+    """See `network_link.Link`. It does not know the publisher of a message."""
 
     title = 'rclpy'
 

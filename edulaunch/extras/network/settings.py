@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from edulaunch.engine.nearest import did_you_mean
-from edulaunch.extras.network.link import LinkError, Settings
+from edulaunch.extras.network.network_link import LinkError, Settings
 
 LAST_DOMAIN = 232
 RANGES = ('LOCALHOST', 'SUBNET', 'OFF', 'SYSTEM_DEFAULT')

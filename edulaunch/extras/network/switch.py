@@ -13,8 +13,8 @@ from edulaunch.errors import EdulaunchError, UnusableInput
 from edulaunch.extras.network.bridge import Bridge
 from edulaunch.extras.network.clock import ClockNode
 from edulaunch.extras.network.crossing import JoinRequest, join_request
-from edulaunch.extras.network.link import LinkError, Settings
 from edulaunch.extras.network.links import make_link
+from edulaunch.extras.network.network_link import LinkError, Settings
 from edulaunch.extras.network.settings import nobody_found, settings_of
 from edulaunch.runtime.session import Session
 

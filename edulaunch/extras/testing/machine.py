@@ -22,7 +22,7 @@ from greenlet import getcurrent
 
 from edulaunch.engine.packages import Index
 from edulaunch.engine.processes.loader import Loader
-from edulaunch.engine.processes.views import PRIVATE_COPIES
+from edulaunch.engine.processes.module_views import PRIVATE_COPIES
 from edulaunch.engine.sim.task import AmbientTask
 from edulaunch.errors import SimulationError
 from edulaunch.extras.testing import workspaces_of

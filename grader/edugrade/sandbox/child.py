@@ -16,8 +16,8 @@ from typing import Any, NoReturn
 
 WARM_UP_S = 3.1  # simulated time after which turtle2 of the demo looks up transforms
 OFTEN = (
-    *('argparse', 'hashlib', 'pathlib', 'yaml', 'edulaunch.engine.processes.views.chance_views'),
-    *('edulaunch.engine.processes.views.os_views', 'edulaunch.engine.processes.views.thread_views'),
+    *('argparse', 'hashlib', 'pathlib', 'yaml', 'edulaunch.engine.processes.module_views.chance_views'),
+    *('edulaunch.engine.processes.module_views.os_views', 'edulaunch.engine.processes.module_views.thread_views'),
     *('edulaunch.engine.worlds.planar_robot', 'edulaunch.ros.serialization.message_text'),
     *('launch.actions.group_action', 'launch.actions.opaque_function', 'launch.actions.register_event_handler'),
     *('launch.actions.timer_action', 'launch.conditions.if_condition', 'launch.event_handlers.on_process_exit'),

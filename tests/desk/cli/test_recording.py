@@ -61,3 +61,17 @@ def test_a_page_opens_at_the_tab_launch(file: Path, tmp_path: Path) -> None:
     page = tmp_path / 'run.html'
     assert main(['recording', 'show', str(file), '--tab', 'launch', '--html', str(page)]) == 0
     assert '"tab": "launch"' in page.read_text(encoding='utf-8')
+
+
+def test_a_page_is_not_written_where_only_a_picture_is_asked_for(file: Path, tmp_path: Path) -> None:
+    picture = tmp_path / 'run.png'
+    assert main(['recording', 'show', str(file), '--png', str(picture)]) == 0
+    assert picture.is_file() and not file.with_suffix('.html').exists()
+
+
+def test_an_export_does_not_write_over_a_folder(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = tmp_path / 'tables'
+    assert main(['recording', 'export', str(file), '--csv', str(folder)]) == 0
+    assert list(folder.glob('*.csv'))
+    assert main(['recording', 'export', str(file), '--csv', str(folder)]) == 2
+    assert f'{folder} already exists' in capsys.readouterr().err

@@ -10,20 +10,21 @@ import pytest
 from edulaunch.engine.recording import Recording
 
 
-@pytest.fixture
-def shell(desk: Any) -> Iterator[Any]:
+@pytest.fixture(params=['edulaunch'])
+def shell(desk: Any, request: pytest.FixtureRequest) -> Iterator[Any]:
     """An IPython shell that has loaded the extension."""
     from IPython.core.interactiveshell import InteractiveShell
 
     InteractiveShell.clear_instance()
     shell: Any = InteractiveShell.instance(colors='nocolor')
     shell.history_manager.enabled = False
-    shell.run_line_magic('load_ext', 'edulaunch.jupyter')
+    shell.run_line_magic('load_ext', request.param)
     yield shell
     shell.history_manager.end_session()
     InteractiveShell.clear_instance()
 
 
+@pytest.mark.parametrize('shell', ['edulaunch', 'edulaunch.jupyter'], indirect=True)
 def test_a_launch_is_assigned_like_any_value(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:
     shell.run_cell('recording = %ros2 launch sim.launch.py --for 1\nnow = %recording')
     assert isinstance(shell.user_ns['recording'], Recording) and shell.user_ns['now'].duration_s == 1.0

@@ -77,3 +77,7 @@ def test_another_run_goes_with_the_page() -> None:
     delta = runs[0].replay(runs[1]).timeline
     assert (delta['now'], delta['other']['now']) == (1_000_000, 2_000_000)
     assert 'other' not in runs[0].replay().timeline
+
+
+def test_a_replay_bears_the_name_of_its_launch_file_and_its_own_without_one(large: Any, walk: Any) -> None:
+    assert '<title>large_project.launch.py' in large.replay().page() and '<title>replay' in walk(0.0, 2.0).replay().page()

@@ -1,21 +1,8 @@
-import ast
-import json
-from pathlib import Path
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from edulaunch.engine import underlay_place
-from edulaunch.engine.interfaces.notation import (
-    Line,
-    constant_value,
-    default_value,
-    field_type,
-    help_text,
-    sections_of,
-    split_type,
-)
+from edulaunch.engine.interfaces.notation import Line, constant_value, default_value, field_type, sections_of, split_type
 from edulaunch.engine.interfaces.spec import FieldType
 from edulaunch.errors import InterfaceError
 
@@ -134,17 +121,3 @@ def test_the_number_of_parts_must_fit_the_kind(text, kind, wanted, message):
     with pytest.raises(InterfaceError) as caught:
         sections_of(text, f'f.{kind}', kind, wanted)
     assert str(caught.value) == message
-
-
-def test_each_sentence_of_help_that_the_engine_names_is_in_the_data_and_each_is_used() -> None:
-    engine = Path(underlay_place.__file__).parent
-    named = {
-        node.args[0].value
-        for path in engine.rglob('*.py')
-        for node in ast.walk(ast.parse(path.read_text('utf-8')))
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == 'help_text'
-        if isinstance(node.args[0], ast.Constant)
-    }
-    known = json.loads((engine.parent / 'ros' / 'notation_help.json').read_text('utf-8'))
-    assert named == set(known)
-    assert help_text('reserved', name='class') == "choose another, such as 'class_value'"

@@ -62,3 +62,8 @@ def test_modules_are_named_as_ros_names_them(name, module):
 def test_the_nearest_name_disregards_case_and_far_names_are_none():
     assert nearest('twist', ['Pose', 'Twist']) == 'Twist'
     assert did_you_mean('xyz', ['Pose', 'Twist']) is None
+
+
+def test_a_bool_and_a_byte_take_one_byte_and_have_these_limits():
+    shown = [(kind.python, kind.size, kind.low, kind.high) for kind in (KINDS['bool'], KINDS['byte'])]
+    assert shown == [(bool, 1, 0, 1), (bytes, 1, 0, 255)]

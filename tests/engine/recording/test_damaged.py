@@ -192,6 +192,6 @@ def test_a_file_that_is_too_large_is_not_parsed_unless_it_is_trusted(
     assert Recording.load(tmp_path / 'large.rec').logs
     monkeypatch.setattr(file_format, limit, 1000)
     with monkeypatch.context() as patch, pytest.raises(RecordingError, match=f'cannot read the recording .*{what}'):
-        patch.setattr(file_format.json, 'loads', None)
+        patch.setattr(file_format, '_parse', None)
         Recording.load(tmp_path / 'large.rec')
     assert len(Recording.load(tmp_path / 'large.rec', trusted=True).logs) == len(content['logs'])

@@ -48,3 +48,10 @@ def test_a_built_in_program(tmp_path: Path) -> None:
     known = interface_of(Around(str(tmp_path / 'a.launch.py')), 'turtlesim', 'turtlesim_node')
     assert known.parameters['background_b'] == '255' and known.topics['turtle1/pose'] == 'turtlesim/msg/Pose'
     assert not any(name.startswith('qos_overrides') for name in known.parameters)
+
+
+def test_a_program_that_no_package_has_has_no_file(tmp_path: Path) -> None:
+    words = ['--build-type', 'ament_python', '--node-name', 'walk', '--license', 'MIT', '--destination-directory', str(tmp_path)]
+    assert main(['pkg', 'create', *words, 'patrol']) == 0
+    around = Around(str(tmp_path / 'patrol/launch/a.launch.py'))
+    assert file_of(around, 'patrol', 'run') is None and file_of(around, 'patroll', 'walk') is None

@@ -90,3 +90,10 @@ def test_it(from_conftest):
         conftest='import launch_pytest, pytest\n@pytest.fixture\ndef from_conftest(): return launch_pytest.__name__\n',
     )
     assert done.outcomes == [('test_it', 'passed')], done.text
+
+
+def test_a_wider_scope_lives_longer_and_an_unknown_one_shortest() -> None:
+    from launch_pytest.fixture import SCOPES, _lifetime
+
+    assert [_lifetime(scope) for scope in ('function', 'session')] == [SCOPES.index('function'), SCOPES.index('session')]
+    assert _lifetime('session') > _lifetime('function') > _lifetime(lambda: 'module')

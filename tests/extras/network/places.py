@@ -11,7 +11,7 @@ from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.engine.sim.pacing import RealTime
 from edulaunch.extras.network.bridge import Bridge
-from edulaunch.extras.network.link import (
+from edulaunch.extras.network.network_link import (
     CLIENT,
     PUBLISHER,
     SERVICE,
@@ -61,7 +61,7 @@ class Air:
 
 
 class MemoryLink:
-    """A link as `network.link.Link` has it: what one says stands at the others' when the call returns."""
+    """A link as `network_link.Link` has it: what one says stands at the others' when the call returns."""
 
     title = 'memory'
 

@@ -19,8 +19,8 @@ from typing import Any
 
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.extras.comparing.for_real import DOMAINS
-from edulaunch.extras.network.link import PUBLISHER, SUBSCRIPTION, Link, Message
 from edulaunch.extras.network.links import make_link
+from edulaunch.extras.network.network_link import PUBLISHER, SUBSCRIPTION, Link, Message
 from edulaunch.extras.network.settings import settings_of
 from tests.extras.network.cable import Cable, card
 from tests.extras.network.places import STRING, text, words_in

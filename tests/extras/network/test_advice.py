@@ -10,7 +10,7 @@ from edulaunch.advice.reader import Reader
 from edulaunch.engine.graph.qos import BEST_EFFORT, QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.extras.network.crossing import JoinRequest
-from edulaunch.extras.network.link import Interface, Settings
+from edulaunch.extras.network.network_link import Interface, Settings
 from edulaunch.extras.network.switch import ALONE_NS
 from tests.extras.network.places import PUBLISHER, STRING, TRIGGER, Air, MemoryLink, Place, cls_of, text, turns
 from tests.extras.network.test_mistakes import machine as machine

@@ -14,7 +14,7 @@ import pytest
 
 from edulaunch.extras.native import environment
 from edulaunch.extras.network.crossing import Crossing
-from edulaunch.extras.network.link import Settings
+from edulaunch.extras.network.network_link import Settings
 from edulaunch.extras.network.rclpy_link import RclpyLink
 from tests.extras.network.places import Place
 from tests.extras.network.wires import LIMIT_S

@@ -9,7 +9,7 @@ import pytest
 from edulaunch.engine.graph.qos import BEST_EFFORT, TRANSIENT_LOCAL, QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.extras.network.crossing import Crossing
-from edulaunch.extras.network.link import Interface, RemoteEndpoint, RemoteNode, Settings
+from edulaunch.extras.network.network_link import Interface, RemoteEndpoint, RemoteNode, Settings
 from edulaunch.extras.network.remote import named
 from tests.extras.network.places import PUBLISHER, STRING, Air, MemoryLink, cls_of, text, turns
 

@@ -9,7 +9,7 @@ import pytest
 
 from edulaunch.errors import UnusableInput
 from edulaunch.extras.network.crossing import EVERYTHING, Crossing, JoinRequest, add_options, join_request, option_words
-from edulaunch.extras.network.link import CLIENT, PUBLISHER, SERVICE, SUBSCRIPTION
+from edulaunch.extras.network.network_link import CLIENT, PUBLISHER, SERVICE, SUBSCRIPTION
 
 from .places import turns
 

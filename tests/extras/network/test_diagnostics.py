@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from edulaunch.extras.network.diagnostics import LinkDiagnostics
-from edulaunch.extras.network.link import LinkDiagnostic
+from edulaunch.extras.network.network_link import LinkDiagnostic
 
 
 def test_troubles_that_differ_in_a_name_alone_are_one_line() -> None:

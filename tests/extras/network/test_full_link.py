@@ -18,7 +18,7 @@ from edulaunch.engine.processes.streams import streams_of_programs
 from edulaunch.engine.sim.pacing import RealTime
 from edulaunch.extras.native import environment
 from edulaunch.extras.native.command import command
-from edulaunch.extras.network.link import Settings
+from edulaunch.extras.network.network_link import Settings
 from edulaunch.extras.network.rclpy_link import RclpyLink
 from tests.extras.network.places import Place
 from tests.extras.network.wires import LIMIT_S, own_domain

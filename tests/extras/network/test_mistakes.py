@@ -13,7 +13,7 @@ import pytest
 
 from edulaunch.engine.sim.pacing import RealTime
 from edulaunch.extras.network.crossing import Crossing, JoinRequest
-from edulaunch.extras.network.link import LinkError, RemoteNode, Settings
+from edulaunch.extras.network.network_link import LinkError, RemoteNode, Settings
 from edulaunch.extras.network.switch import MOST_MISTAKES, Switch
 from edulaunch.runtime.session import Session
 from tests.extras.network.places import Air, MemoryLink

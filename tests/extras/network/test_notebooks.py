@@ -16,7 +16,7 @@ from edulaunch.desk.notebook.machine import NotebookMachine
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.engine.sim.loops import outer_loop_set_aside
-from edulaunch.extras.network.link import Interface
+from edulaunch.extras.network.network_link import Interface
 from edulaunch.ros.serialization.cdr import encode
 from tests.extras.network.places import PUBLISHER, cls_of
 from tests.extras.network.wires import LIMIT_S

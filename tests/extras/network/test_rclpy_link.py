@@ -18,7 +18,7 @@ from edulaunch.engine.packages import Index, Program
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.extras.native import environment
 from edulaunch.extras.native.command import command
-from edulaunch.extras.network.link import (
+from edulaunch.extras.network.network_link import (
     CLIENT,
     PUBLISHER,
     SERVICE,

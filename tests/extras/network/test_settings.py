@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from edulaunch.extras.network.link import LinkError, Settings
 from edulaunch.extras.network.links import make_link
+from edulaunch.extras.network.network_link import LinkError, Settings
 from edulaunch.extras.network.settings import settings_of
 
 

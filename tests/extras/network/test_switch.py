@@ -19,7 +19,7 @@ from edulaunch.desk.machine.terminals import Terminals
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.engine.processes.spec import ProcessSpec
-from edulaunch.extras.network.link import Interface
+from edulaunch.extras.network.network_link import Interface
 from edulaunch.ros.serialization.cdr import encode
 from edulaunch.runtime.session import Session
 from tests.desk.machine.shells import Desk

@@ -16,8 +16,18 @@ from typing import Any
 
 from edulaunch.engine.graph.qos import BEST_EFFORT, QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
-from edulaunch.extras.network.link import CLIENT, PUBLISHER, SERVICE, SUBSCRIPTION, Interface, Link, Message, Request, Response
 from edulaunch.extras.network.links import make_link
+from edulaunch.extras.network.network_link import (
+    CLIENT,
+    PUBLISHER,
+    SERVICE,
+    SUBSCRIPTION,
+    Interface,
+    Link,
+    Message,
+    Request,
+    Response,
+)
 from edulaunch.extras.network.settings import settings_of
 from edulaunch.ros.serialization.cdr import deserialize, encode, serialize
 from tests.extras.network.cable import Cable, card

@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from edulaunch.extras.network.link import Settings
+from edulaunch.extras.network.network_link import Settings
 from tests.extras.network.places import Place
 
 DOMAINS = range(69, 29, -1)

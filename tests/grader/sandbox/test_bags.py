@@ -97,3 +97,15 @@ def test_more_messages_than_can_be_read_are_no_bag(tmp_path: Path, monkeypatch: 
     monkeypatch.setattr(bags, 'MOST_MESSAGES', 2)
     written(tmp_path / 'drive', [(1, MESSAGE), (2, MESSAGE), (3, MESSAGE)])
     assert found(tmp_path, MESSAGE) == [('drive', {})]
+
+
+def test_a_bag_may_hold_as_many_topics_as_the_limit_and_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(bags, 'MOST_TOPICS', 2)
+    named = [(name, 1, MESSAGE) for name in ('/a', '/b', '/c')]
+
+    def counted(many: list[tuple[str, int, bytes]]) -> list[str]:
+        return list(bags._counted(iter(many), 100, lambda topic: Counter()))
+
+    assert counted([*named[:2], named[0]]) == ['/a', '/b']
+    with pytest.raises(ValueError, match='too much'):
+        counted([*named, named[0]])

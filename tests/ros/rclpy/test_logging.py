@@ -9,7 +9,15 @@ from typing import Any
 import pytest
 import rclpy
 from rcl_interfaces.msg import Log
-from rclpy.logging import LoggingSeverity, get_logger, get_logger_effective_level, set_logger_level
+from rclpy.logging import (
+    LoggingSeverity,
+    clear_config,
+    get_logger,
+    get_logger_effective_level,
+    get_logger_level,
+    get_logging_directory,
+    set_logger_level,
+)
 from rclpy.node import Node
 
 from edulaunch.engine.sim.sync import sleep
@@ -240,3 +248,30 @@ def test_the_root_logger_sets_the_default_level(ros: Ros, world: World) -> None:
         world.say((logging._root_logger.name, logging._root_logger.get_child('a').name, get_logger('n').debug('x')))
 
     assert ros(body) == [('', 'a', True)]
+
+
+@pytest.mark.parametrize(
+    ('env', 'folder'),
+    [
+        ({'HOME': '/home/anna'}, '/home/anna/.ros/log'),
+        ({'HOME': '/home/anna', 'ROS_HOME': '/data'}, '/data/log'),
+        ({'HOME': '/home/anna', 'ROS_HOME': '/data', 'ROS_LOG_DIR': '/logs'}, '/logs'),
+    ],
+)
+def test_the_folder_of_log_files_comes_from_the_environment(world: World, env: dict[str, str], folder: str) -> None:
+    found: list[str] = []
+    output(world, lambda: found.append(str(get_logging_directory())), env=env)
+    assert found == [folder]
+
+
+def test_clearing_the_configuration_forgets_the_level_of_each_logger(world: World) -> None:
+    found: list[str] = []
+
+    def body() -> None:
+        set_logger_level('arm', LoggingSeverity.ERROR)
+        set_logger_level('', LoggingSeverity.DEBUG)
+        clear_config()
+        found.extend((get_logger_level('arm').name, get_logger_level('').name))
+
+    output(world, body)
+    assert found == ['UNSET', 'INFO']

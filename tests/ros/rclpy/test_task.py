@@ -129,3 +129,22 @@ def test_the_callbacks_of_a_future_go_through_its_executors_create_task(ros: Any
         world.say([call.args == (callback, future) for call in executor.create_task.call_args_list])
 
     assert ros(body) == [[True, True]]
+
+
+class Waker:
+    """An executor that counts how often it is woken."""
+
+    def __init__(self) -> None:
+        self.count = 0
+
+    def wake(self) -> None:
+        self.count += 1
+
+
+def test_each_executor_that_waits_is_woken_once_when_the_future_is_done() -> None:
+    future, first, second = Future(), Waker(), Waker()
+    for executor in (first, first, second):
+        future.rcl_wake_when_done(executor)  # type: ignore[arg-type]
+    assert (first.count, second.count) == (0, 0)
+    future.set_result(1)
+    assert (first.count, second.count) == (1, 1)

@@ -25,7 +25,7 @@ from edulaunch.errors import InterfaceError
 from edulaunch.extras.network.dds.mangling import remote_name
 from edulaunch.extras.network.dds.qos import PLAIN, enclave_of, from_dds
 from edulaunch.extras.network.dds.types import idl_class
-from edulaunch.extras.network.link import ENCLAVE, MARK, LinkDiagnostic, RemoteEndpoint, RemoteGraph, RemoteNode
+from edulaunch.extras.network.network_link import ENCLAVE, MARK, LinkDiagnostic, RemoteEndpoint, RemoteGraph, RemoteNode
 from edulaunch.ros.serialization.cdr import decode, encode
 
 INFO = 'rmw_dds_common/msg/ParticipantEntitiesInfo'

@@ -10,7 +10,7 @@ from html import escape
 from cyclonedds.core import DDSException
 from cyclonedds.domain import Domain
 
-from edulaunch.extras.network.link import LinkError, Settings
+from edulaunch.extras.network.network_link import LinkError, Settings
 
 MOST_PARTICIPANTS = 32
 """The number of participants on one computer that find each other without multicast, as in ROS 2's Cyclone DDS configuration."""

@@ -25,7 +25,7 @@ from edulaunch.extras.network.dds.mangling import REPLY, REQUEST, TOPIC, topic_n
 from edulaunch.extras.network.dds.qos import PLAIN, to_dds
 from edulaunch.extras.network.dds.service_peers import ServicePeers, is_fast_dds
 from edulaunch.extras.network.dds.types import idl_class
-from edulaunch.extras.network.link import (
+from edulaunch.extras.network.network_link import (
     CLIENT,
     ENCLAVE,
     PUBLISHER,
@@ -69,7 +69,7 @@ class End:
 
 
 class CycloneLink:
-    """See `network.link.Link`."""
+    """See `network_link.Link`."""
 
     title = f'cyclonedds {version("cyclonedds")}'
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edulaunch.extras.network.link import CLIENT, PUBLISHER, SERVICE, SUBSCRIPTION
+from edulaunch.extras.network.network_link import CLIENT, PUBLISHER, SERVICE, SUBSCRIPTION
 
 TOPIC, REQUEST, REPLY = 'rt', 'rq', 'rr'
 SUFFIX = {TOPIC: '', REQUEST: 'Request', REPLY: 'Reply'}

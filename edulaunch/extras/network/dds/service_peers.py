@@ -8,7 +8,7 @@ calls only such a server. A hidden service is better than one that never answers
 
 from __future__ import annotations
 
-from edulaunch.extras.network.link import CLIENT, SERVICE, LinkDiagnostic, RemoteGraph
+from edulaunch.extras.network.network_link import CLIENT, SERVICE, LinkDiagnostic, RemoteGraph
 
 FAST_DDS = b'\x01\x0f'
 """The first bytes of gids with Cyclone DDS: the number of its vendor."""

@@ -21,7 +21,7 @@ def work() -> None:
     client.wait_for_server()
     log.info('Sending goal request...')
     sent = client.send_goal_async(
-        Fibonacci.Goal(order=ORDER), feedback_callback=lambda told: log.info(f'Received feedback: {told.feedback.sequence}')
+        Fibonacci.Goal(order=ORDER), feedback_callback=lambda message: log.info(f'Received feedback: {message.feedback.sequence}')
     )
     rclpy.spin_until_future_complete(node, sent)
     goal_handle = sent.result()

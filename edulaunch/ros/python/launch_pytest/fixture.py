@@ -45,7 +45,7 @@ def companions(scope: Any) -> dict[str, Any]:
     @pytest.fixture(scope=scope)
     def event_loop() -> Iterator[asyncio.AbstractEventLoop]:
         """The asyncio loop in simulated time, on which launch and coroutines run."""
-        from edulaunch.engine.processes.views.asyncio_view import ProcessEventLoop
+        from edulaunch.engine.processes.module_views.asyncio_view import ProcessEventLoop
 
         process = current_process()
         loop = ProcessEventLoop(process, process.lifecycle.task)

@@ -9,7 +9,7 @@ import pytest
 
 from edulaunch.engine.graph.qos import BEST_EFFORT, KEEP_ALL, TRANSIENT_LOCAL, QoS
 from edulaunch.engine.interfaces.registry import Registry, underlay_registry
-from edulaunch.extras.network.link import Interface, LinkDiagnostic, Message, Response, Settings
+from edulaunch.extras.network.network_link import Interface, LinkDiagnostic, Message, Response, Settings
 from edulaunch.ros.serialization.cdr import encode
 from tests.extras.network.places import PUBLISHER, STRING, text, words_in
 

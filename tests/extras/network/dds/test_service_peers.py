@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.extras.network.dds.service_peers import ServicePeers
-from edulaunch.extras.network.link import CLIENT, PUBLISHER, SERVICE, RemoteEndpoint, RemoteGraph, RemoteNode
+from edulaunch.extras.network.network_link import CLIENT, PUBLISHER, SERVICE, RemoteEndpoint, RemoteGraph, RemoteNode
 
 CYCLONE, FAST = b'\x01\x10' + bytes(14), b'\x01\x0f' + bytes(14)
 

@@ -10,7 +10,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.processes.children import Child, spec_of
-from edulaunch.engine.processes.views import copy_names
+from edulaunch.engine.processes.module_views import copy_names
 
 if TYPE_CHECKING:
     from edulaunch.engine.processes.process import Process

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.engine.processes.views import copy_names
+from edulaunch.engine.processes.module_views import copy_names
 from edulaunch.engine.processes.watchdog import RunawayProgram
 from edulaunch.engine.sim import sync
 from edulaunch.engine.sim.task import Task, TaskKilled, current_task

@@ -10,7 +10,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.facts import with_facts
-from edulaunch.engine.processes.views import copy_names
+from edulaunch.engine.processes.module_views import copy_names
 from edulaunch.engine.sim.aio import SimulatedEventLoop
 from edulaunch.engine.sim.loops import cancel_all_tasks
 from edulaunch.engine.sim.task import Task, current_task

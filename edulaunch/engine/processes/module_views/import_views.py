@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.processes.finding import Found, namespace, regular
 from edulaunch.engine.processes.loader import absolute_name
-from edulaunch.engine.processes.views import copy_names
-from edulaunch.engine.processes.views.file_views import inside
+from edulaunch.engine.processes.module_views import copy_names
+from edulaunch.engine.processes.module_views.file_views import inside
 
 if TYPE_CHECKING:
     from edulaunch.engine.processes.process import Process

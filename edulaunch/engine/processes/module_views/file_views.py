@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.engine.processes.views import copy_names
+from edulaunch.engine.processes.module_views import copy_names
 from edulaunch.engine.sim.task import current_task
 
 if TYPE_CHECKING:

@@ -90,7 +90,7 @@ def make_view(name: str, process: object) -> ModuleType | None:
     view = ModuleType(name)
     view.__dict__['__edulaunch_view__'] = True
     file, _, function = place.partition('.')
-    made: ModuleType = getattr(import_module(f'edulaunch.engine.processes.views.{file}'), function)(view, process)
+    made: ModuleType = getattr(import_module(f'edulaunch.engine.processes.module_views.{file}'), function)(view, process)
     return made
 
 

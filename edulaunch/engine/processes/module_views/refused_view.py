@@ -9,8 +9,8 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.facts import with_facts
-from edulaunch.engine.processes.views import copy_names
-from edulaunch.engine.processes.views.os_views import CPUS
+from edulaunch.engine.processes.module_views import copy_names
+from edulaunch.engine.processes.module_views.os_views import CPUS
 
 if TYPE_CHECKING:
     from edulaunch.engine.processes.process import Process

@@ -12,11 +12,11 @@ from collections.abc import Callable
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from edulaunch.engine.processes.module_views import copy_names
+from edulaunch.engine.processes.module_views.file_views import FUNCTIONS, PATH, PlainFunction
 from edulaunch.engine.processes.real_machine import FUNCTIONS as REAL_MACHINE
 from edulaunch.engine.processes.real_machine import noting
 from edulaunch.engine.processes.spec import Signals
-from edulaunch.engine.processes.views import copy_names
-from edulaunch.engine.processes.views.file_views import FUNCTIONS, PATH, PlainFunction
 
 if TYPE_CHECKING:
     from edulaunch.engine.processes.process import Process

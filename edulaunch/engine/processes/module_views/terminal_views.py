@@ -14,8 +14,8 @@ from types import FrameType, ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.processes.frame_owner import is_engine
+from edulaunch.engine.processes.module_views import copy_names
 from edulaunch.engine.processes.spec import Signals
-from edulaunch.engine.processes.views import copy_names
 from edulaunch.engine.sim import sync
 from edulaunch.engine.sim.task import current_task
 
