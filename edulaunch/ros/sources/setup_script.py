@@ -23,7 +23,7 @@ _GIVEN = frozenset((*dir(builtins), '__file__', '__name__', '__doc__', '__builti
 
 
 def first_undefined_name(tree: ast.Module) -> tuple[str, int] | None:
-    """Return the first undefined name and its line; None without one, or if that cannot be determined.
+    """Return the first undefined name and its line, or None if the file has no such name or that cannot be determined.
 
     It checks only code that always runs, and not the bodies of functions, conditions, loops and `try`.
     """
@@ -52,7 +52,7 @@ def _bound(tree: ast.Module) -> Iterator[str]:
 
 
 def _evaluated(node: ast.AST) -> Iterator[ast.Name]:
-    """Yield the names that are read whenever a statement or an expression is reached, in order of evaluation."""
+    """Yield the names that are read when a statement or an expression is evaluated, in order."""
     if isinstance(node, ast.Name):
         yield from [node] if isinstance(node.ctx, ast.Load) else ()
     for child in _surely(node):
@@ -89,7 +89,7 @@ def read_setup_script(manifest: Manifest) -> Contents:
 
 
 class _SetupScript:
-    """One setup.py while it is read."""
+    """One setup.py that is being read."""
 
     def __init__(self, manifest: Manifest) -> None:
         self.package = manifest.name
@@ -152,7 +152,7 @@ class _SetupScript:
         return options
 
     def _with_tables(self, options: dict[str, Any]) -> dict[str, Any]:
-        """Return all options: setup() counts before setup.cfg, and pyproject.toml before both."""
+        """Return all options. setup() overrides setup.cfg, and pyproject.toml overrides both."""
 
         def warn(file: str, sentence: str) -> None:
             self.warn(sentence, 0, file)
@@ -274,7 +274,7 @@ class _SetupScript:
                 yield match[1], match[2], match[3] or ''
 
     def _have_nodes(self, modules: Iterable[str]) -> bool:
-        """Return whether modules have anything of rclpy: a package without nodes puts its commands into `bin` on purpose."""
+        """Return whether any of the modules uses rclpy. A package without nodes puts its commands into `bin` on purpose."""
         files = [os.path.join(self.folder, *module.split('.')) + '.py' for module in modules]
         return not all(map(os.path.isfile, files)) or any('rclpy' in read_text(path) for path in files)
 

@@ -1,4 +1,4 @@
-"""Values for the static evaluation of Python text, and the few functions that may be called meanwhile."""
+"""Values for the static evaluation of Python text, and the few functions that it may call."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from typing import Any
 class Unknown:
     """A value that is not known without running the file. It stores its origin.
 
-    :param line: where in the file.
-    :param why: what could not be followed, as source text.
+    :param line: the line in the file.
+    :param why: the source text that could not be evaluated.
     """
 
     def __init__(self, line: int, why: str) -> None:
@@ -44,7 +44,7 @@ class PathText(str):
 
     @classmethod
     def below(cls, folder: str, *parts: str) -> PathText:
-        """Return the path that consists of these parts."""
+        """Return the path that consists of these parts, relative to `folder`."""
         made = cls(os.path.join(*parts) if parts else '.')
         made.folder = folder
         return made

@@ -53,7 +53,7 @@ def caller_outside_launch(made: object) -> Place | None:
 
 
 def _makes(code: CodeType, frame: FrameType, made: object) -> bool:
-    """Return whether the frame is the constructor, in a student's subclass, of the very object."""
+    """Return whether the frame runs a constructor, such as that of a student's subclass, of exactly this object."""
     return bool(code.co_argcount) and frame.f_locals.get(code.co_varnames[0]) is made
 
 

@@ -65,7 +65,7 @@ class Action(LaunchDescriptionEntity):
         return repr(self)
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the entities to which this action leads and that are known without executing it. Subclasses override it."""
+        """Return the entities to which this action leads, if they are known without executing it. Subclasses override it."""
         return []
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:

@@ -52,7 +52,7 @@ class LaunchContext:
     """The launch configurations, locals, environment, event handlers and waiting events of one launch.
 
     :param argv: the command line arguments, for code that reads `argv`.
-    :param noninteractive: no terminal is attached, so ctrl-c does not reach the processes by itself.
+    :param noninteractive: no terminal is attached, so launch must pass Ctrl-C on to the processes.
     """
 
     def __init__(self, *, argv: Iterable[str] | None = None, noninteractive: bool = False) -> None:

@@ -26,9 +26,9 @@ class Substitution(StableRepr):
         return repr(self)
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the evaluated text.
+        """Return the evaluated string.
 
-        :raises NotImplementedError: in this base class, as upstream.
+        :raises NotImplementedError: in this base class, as in upstream.
         """
         raise NotImplementedError('Substitution is an abstract base class')
 

@@ -1,5 +1,5 @@
-"""Names of ROS 2's test tools that are missing here, because fewer than five public repositories use them, and their
-alternatives.
+"""Names of ROS 2's test tools that edulaunch lacks, with their alternatives. Fewer than five public repositories use each of
+them.
 """
 
 _RUNNING = 'run the test file with `pytest` or `launch_test`'

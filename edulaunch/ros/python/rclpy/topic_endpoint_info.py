@@ -156,7 +156,7 @@ def endpoint_info(endpoint: Any) -> TopicEndpointInfo:
 
 
 def _hash_of(type_name: str) -> TypeHash:
-    """Return the hash of a type; none for a type that only another program's workspace has."""
+    """Return the hash of a type, or an empty hash for a type that only another program's workspace contains."""
     from edulaunch.ros.serialization.type_description import type_hash
 
     try:

@@ -21,7 +21,7 @@ _NAMES = (*_ALIKE, *_OF_EACH_CORNER, *_COUNTS, 'Arrays', 'Builtins', 'MultiNeste
 def get_test_msg(message_name: str) -> list[Any]:
     """Return some messages of a type of `test_msgs`: empty, small, largest and smallest values.
 
-    :raises NotImplementedError: for a type that there is not.
+    :raises NotImplementedError: for an unknown type.
     """
     if message_name not in _NAMES:
         raise NotImplementedError

@@ -22,8 +22,8 @@ def words_of(text: str, parser: ParserProtocol) -> list[Word]:
     """Return the words of a command line; each is a list of substitutions.
 
     Substitutions are found first, then the literal parts between them are split as in a shell. Text next to a substitution stays
-    in one word with it, and the value of a substitution is never split. As upstream, an empty string, and blanks before the first
-    substitution, are one empty word.
+    in one word with it, and the value of a substitution is never split. As in upstream, an empty string, and blanks before the
+    first substitution, are one empty word.
 
     :raises ValueError: when a quote is not closed within one literal piece.
     """
@@ -137,7 +137,7 @@ def typed(data_type: type) -> Reader:
 
 
 def as_given(data_type: type, *, can_be_str: bool = True) -> Reader:
-    """Return an attribute of that type. As upstream, substitutions in a string are not evaluated."""
+    """Return an attribute of that type. As in upstream, substitutions in a string are not evaluated."""
     return lambda entity, parser, name: entity.get_attr(name, data_type=data_type, can_be_str=can_be_str)
 
 
@@ -192,7 +192,7 @@ def _on_exit(entity: Entity, parser: ParserProtocol, name: str) -> list[Any]:
 
 
 def _seconds(entity: Entity, parser: ParserProtocol, name: str) -> float:
-    """Return a number of seconds: no text, so no substitution."""
+    """Return an attribute that is a number of seconds. A string is not allowed, so a substitution is not possible."""
     value: Any = entity.get_attr(name, data_type=float)
     if isinstance(value, str):
         error = TypeError("'<' not supported between instances of 'str' and 'float'")

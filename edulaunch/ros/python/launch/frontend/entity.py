@@ -56,7 +56,7 @@ class Entity(ABC):
         """Return the attribute `name`.
 
         :param data_type: one of launch's allowed types, None for any of them, or `List[Entity]` for children.
-        :param optional: give None when it is missing.
+        :param optional: return None when it is missing.
         :param can_be_str: a string is also allowed (it may contain a substitution).
         :raises AttributeError: when it is missing.
         :raises TypeError: when it is of another type.
@@ -116,7 +116,7 @@ class Entity(ABC):
         return ()
 
 
-Entities = typing.List[Entity]  # noqa: UP006 (this very type is named in error texts)
+Entities = typing.List[Entity]  # noqa: UP006 (error messages name exactly this type)
 """The data type with which a parse function asks for child elements."""
 
 

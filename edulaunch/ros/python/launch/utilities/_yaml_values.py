@@ -24,7 +24,7 @@ def load_yaml_value(text: str) -> Any:
     (50 us each).
 
     :raises yaml.YAMLError: when the text is not YAML.
-    :raises ValueError: when it is nested too deep, or its aliases multiply it too much.
+    :raises ValueError: when it is nested too deeply, or its aliases make it too large.
     """
     if _WORD.match(text):
         if text in YAML_BOOLEANS:

@@ -1,7 +1,8 @@
-"""Records unusual behaviour of a running program as facts, from which advice is made. ROS 2 itself reports nothing or only hangs.
+"""Record unusual behaviour of a running program as facts. Advice is made from these facts, where ROS 2 only hangs or reports
+nothing.
 
-These are waits that can never end, sleeps in callbacks, and requests that will get no answer. There are also unusual facts about
-a node when it is destroyed, or at the end of a recording.
+Examples are waits that can never end, sleeps in callbacks, and requests without a reply. Further facts about a node are recorded
+when it is destroyed, or at the end of a recording.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def callback_name(entity: Any) -> str | None:
-    """Return the name of an entity's callback; None when it has none."""
+    """Return the name of an entity's callback, or None if it has no callback."""
     callback: Any = getattr(entity, 'callback', None)
     while isinstance(callback, partial):
         callback = callback.func
@@ -46,7 +47,7 @@ POLLS = 5
 def note_wait(waiting: str, entity: Any, line: dict[str, Any] | None = None) -> None:
     """Record a callback that waits for a result which only `entity` can provide, because that is impossible during the callback.
 
-    :param waiting: how: 'call', 'look' (in a loop), 'await', or the function that spins.
+    :param waiting: the form of the wait: 'call', 'look' (in a loop), 'await', or the name of the function that spins.
     """
     _note('callback waits', entity, {'waiting': waiting, **entity.awaited()}, line)
 
@@ -126,7 +127,7 @@ LONG_NS = 1_000_000_000
 def note_lost_request(endpoint: Any, name: str, kind: str) -> None:
     """Record a request to a service or action (`kind`) without a server.
 
-    :param endpoint: the client in the graph; of an action, the one that sends goals.
+    :param endpoint: the client in the graph, or the endpoint of an action client that sends goals.
     """
     _note_endpoint('request lost', endpoint, name, kind)
 
@@ -180,7 +181,7 @@ def _undeclared(core: NodeCore) -> Facts:
 
 
 def _passed_over(core: NodeCore) -> Facts:
-    """Yield the parameter files all of whose keys name other nodes."""
+    """Yield the parameter files whose keys all name other nodes."""
     keys: dict[str, dict[str, str]] = {}
     for parsed in core.arguments:
         for pattern, given in parsed.parameters.items():

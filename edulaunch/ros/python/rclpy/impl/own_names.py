@@ -21,7 +21,7 @@ TO_SPIN = ('subscriptions', 'timers', 'clients', 'services', 'guards', 'waitable
 def check_own_names(node: NodeProtocol, names: tuple[str, ...]) -> None:
     """Use the attributes of a node under these names as rclpy does.
 
-    :raises TypeError, AttributeError: of something else under that name, in Python's words.
+    :raises TypeError, AttributeError: Python's own error, if the attribute is a different object.
     """
     for name in names:
         held = getattr(node, name)

@@ -21,7 +21,7 @@ def dds_names_and_types(endpoints: Iterable[Any], directions: Directions) -> Nam
     """Return (name, sorted types) in DDS form for the topics of endpoints, sorted by name: `rt/chatter`,
     `pkg::msg::dds_::String_`.
 
-    :param directions: which of it counts.
+    :param directions: pairs of the kind of an endpoint and what it sends: 'topic', 'request' or 'reply'.
     """
     found: dict[str, set[str]] = {}
     for end in endpoints:
