@@ -1,4 +1,4 @@
-"""Ask the rules, and return their findings: each finding once, and the worst first."""
+"""Apply the rules, and return their findings: each finding once, and the worst first."""
 
 from __future__ import annotations
 
@@ -160,7 +160,7 @@ def judge_sources(path: str) -> list[Finding]:
 
 
 def judge_workspace(workspace: Workspace) -> list[Finding]:
-    """Return the mistakes in a workspace that was read already."""
+    """Return the mistakes in a workspace that has already been read."""
     found = _asked('workspaces', workspace)
     for source in (one for one in workspace.sources if not one.is_of_ros_1):
         found += _asked('sources', source)

@@ -108,7 +108,7 @@ def asking_place(recording: Recording, node: str, name: str) -> Place:
 
 
 def origin_place(recording: Recording, process: str | None, origin: str) -> Place:
-    """Return the place in the origin of a parameter ('a.launch.py line 4'), or else where the program was started."""
+    """Return the place in the origin of a parameter ('a.launch.py line 4'), or else the place where the program was started."""
     started = places(recording).get(process or '', NOWHERE)
     match = _ORIGIN.fullmatch(origin)
     if match is None:

@@ -44,7 +44,7 @@ class Planner:
     """A launch service in a separate simulation that starts no processes.
 
     :ivar assumptions: the answers for missing packages; None if the dry run makes no assumptions.
-    :ivar read: names of the launch configurations that substitutions asked for.
+    :ivar read: names of the launch configurations that substitutions have read.
     """
 
     def __init__(

@@ -1,4 +1,4 @@
-"""A host that starts no process. It records each process that launch would start, and ends it when launch stops it.
+"""A host that starts no process. It records each process that launch would start, and ends the process when launch stops it.
 
 Changes that a launch file would make itself (`subprocess`, `os.system`, `open(..., 'w')`, `os.remove`) are not made; see
 `closed.py`.
@@ -39,7 +39,7 @@ class ImaginaryProcess:
     """A process that does nothing and ends on a signal.
 
     :param on_exit: called with the return code.
-    :ivar came_back: whether it is a process that has ended once already, and was started again.
+    :ivar came_back: whether the process has ended once before and was started again.
     """
 
     came_back = False
@@ -51,7 +51,7 @@ class ImaginaryProcess:
         self._on_exit = on_exit
 
     def send_signal(self, signum: int) -> None:
-        """End as a program without a signal handler does. A second signal has no effect."""
+        """End the process, as a signal ends a program without a signal handler. A second signal has no effect."""
         self.end(0 if self.came_back else -int(signum))
 
     def end(self, code: int) -> None:

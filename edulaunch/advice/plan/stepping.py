@@ -1,4 +1,4 @@
-"""Decide where a launch stops when a user steps through it."""
+"""Determine where a launch stops when a user steps through it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Stop before an action that a line of a file makes."""
 
 
 class Stepper:
-    """Decides before which steps a launch stops.
+    """Determines the steps before which a launch stops.
 
     :ivar at: the step before which the launch waits now, or None.
     """

@@ -38,12 +38,13 @@ class Watch:
 
     :param executed: a function that is called as executed(branch, context) after each action.
     :param instead: functions that are called instead of executing an action, by the name of its class.
-    :param came_back: numbers of processes that were started again; the actions after their start and end are planned already.
+    :param came_back: numbers of processes that were started again; the plan already contains the actions after their start and
+        end.
     :ivar phase: the phase of the action that is visited now.
     :ivar outline: the root of all branches so far.
     :ivar branch: the branch of the action that was entered last.
     :ivar timers: the branch of each timer; launch has one handler for all timers.
-    :ivar reactions: how often handlers gave actions; beyond the most that may be they stay silent, so that the launch ends.
+    :ivar reactions: how often handlers returned actions. Above a maximum, their actions are ignored, so that the launch ends.
     """
 
     def __init__(
@@ -64,11 +65,11 @@ class Watch:
 
     @property
     def is_endless(self) -> bool:
-        """Whether the handlers were silenced."""
+        """Whether the maximum of reactions was exceeded."""
         return self.reactions > MOST_REACTIONS
 
     def enter(self, entity: Any, context: LaunchContext) -> None:
-        """See :class:`launch._observer.Observer`, as for all methods that follow."""
+        """Begin a branch. For this method and all that follow, see :class:`launch._observer.Observer`."""
         parent = self._open[-1]
         if isinstance(entity, Action):
             parent = self.branch = self._branch_of(entity, parent)

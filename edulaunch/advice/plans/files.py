@@ -126,7 +126,7 @@ def parameter_order(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _given_behind(item: dict[str, Any], file: str, parameter: str) -> Any:
-    """Return the value that a dict after a parameter file sets, or None."""
+    """Return the value that a dict sets after a parameter file, or None."""
     sources = item['parameter_sources']
     first = next((number for number, source in enumerate(sources) if source['file'] == file), len(sources))
     for source in sources[first + 1 :]:

@@ -89,7 +89,7 @@ def main_misspelt(recording: Recording) -> Iterator[Finding]:
     hides=('programs.parameter-refused',),
 )
 def parameter_callback(recording: Recording) -> Iterator[Finding]:
-    """Report a callback that returned None, True or False."""
+    """Report a callback for changed parameters that returned None, True or False."""
     for fact in recording.facts:
         if fact.kind == 'no parameter result':
             file, line = fact_place(recording, fact)

@@ -30,7 +30,7 @@ _ENDED = re.compile(r'\[ERROR\] \[(?P<name>[^\]]+)\]: process has died \[pid \d+
     do='choose another name, such as self.my{attribute}',
 )
 def private_name(recording: Recording) -> Iterator[Finding]:
-    """Report a value of another type than rclpy's own, such as a dictionary in place of its list of clients."""
+    """Report an attribute of a node that replaces a private attribute of the real rclpy."""
     for fact in recording.facts:
         if fact.kind == 'private name':
             file, line = fact_place(recording, fact)

@@ -268,6 +268,6 @@ def name_differs(source: PackageInWorkspace) -> Iterator[Finding]:
     if named is not None and named[1] != package.name:
         place = f'share/{named[1]}/' if package.is_python else None
         if place is not None and not any(name.startswith(place) for name in package.contents.files):
-            return  # a build needs the other name only for itself
+            return  # only the build itself uses the other name
         line = read_text(build).count('\n', 0, named.start(1)) + 1
         yield found('package', package.name, file=build, line=line, other=named[1], written=os.path.basename(build), place=place)
