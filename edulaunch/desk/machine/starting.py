@@ -1,4 +1,4 @@
-"""How a terminal finds the machine of its domain, and starts one if necessary. Standard library only."""
+"""Functions with which a terminal finds the machine of its domain, or starts one. They need only the standard library."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Validate the launches in a recording: a recording from a stranger may contain anything."""
+"""Validate the launches in a recording, because a recording from a stranger may contain anything."""
 
 from __future__ import annotations
 

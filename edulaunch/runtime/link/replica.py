@@ -51,7 +51,7 @@ class RemoteQueue:
         self.item = item
 
     def extend(self, items: Any) -> None:
-        """Append a message; see above."""
+        """Append nothing, because the other peer already has old samples."""
 
     def clear(self) -> None:
         """Return 0: the queue is always empty."""
