@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 HOUSE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 GRADER = os.path.join(os.path.dirname(HOUSE), 'grader')
 ROOMS = ('advice', 'desk')
-"""Of edulaunch: where `says('...')` is looked for."""
+"""Folders of edulaunch that are searched for `says('...')`."""
 REPORTS = (
     'checks',
     'edugrade/library',
@@ -34,10 +34,10 @@ REPORTS = (
     ),
     *(f'edugrade/reports/{name}.py' for name in ('terminal', 'wording')),
 )
-"""Of the grader: where every text that is a sentence may be told to a student."""
+"""Folders of the grader in which every string that is a sentence may be shown to a student."""
 _FIELD, _WORD = re.compile(r'\{\w*\}'), re.compile(r'(?<![\w/.{])[A-Za-z][a-z]+(?![\w(=])')
 _CODE = re.compile(r'^[\w=]*\w+\(.*\)$|^\w+\.[\w-]+$|^\n|\(\?!|\\')
-"""A call that is to be written as it stands, the name of a rule, a regular expression."""
+"""A call to be written unchanged, the name of a rule, or a regular expression."""
 _FIXED = datetime(2026, 1, 1, tzinfo=timezone.utc)
 
 

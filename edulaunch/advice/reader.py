@@ -166,18 +166,18 @@ def _retelling(language: str) -> Retelling:
 
 _BARE = re.compile(r'\{(\w+)[^{}]*\}')
 LONGEST = 2000
-"""Characters: a longer text is a program's output, not a sentence of ours."""
+"""The maximum number of characters of a sentence. A longer string is the output of a program."""
 DEEPEST = 3
 LEAST = 8
-"""One letter of so many has to stand in templates: else it is somebody else's sentence with a word of ours in it."""
+"""At least one letter in this many must match templates. Otherwise, the sentence is not one of edulaunch's."""
 MOST_TRIES = 500
-"""Facts that are looked at in one text: whoever writes one that fits everywhere gets it back as it is."""
+"""The maximum number of facts to try for one string. A string that exceeds it is returned unchanged."""
 
 
 _WORD = re.compile(r"(?<![\w/.:'\"-])[A-Za-z][a-z]+(?![\w/.:'\"=(-])")
-"""A word of a sentence, and not a part of a name, a path, a call or a quotation."""
+"""A word of a sentence, but not a part of a name, a path, a call or a quotation."""
 MOST_WORDS = 2
-"""Plain words in facts without a translation, beyond those of the template: more of them make a sentence of two languages."""
+"""The maximum number of plain words in facts without a translation. With more, the sentence would mix two languages."""
 
 
 class _Pattern(NamedTuple):

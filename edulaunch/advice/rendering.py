@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 MOST_NAMES = 12
 MOST_SHOWN = 5
-"""Findings shown at the end of a run at most."""
+"""The maximum number of findings that are shown at the end of a run."""
 
 
 class Rendered(NamedTuple):

@@ -47,16 +47,18 @@ def found(
 
 GROUPS = ('launch', 'programs', 'messages', 'packages', 'tf', 'time', 'turtlesim', 'grader')
 LEVELS = ('error', 'warning', 'info')
-"""Worst first: it does not work; it works by luck or not as written; worth knowing."""
+"""The levels, worst first: it does not work; it works only by chance or not as written; it is worth knowing."""
 CONFIDENCES = ('stated', 'asked')
-"""A rule that states is sure. One that asks may be wrong about what was meant: its sentence is a question or says 'if'."""
+"""A rule that states is certain. A rule that asks may be wrong about the intention, so its sentence is a question or contains
+'if'.
+"""
 
 Sentence = str | tuple[str, ...]
-"""A template with the facts in braces, as `str.format` has them; of several the first counts whose facts are all known."""
+"""A template with facts in braces, as for `str.format`. Among several, the first one whose facts are all known counts."""
 
 
 EditForm = tuple[str, str, str]
-"""Templates of what is written and of what belongs there, and where that is: 'word', or 'import' for a line among the imports."""
+"""Templates of the wrong and the correct text, and the place of the edit: 'word', or 'import' for a line among the imports."""
 
 
 class Rule(NamedTuple):
@@ -137,7 +139,9 @@ def failure_of(error: BaseException) -> Failure:
 
 
 KINDS = ('errors', 'plans', 'recordings', 'scripts', 'sources', 'workspaces')
-"""What rules look at, each a folder: a Failure, a Rehearsal, a Recording, launch files as syntax trees, a Source, a Workspace."""
+"""The kinds of subjects of rules, each with a folder: a Failure, a Rehearsal, a Recording, launch files as syntax trees, a
+Source, a Workspace.
+"""
 
 
 _loaded: dict[str, Rule] = {}

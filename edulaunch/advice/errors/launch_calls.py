@@ -31,7 +31,7 @@ OLD_KEYWORDS = {
     'command': 'cmd',
     'func': 'function',
 }
-"""Of ROS 1, of older ROS 2, and of XML."""
+"""Keyword arguments of ROS 1, of older ROS 2, and of XML, with their current names."""
 
 
 @rule(

@@ -121,7 +121,7 @@ HOMES = {
     'nav_msgs.msg': 'Odometry',
     'turtlesim.srv': 'Kill SetPen Spawn TeleportAbsolute TeleportRelative',
 }
-"""What tutorials import, by where it is. Pose is that of geometry_msgs: who wants turtlesim's sees at once which one came."""
+"""Names that tutorials import, by module. Pose is that of geometry_msgs. A user of turtlesim's Pose notices the difference."""
 _HOME_OF = {name: home for home, names in HOMES.items() for name in names.split()}
 
 

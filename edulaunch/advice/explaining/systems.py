@@ -33,7 +33,7 @@ KINDS = ('publisher', 'subscription', 'service', 'client')
 NOT_KNOWN = 'endpoints not known'
 HIDDEN_PARAMETERS = ('use_sim_time', 'start_type_description_service', 'qos_overrides.')
 End = tuple[str, str, str]
-"""Kind, absolute name, type."""
+"""The kind, the absolute name and the type."""
 
 
 class SystemNode(NamedTuple):

@@ -29,10 +29,10 @@ if TYPE_CHECKING:
     from edulaunch.engine.processes.process import Process
 
 _EVALUATED_AGAIN = ('msg', 'name', 'period', 'sigterm_timeout', 'sigkill_timeout', 'descriptions_to_load')
-"""What the items of some actions evaluate a second time."""
+"""Attributes that the items of some actions evaluate a second time."""
 MOST_STEPS = 20_000
 MOST_TIMES = 500
-"""Limits for a launch whose handlers fire forever: how many steps the trace keeps, and how many firings or runs of one step."""
+"""Limits for a launch whose handlers fire forever: the number of steps in the trace, and of the events or runs of one step."""
 
 
 class LaunchTrace(Watch):

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 Item = dict[str, Any]
 UNNAMED = 'unnamed'
-"""Stands for the program's own name, which a plan does not know, when parameter files are read."""
+"""Represents the name that the program itself chooses, which a plan does not know, when parameter files are read."""
 
 
 def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str], index: int) -> Item:

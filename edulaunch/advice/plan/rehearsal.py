@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 WARNING = 30
 LOOKING_UP = ('pkg', 'interface')
-"""Verbs of `ros2` that only look something up."""
+"""Verbs of `ros2` that only query information."""
 
 
 class ImaginaryProcess:
@@ -271,12 +271,12 @@ class ImaginedLifecycles:
 
 
 TURN_LIMIT_S = 2.0
-"""Seconds of the processor's time that the code of a launch file may take without coming on; see `Watchdog`."""
+"""Seconds of processor time that the code of a launch file may take without progress; see `Watchdog`."""
 MOST_INSTANTS = 2_000
 MOST_STEPS = 500_000
-"""So often may simulated time advance, and so much may be done, before something must end."""
+"""Limits for a dry run: how often simulated time may advance, and how many actions may run, before a process must end."""
 STEPS_BETWEEN_COLLECTIONS = 20_000
-"""A plan is made without the garbage collector, which takes half of the time of a large one."""
+"""Steps between two garbage collections. The collector stays off otherwise, because it takes half of the time of a large plan."""
 
 
 def run_to_rest(sim: Simulation) -> str | None:

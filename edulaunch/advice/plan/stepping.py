@@ -10,7 +10,8 @@ if TYPE_CHECKING:
 
 GO, INTO, NEXT, EVENT, LINE = 'go', 'into', 'next', 'event', 'line'
 """Never stop. Stop before the next action. Stop before the next action after this include or group. Stop before the next event.
-Stop before an action that a line of a file makes."""
+Stop before an action that a line of a file creates.
+"""
 
 
 class Stepper:

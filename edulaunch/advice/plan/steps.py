@@ -16,11 +16,11 @@ from edulaunch.advice.plan.why import declared_steps, parameter_chain, setter_st
 
 Row = dict[str, Any]
 LAUNCH_OWN = frozenset(('timer', 'emit_event'))
-"""With these launch itself ends a process; they are the user's only when a launch file made them."""
+"""Events with which launch itself ends a process. They belong to the user only if a launch file created them."""
 SHOWN_EVENTS = frozenset(('ProcessStarted', 'ProcessExited', 'TimerEvent', 'Shutdown'))
-"""Events of launch that are steps even when no handler of a launch file waits for them."""
+"""Events of launch that are steps even if no handler of a launch file waits for them."""
 LONGEST_VALUE = 2000
-"""Characters of a value in a row; a robot description is longer."""
+"""The maximum number of characters of a value in a row. A robot description is longer."""
 
 
 class Step(Branch):

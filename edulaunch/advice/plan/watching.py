@@ -28,9 +28,9 @@ Executed = Callable[[Branch, 'LaunchContext'], object]
 _PHASES = {'ProcessStarted': 'on_start', 'TimerEvent': 'timer', 'ProcessExited': 'on_exit', 'Shutdown': 'on_shutdown'}
 _EVENTS = {'ProcessStarted': 'when {name} has started', 'ProcessExited': 'when {name} has ended', 'Shutdown': 'at shutdown'}
 MOST_REACTIONS = 20_000
-"""Event handlers may give actions this often. Launch handles events that follow from events in one step."""
+"""How often event handlers may return actions. Launch handles events that follow from events in one step."""
 _NO_BRANCH = ('IncludeLaunchDescription', 'TimerEvent')
-"""What follows these events hangs below the action itself."""
+"""Events whose consequences belong directly to the action."""
 
 
 class Watch:
@@ -60,7 +60,9 @@ class Watch:
         self.reactions = 0
         self._open: list[Branch] = [self.outline]
         self._parents: dict[int, list[tuple[Any, Branch]]] = {}
-        """By identity of a handler: the handler and the branch of the action that registered it, once for each time."""
+        """For each handler, by its `id()`: the handler, and the branch of the action that registered it, once for each
+        registration.
+        """
         self._failure: Exception | None = None
 
     @property

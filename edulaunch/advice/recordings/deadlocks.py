@@ -76,7 +76,7 @@ def goes_on(recording: Recording) -> Iterator[Finding]:
 EXPLAINED = frozenset(
     ('callback waits', 'spin in callback', 'spin in callback in vain', 'rate in callback', 'node not spun', 'waits for input')
 )
-"""Facts that say why a callback does not end."""
+"""Facts that explain why a callback does not end."""
 
 
 @rule(

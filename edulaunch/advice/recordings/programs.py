@@ -15,9 +15,11 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording.records import ProcessRecord
 
 ENDED_WELL = (None, 0, -1, -2, -13, -15)
-"""Still running, finished, ended by its closed terminal (`| head`, too), by Ctrl-C or by launch."""
+"""Exit codes of a program that still runs, has finished, or was ended by its closed terminal (`| head`, too), Ctrl-C or
+launch.
+"""
 INTERRUPTED = '[ros2run]: Interrupt'
-"""What `ros2 run` says when Ctrl-C ended its program, whatever that one did about it."""
+"""The message of `ros2 run` when Ctrl-C has ended its program, however that program has ended."""
 LONGEST = 400
 HELP = 'help: '
 _ENDED = re.compile(r'\[ERROR\] \[(?P<name>[^\]]+)\]: process has died \[pid \d+, exit code (?P<code>-?\d+), cmd ')

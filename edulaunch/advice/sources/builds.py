@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from edulaunch.advice.source_package import PackageInWorkspace
 
 LEVELS_ABOVE = 4
-"""So far above a package its workspace is looked for."""
+"""The number of folders above a package that are searched for its workspace."""
 
 
 @rule(

@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 LONGEST = 400_000
-"""Characters of a file that is looked at; nobody writes more by hand."""
+"""The maximum number of characters of a file that is checked. Files written by hand are shorter."""
 
 
 class Span(NamedTuple):

@@ -19,7 +19,7 @@ WINDOWS = {
     'rqt_tf_tree': 'tree',
     'rviz2': 'frames',
 }
-"""Command or package, and the tab of the live view."""
+"""Commands or packages, with the tab of the live view that replaces each."""
 
 
 def shown_by(name: str) -> str:

@@ -43,7 +43,7 @@ class _Sourcing:
     """A finder at one end of `sys.meta_path` that knows no module itself."""
 
     def __init__(self, names=None):
-        self._names = names  # None means all modules; the last finder has it
+        self._names = names  # None, the value of the last finder, means all modules
 
     def find_spec(self, name, path=None, target=None):
         if path is not None or self._names is not None and name not in self._names:

@@ -15,7 +15,7 @@ from edulaunch.ros.sources.cmake_text import Command, commands, expand
 
 _INTERFACES = ('.msg', '.srv', '.action')
 _MADE = '/made-by-the-build'
-"""Stands for the build folder: what is installed from there is made by the build, and is not in the sources."""
+"""Represents the build folder. The build creates the files that are installed from there, so the sources do not contain them."""
 _MARKERS = 'share/ament_index/resource_index/packages'
 _WORDS = frozenset(
     (

@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 
 Facts = dict[str, Any]
 _WRITTEN = frozenset(('build', 'install', 'log', 'logs'))
-"""Folders that colcon and programs write: no package is looked for in them."""
+"""Folders that colcon and programs write. They are not searched for packages."""
 LOOKED_AT = 500
-"""Folders below the current one in which a package is looked for that no workspace has: others wait meanwhile."""
+"""The maximum number of folders below the current one that are searched for a package, because other programs wait meanwhile."""
 
 
 def missing_package(index: Index, package: str, here: str | None = None) -> Facts:

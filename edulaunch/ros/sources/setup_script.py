@@ -18,7 +18,7 @@ from edulaunch.ros.sources.source_package import read_text
 from edulaunch.ros.sources.static_values import Unknown, first_unknown
 
 _UNCERTAIN = frozenset(('exec', 'eval', 'globals', 'locals', 'vars', '__import__'))
-"""With one of these a script may define names that do not stand in it."""
+"""Names with which a script may define further names that do not occur in it."""
 _GIVEN = frozenset((*dir(builtins), '__file__', '__name__', '__doc__', '__builtins__', '__spec__', '__loader__', '__package__'))
 
 
@@ -77,7 +77,7 @@ def _surely(node: ast.AST) -> Sequence[ast.AST]:
 
 _SETUP = frozenset(('setuptools.setup', 'distutils.core.setup', 'setup'))
 _ENTRY = re.compile(r'\s*([^=]+?)\s*=\s*([\w.]+)\s*(?::\s*([\w.]+)\s*)?(?:\[.*\]\s*)?')
-"""What setuptools accepts; it stops at any other entry."""
+"""The form of an entry that setuptools accepts. It stops at any other entry."""
 _JOINED = re.compile(r'(?<=:main)[\w.-]+(?=\s*=)')
 """Two entries of a list without a comma between them."""
 _MARKERS = 'share/ament_index/resource_index/packages'

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from configparser import ConfigParser
 
 Warn = Callable[[str, str], None]
-"""Called with the file and the sentence."""
+"""Called with the file and the message."""
 
 SCRIPTS = {'scripts': 'console_scripts', 'gui-scripts': 'gui_scripts'}
 

@@ -125,7 +125,7 @@ class SourcePackage:
 
 
 _OF_ROS_1 = re.compile(r'\$\(find |<node[^>]*\btype\s*=')
-"""What only a launch file of ROS 1 has."""
+"""Signs that occur only in a launch file of ROS 1."""
 
 
 def source_packages(index: Index) -> list[SourcePackage]:

@@ -154,7 +154,7 @@ PURE: dict[str, Callable[..., Any]] = {
     'zip': lambda *columns: list(zip(*columns, strict=False)),
     'enumerate': lambda items: list(enumerate(items)),
 }
-"""Functions that may be called because they look at their arguments only."""
+"""Functions that the evaluation may call, because they only use their arguments."""
 
 
 def callables(folder: str) -> dict[str, Callable[..., Any]]:
@@ -244,7 +244,7 @@ METHODS: dict[type, frozenset[str]] = {
     dict: frozenset(('items', 'keys', 'values', 'get', 'setdefault', 'update', 'copy')),
     set: frozenset(('add', 'update')),
 }
-"""Methods of plain values that may be called while reading."""
+"""Methods of plain values that the evaluation may call."""
 
 
 def find_packages(where: str, exclude: Any = (), include: Any = ('*',), marker: str = '__init__.py') -> list[str]:

@@ -20,7 +20,7 @@ T = TypeVar('T')
 FoundArguments = list[tuple[Any, 'list[Any] | None']]
 """`DeclareLaunchArgument` actions, each with the `IncludeLaunchDescription` actions that lead to it, if any."""
 Finding = tuple[Any, bool, tuple[Any, ...]]
-"""An argument, whether it is only there under a condition, and the includes that lead to it."""
+"""An argument, whether it is visited only under a condition, and the includes that lead to it."""
 _KEY = 'launch.look'
 
 

@@ -30,7 +30,7 @@ class HandlerTable:
 
     def __init__(self) -> None:
         self._groups: dict[int, Ranked] = {0: {}}
-        """By the identity of the only action whose events they accept; 0: any."""
+        """Handlers by the `id()` of the only action whose events they accept; 0 means any action."""
         self._first = 0
         self._last = 0
 

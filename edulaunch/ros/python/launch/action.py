@@ -56,7 +56,7 @@ class Action(LaunchDescriptionEntity):
         self.__origin = (file, line)
 
     parse = ParsedByFrontend('action', _only_a_condition)
-    """Class method: the class, and the keyword arguments that an element of an XML or YAML file stands for."""
+    """Class method: returns the class, and the keyword arguments for an element of an XML or YAML file."""
 
     condition: ReadOnly[Condition | None] = ReadOnly('The condition, or None.')
 

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 
 SCOPES = ('function', 'class', 'module', 'package', 'session')
 OPTIONS = 'launch_pytest_options'
-"""Attribute of a launch fixture: its name, scope, and how its launch ends."""
+"""An attribute of a launch fixture: its name, its scope, and how its launch ends."""
 SCOPE = 'launch_pytest_scope'
-"""Attribute of the fixtures that it brings with it."""
+"""An attribute of the fixtures that belong to it."""
 
 
 def finalize_launch_service(launch_service: LaunchService, eprefix: str = '', auto_shutdown: bool = True) -> None:

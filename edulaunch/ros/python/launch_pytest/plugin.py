@@ -17,9 +17,9 @@ from ._running import TEST_HANGS, advance, finish, launch_description_of, launch
 from .fixture import OPTIONS, finalize_launch_service
 
 SHUTDOWN_ITEM = pytest.StashKey[pytest.Function]()
-"""On a generator test that shares its launch with others: the item that runs its second part."""
+"""An attribute of a generator test that shares its launch with others: the item that runs its second part."""
 RUNNING_TEST = pytest.StashKey[Any]()
-"""On that item: the generator, once its first part is over; None before."""
+"""An attribute of that item: the generator once its first part is over, and None before."""
 NODES: dict[Any, Any] = {'class': pytest.Class, 'module': pytest.Module, 'package': pytest.Package}
 
 

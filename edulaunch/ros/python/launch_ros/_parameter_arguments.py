@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 NO_NAMESPACE = '<node_namespace_unspecified>'
-"""As the node action has it: the program's own namespace, which is nearly always the root."""
+"""The value in a node action for the namespace that the program chooses, which is nearly always the root."""
 
 
 class ParameterArguments:

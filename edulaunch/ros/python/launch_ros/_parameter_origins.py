@@ -23,9 +23,9 @@ _TOKEN = re.compile(
     re.DOTALL,
 )
 LONGEST_CALL = 400
-"""Lines; what stands farther below the beginning of a call is not looked at."""
+"""The maximum number of lines that are read from the beginning of a call."""
 SHORT_CALL = 12
-"""Lines; nearly all calls end here, and to read farther for each takes longer than to launch it."""
+"""The number of lines in which nearly all calls end. Reading more lines for each call takes longer than launching it."""
 
 
 def key_lines(file: str, line: int) -> dict[str, int]:

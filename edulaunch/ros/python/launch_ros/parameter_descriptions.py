@@ -31,7 +31,7 @@ class ParameterValue:
     """
 
     line = 0
-    """The line of the launch file that says so, when a frontend made this."""
+    """The line of the launch file that sets the parameter, if a frontend created this object."""
 
     def __init__(self, value: Any, *, value_type: Any = None) -> None:
         plain = value_type is None and type(value) in _PLAIN

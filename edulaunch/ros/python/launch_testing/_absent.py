@@ -26,4 +26,4 @@ ABSENT = {
         'tools': 'they filter the output of a middleware, which the simulation does not have; use proc_output.assertWaitFor',
     },
 }
-"""Part of the tools -> name -> the advice of the ImportError that asking for it gives."""
+"""Part of the tools -> name -> the advice in the ImportError for that name."""

@@ -29,7 +29,7 @@ class Element(list['Element']):
 
 
 MAX_DEPTH = 100
-"""How deep elements may be nested."""
+"""The maximum depth of nested elements."""
 
 
 def read(text: str) -> Element:

@@ -16,7 +16,7 @@ from launch.utilities._yaml_values import YAML_BOOLEANS
 from launch.utilities.yaml_reader import Mapping
 
 MAX_DEPTH = 40
-"""Deeper texts are left to libyaml, too."""
+"""The maximum depth of nested values. libyaml reads deeper texts."""
 
 _CHARACTERS = re.compile(r'[ -~\n]*')
 _SPECIAL = frozenset(('true', 'false', 'yes', 'no', 'on', 'off', 'y', 'n', 'null'))
@@ -33,7 +33,7 @@ _FLOW = re.compile(rf'\{{({_PAIR}(?:, {_PAIR})*)\}}')
 _FLOW_PAIR = re.compile(rf'({_KEY}): ("[^"\\]*"|\'[^\']*\'|[^,]+)')
 
 _Row = tuple[int, str | None, str, int]
-"""Column; the key, None for the dash of a list, '' for a value alone; the value's text or ''; the line."""
+"""The column; the key, None for the dash of a list, '' for a value alone; the value's text or ''; the line."""
 
 
 class NotPlain(Exception):

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from rclpy.qos import QoSProfile
 
 POLL_NS = 250_000_000
-"""How often `wait_for_service` looks, as rclpy: each 0.25 s."""
+"""The period of the checks of `wait_for_service`: 0.25 s, as in rclpy."""
 
 
 class Asker(Entity):

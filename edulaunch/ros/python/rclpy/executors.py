@@ -32,7 +32,7 @@ __all__ = [
 ]
 
 DEFAULT_THREADS = 8
-"""Fixed, not the machine's number of processors, so that a program behaves the same everywhere."""
+"""The number of threads. It does not depend on the computer's processors, so that a program behaves the same everywhere."""
 
 
 class SingleThreadedExecutor(Executor):

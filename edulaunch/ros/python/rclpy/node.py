@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 __all__ = ['HIDDEN_NODE_PREFIX', 'Node', 'NodeNameNonExistentError', 'PARAMETER_SEPARATOR_STRING']
 
 HIDDEN_NODE_PREFIX = '_'
-"""Nodes whose name begins with it are not listed by `ros2 node list`."""
+"""The prefix of the names of nodes that `ros2 node list` does not show."""
 
 _PRIVATE = {
     '_logger': lambda core: core.logger,
@@ -44,7 +44,7 @@ _PRIVATE = {
     '_default_callback_group': lambda core: core.default_callback_group,
     '_parameters': lambda core: core.parameters.values,
 }
-"""What programs use of a node though it is not meant for them, where they have nothing of that name themselves."""
+"""Private attributes of a node that programs use, if they have no attribute of that name themselves."""
 
 
 class Node(NodeEntities, NodeParameters, NodeGraphQueries):

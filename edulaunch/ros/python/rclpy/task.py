@@ -63,7 +63,9 @@ class Future:
         return self.result()
 
     _asyncio_future_blocking = False
-    """What asyncio's tasks ask of a thing that they await: so a coroutine of an asyncio loop may await this, too."""
+    """An attribute that asyncio's tasks require of an awaited object, so that a coroutine of an asyncio loop may await this
+    one.
+    """
 
     def get_loop(self) -> Any:
         """Return the running asyncio loop whose task awaits this future."""

@@ -60,7 +60,7 @@ _FIELDS: dict[str, tuple[Callable[[], Any], Callable[[Any], Any]]] = {
     'endpoint_gid': (list, _bytes),
     'qos_profile': (lambda: qos_profile_unknown, _profile),
 }
-"""What there is to know of an endpoint: how a value comes about that is not given, and how one is checked."""
+"""The fields of an endpoint: the default of each, and the check of its value."""
 
 
 class TopicEndpointInfo:

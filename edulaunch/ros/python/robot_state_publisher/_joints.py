@@ -12,9 +12,9 @@ from edulaunch.engine.tf.quaternions import multiply
 from edulaunch.errors import MissingExtra
 
 MOVING = ('revolute', 'continuous', 'prismatic')
-"""Other kinds are treated as fixed, as the original does with those of more than one degree of freedom."""
+"""Kinds of joints that move. As in the original, others count as fixed, such as those with several degrees of freedom."""
 LIMITED = ('revolute', 'prismatic')
-"""Kinds that the original refuses without <limit>."""
+"""Kinds of joints that the original rejects without <limit>."""
 Quaternion = tuple[float, float, float, float]
 
 
@@ -68,7 +68,7 @@ class Joint(NamedTuple):
 
 
 _TRANSMISSIONS = re.compile(r'<transmission\b[^>]*/>|<transmission\b.*?</transmission\s*>', re.DOTALL)
-"""The original's parser does not read them; urdf_parser_py refuses those of ros2_control."""
+"""Elements that the original's parser does not read. urdf_parser_py rejects those of ros2_control."""
 
 
 def read_joints(description: str) -> list[Joint]:

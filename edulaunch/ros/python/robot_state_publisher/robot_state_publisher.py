@@ -132,7 +132,7 @@ main = program(_work)
 
 
 BANNER = 4
-"""The library puts this many comments before a description."""
+"""The number of comments that the library puts before a description."""
 
 
 def _from_here(path: str) -> str:

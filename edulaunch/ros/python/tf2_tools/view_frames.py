@@ -20,7 +20,7 @@ from tf2_ros.transform_listener import TransformListener
 COLUMN, ROW = 3.6, 2.2
 
 
-"""Inches that a frame takes, with the facts on the arrow above it."""
+"""The size of a frame in inches, including the facts on the arrow above it."""
 
 
 def prepare() -> None:

@@ -66,7 +66,7 @@ Parsed = tuple[type, dict[str, Any]]
 Substitutions = list[Substitution]
 Reader = Callable[[Entity, ParserProtocol, str], Any]
 Attributes = dict[str, tuple[str, Reader]]
-"""Name of an attribute or child -> (keyword argument, how it is read)."""
+"""Name of an attribute or child -> (keyword argument, function that reads it)."""
 NOTHING: Attributes = {}
 
 
@@ -220,13 +220,13 @@ PROCESS: Attributes = {
     'respawn_delay': ('respawn_delay', _seconds),
     'respawn_max_retries': ('respawn_max_retries', as_given(int)),
 }
-"""What every element that starts a program may have."""
+"""The attributes that every element that starts a program may have."""
 PROCESS_CHILDREN: Attributes = {'env': ('additional_env', mapping)}
 TIMER: tuple[Attributes, Attributes] = (
     {'period': ('period', typed(float))},
     {'cancel_on_shutdown': ('cancel_on_shutdown', typed(bool))},
 )
-"""What every kind of timer must, and may, have."""
+"""The attributes that every kind of timer must or may have."""
 _NAME: Attributes = {'name': ('name', text)}
 _NAME_AND_VALUE: Attributes = {**_NAME, 'value': ('value', text)}
 _KEEP: Attributes = {'keep': ('launch_configurations', mapping)}

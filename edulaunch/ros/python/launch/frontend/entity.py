@@ -24,7 +24,7 @@ class Entity(ABC):
     __slots__ = ('asked',)
 
     asked: set[str]
-    """The names that a parse function asked for so far; in XML those of attributes only."""
+    """The names that a parse function has requested so far. In XML, these are only names of attributes."""
 
     @property
     @abstractmethod
@@ -117,7 +117,7 @@ class Entity(ABC):
 
 
 Entities = typing.List[Entity]  # noqa: UP006 (error messages name exactly this type)
-"""The data type with which a parse function asks for child elements."""
+"""The data type with which a parse function requests child elements."""
 
 
 def check_is_list_entity(data_type: Any) -> bool:

@@ -31,7 +31,7 @@ Template = tuple[str | Call, ...]
 _NAME = re.compile(r'[A-Za-z][A-Za-z0-9_-]*')
 _OUTSIDE = re.compile(r'(?:[^\\$]+|\$(?!\())+')
 _BARE = {'': re.compile(r'[^ \'"\\$()]+'), "'": re.compile(r"[^ '\\$()]+"), '"': re.compile(r'[^ "\\$()]+')}
-"""By the quotes around the call."""
+"""Patterns of unquoted text, by the quotation marks around the call."""
 _QUOTED = {"'": re.compile(r"(?:[^\\$']+|\$(?!\())+"), '"': re.compile(r'(?:[^\\$"]+|\$(?!\())+')}
 
 

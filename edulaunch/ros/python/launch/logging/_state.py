@@ -86,7 +86,7 @@ class LaunchConfig:
     def __init__(self, root: logging.Logger) -> None:
         self._root = root
         self.dry = False
-        """Whether nothing is to be left behind: a plan writes no log files."""
+        """Whether nothing may be written: a plan creates no log files."""
         self.reset()
 
     def reset(self) -> None:

@@ -26,9 +26,9 @@ AllowedTypesType = Any
 """One of :data:`AllowedTypesTuple`."""
 AllowedValueType = int | float | bool | str | list[int] | list[float] | list[bool] | list[str]
 SomeValueType = Any
-"""An allowed value, something that contains substitutions, or a list of such."""
+"""An allowed value, an object that contains substitutions, or a list of such objects."""
 NormalizedValueType = Any
-"""What :func:`normalize_typed_substitution` returns."""
+"""The result of :func:`normalize_typed_substitution`."""
 StrSomeValueType = Any
 
 

@@ -31,7 +31,7 @@ MAX_GROWTH = 10
 SMALL = 1_000
 """The number of values that is always allowed."""
 LONGEST_READ_TWICE = 100_000
-"""So many characters, of which PyYAML's own reader reads about a million in ten seconds."""
+"""The maximum number of characters to read a second time. PyYAML's own reader reads about a million characters in ten seconds."""
 SAFE_DEPTH = 1_000
 """libyaml's composer uses the machine's stack, half a kilobyte per level; this is safe even in a thread."""
 

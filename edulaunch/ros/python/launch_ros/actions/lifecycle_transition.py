@@ -29,7 +29,7 @@ _STEPS = {
     4: ('deactivating', 'inactive'),
     **dict.fromkeys((5, 6, 7), ('shuttingdown', 'finalized')),
 }
-"""The state during a transition, and that after its success."""
+"""The state during a transition, and the state after its success."""
 
 
 class LifecycleTransition(Action):

@@ -224,7 +224,7 @@ class Node(ExecuteProcess):
 
     @property
     def written_remappings(self) -> list[RemapRule]:
-        """Its own remappings as they are in the launch file, for code that inspects the file without running it."""
+        """The node's own remappings as the launch file contains them, for code that inspects the file without running it."""
         return self.__remappings
 
     def __expand_remappings(self, context: LaunchContext, words: Words) -> None:

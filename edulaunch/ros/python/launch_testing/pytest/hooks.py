@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from launch_testing.launch_test import LaunchTest
 
 RUNNER = pytest.StashKey[Callable[..., int]]()
-"""What runs a launch test in a simulation of its own; whoever registers this plugin puts it into the stash of the run."""
+"""The key in the stash of a run for the function that runs a launch test in its own simulation."""
 MARKS = {
     'launch_test': 'a launch test: generate_test_description describes what its tests need (edulaunch)',
     'rostest': 'as launch_test, for ROS 2 packages (edulaunch)',

@@ -14,7 +14,7 @@ class _NoCmdArgs:
 
 
 NO_CMD_ARGS = _NoCmdArgs()
-"""As `cmd_args`: only processes that were started without arguments."""
+"""A value of `cmd_args` that selects only processes without arguments."""
 
 
 CmdArgs = str | Sequence[str] | _NoCmdArgs | None

@@ -41,7 +41,7 @@ def node_name(entity: Entity) -> str | None:
 
 
 POLLS = 5
-"""How often one callback looks at a future, with simulated time passing in between, until that counts as waiting for it."""
+"""How often one callback may check a future, while simulated time passes, before this counts as waiting for it."""
 
 
 def note_wait(waiting: str, entity: Any, line: dict[str, Any] | None = None) -> None:
@@ -104,7 +104,7 @@ def _running_entity(entity: Entity) -> Any:
 
 
 SHORT_S = 0.01
-"""A sleep that nobody notices."""
+"""The longest sleep that has no noticeable effect."""
 
 
 def note_sleep(seconds: float) -> None:
@@ -121,7 +121,7 @@ def note_sleep(seconds: float) -> None:
 
 
 LONG_NS = 1_000_000_000
-"""How long a client waits for a server until that is worth a fact."""
+"""How long a client must wait for a server before this is recorded as a fact."""
 
 
 def note_lost_request(endpoint: Any, name: str, kind: str) -> None:
@@ -149,11 +149,11 @@ def _note_endpoint(what: str, endpoint: Any, name: str, kind: str) -> None:
 
 Facts = Iterator[tuple[str, dict[str, Any]]]
 WAITING_NS = 500_000_000
-"""How long something waits for a callback until that is odd."""
+"""How long a message or request must wait for a callback before this counts as unusual."""
 VERY_LONG_NS = 3_000_000_000
-"""A callback that holds up a timer for so long does not end."""
+"""A callback that delays a timer for this time is assumed not to end."""
 DEEP = 5
-"""A queue of so many messages that is full: the next one throws one away. Smaller ones are often full for a moment."""
+"""The depth from which a full queue counts. The next message makes it drop one. Smaller queues are often full for a moment."""
 GIVEN_BY_ROS = ('use_sim_time', 'start_type_description_service', 'qos_overrides.')
 
 

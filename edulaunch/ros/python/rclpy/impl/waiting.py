@@ -42,7 +42,7 @@ class ConditionReachedException(Exception):
 
 
 Item = Any
-"""What an executor executes: a Task or an Entity."""
+"""An object that an executor executes: a Task or an Entity."""
 
 TURNS_BEFORE_TIME_PASSES = 200
 PAUSE_NS = 1_000_000

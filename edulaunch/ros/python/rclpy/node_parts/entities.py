@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from rclpy.qos_overriding_options import QoSOverridingOptions
 
 SHORT_NS, LONG_NS = 100_000, 45_000_000_000
-"""Periods of timers that somebody may have meant."""
+"""The limits of plausible periods of timers."""
 
 
 class NodeEntities:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 OnChange = Callable[[list[Parameter], list[Parameter], list[Parameter]], None]
-"""Told of one transaction: the parameters that are new, those that changed, and those that were deleted."""
+"""Called after a transaction with the new parameters, the changed ones and the deleted ones."""
 
 EMPTY_LIST = (
     'parameter list cannot be empty, this might be due to pre_set_parameters_callback modifying the original parameters list.'
