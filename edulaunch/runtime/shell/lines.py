@@ -1,7 +1,7 @@
 """Shell lines with commands of the simulation: `sleep 2; ros2 service call ... && ros2 topic list | grep turtle`.
 
-A real shell cannot reach the simulated programs, so such a line runs here, in simulated time. `grammar` defines
-these lines and the meaning of their words, `filters` the programs after a `|`.
+A real shell cannot reach the simulated programs, so such a line runs here, in simulated time. `grammar` defines these lines and
+the meaning of their words, and `filters` contains the programs after a `|`.
 """
 
 from __future__ import annotations
