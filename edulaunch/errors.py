@@ -8,7 +8,7 @@
         │   ├── InterfaceError        a .msg, .srv or .action file is invalid (interfaces/)
         │   └── PackageError          a package or executable cannot be found or read (packages/)
         ├── ForeignRosError           a real ROS 2 is on the path, so the underlay must not shadow it
-        ├── SimulationError           the kernel was used wrongly (an internal bug)
+        ├── SimulationError           the kernel was used incorrectly (an internal bug)
         └── RunawayProgramError       a program kept its turn for too long
 
 Errors that ROS 2 itself raises keep ROS 2's types and messages; they are below `ros/python`.
@@ -75,11 +75,11 @@ class PackageError(UnusableInput):
 
 
 class ForeignRosError(EdulaunchError):
-    """A real ROS 2 installation is importable; the underlay refuses to shadow it."""
+    """A real ROS 2 installation can be imported. The underlay must not hide it."""
 
 
 class SimulationError(EdulaunchError):
-    """The kernel was used wrongly, such as to schedule an item in the past."""
+    """The kernel was used incorrectly, for example to schedule an item in the past."""
 
 
 class RunawayProgramError(EdulaunchError):

@@ -1,7 +1,8 @@
 """Update the catalogues of all languages: `python -m edulaunch.advice.catalogue`.
 
-A sentence is its own key. In `locale/LANGUAGE/LC_MESSAGES/advice.po` new sentences have no translation, and changed ones are
-marked `fuzzy`, which leaves them in English. For a new language, make the folder. Needs Babel (`pip install '.[dev]'`).
+A sentence is its own key. In `locale/LANGUAGE/LC_MESSAGES/advice.po`, new sentences have no translation. Changed sentences are
+marked `fuzzy`, so they are shown in English. For a new language, create the folder. The command needs Babel (`pip install
+'.[dev]'`).
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 HOUSE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 GRADER = os.path.join(os.path.dirname(HOUSE), 'grader')
 ROOMS = ('advice', 'desk')
-"""Of edulaunch: where `says('...')` is looked for."""
+"""Folders of edulaunch that are searched for `says('...')`."""
 REPORTS = (
     'checks',
     'edugrade/library',
@@ -33,15 +34,15 @@ REPORTS = (
     ),
     *(f'edugrade/reports/{name}.py' for name in ('terminal', 'wording')),
 )
-"""Of the grader: where every text that is a sentence may be told to a student."""
+"""Folders of the grader in which every string that is a sentence may be shown to a student."""
 _FIELD, _WORD = re.compile(r'\{\w*\}'), re.compile(r'(?<![\w/.{])[A-Za-z][a-z]+(?![\w(=])')
 _CODE = re.compile(r'^[\w=]*\w+\(.*\)$|^\w+\.[\w-]+$|^\n|\(\?!|\\')
-"""A call that is to be written as it stands, the name of a rule, a regular expression."""
+"""A call to be written unchanged, the name of a rule, or a regular expression."""
 _FIXED = datetime(2026, 1, 1, tzinfo=timezone.utc)
 
 
 def messages() -> dict[str, str]:
-    """Return every sentence with where it comes from: the rule, or the module."""
+    """Return every sentence with its origin: the rule, or the module."""
     found: dict[str, str] = {}
     for rule in all_rules().values():
         for text in (*rule.what, *rule.why, *rule.do):
@@ -156,7 +157,7 @@ def missing(language: str) -> list[str]:
 
 
 def read(language: str) -> Catalog:
-    """Return the catalogue of a language; empty when it is new."""
+    """Return the catalogue of a language. It is empty for a new language."""
     from babel.messages.catalog import Catalog
     from babel.messages.pofile import read_po
 

@@ -1,4 +1,4 @@
-"""Ask the rules, and return their findings: each finding once, and the worst first."""
+"""Apply the rules, and return their findings: each finding once, and the worst first."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording.records import ProcessRecord
 
 DIED = 'programs.died'
-"""Omitted for a program whose error another rule explains."""
+"""A rule whose finding is omitted for a program whose error another rule explains."""
 FAILS = 'launch.fails'
-"""Omitted if another rule explains the failure."""
+"""A rule whose finding is omitted if another rule explains the failure."""
 ODD = (ArithmeticError, AssertionError, AttributeError, EdulaunchError, LookupError, RecursionError, TypeError, ValueError)
-"""Errors of a rule on unexpected data. A timeout is not among them."""
+"""Errors that a rule raises for unexpected data. A timeout does not belong to them."""
 _LOOKUP_ERROR = re.compile(r'(Lookup|Connectivity|Extrapolation|InvalidArgument|Transform|Timeout)Exception')
-"""How the end of a program begins that died of a lookup."""
+"""Matches the error of a program that a failed lookup has ended."""
 MOST = 20
-"""Findings of one rule at most."""
+"""The maximum number of findings of one rule."""
 
 
 def judge(recording: Recording) -> list[Finding]:
@@ -59,7 +59,7 @@ ABSENT = frozenset(
     ('messages.unknown-package', 'packages.absent-module', 'packages.absent-package', 'programs.compiled-module')
     + ('programs.library', 'programs.native', 'programs.native-component', 'programs.unknown-module', 'programs.window')
 )
-"""A program that cannot run here: what it publishes, hears and offers is not known."""
+"""Rules about a program that cannot run here, whose endpoints are therefore unknown."""
 LONELY = frozenset(
     ('messages.bag-of-nothing', 'messages.no-joint-states', 'messages.no-server', 'messages.nobody-listens')
     + ('messages.nobody-publishes', 'messages.other-topic', 'time.no-clock')
@@ -108,7 +108,7 @@ def about_command(findings: list[Finding], recording: Recording) -> list[Finding
 
 
 _WHO = ('node', 'other', 'process', 'first', 'second', 'asker', 'nodes')
-"""Facts that name a node or a program, or several."""
+"""Facts that contain the name of a node or program, or several names."""
 
 
 def _named(finding: Finding) -> set[str]:
@@ -160,7 +160,7 @@ def judge_sources(path: str) -> list[Finding]:
 
 
 def judge_workspace(workspace: Workspace) -> list[Finding]:
-    """Return the mistakes in a workspace that was read already."""
+    """Return the mistakes in a workspace that has already been read."""
     found = _asked('workspaces', workspace)
     for source in (one for one in workspace.sources if not one.is_of_ros_1):
         found += _asked('sources', source)

@@ -1,8 +1,8 @@
 """The reader's language, folder and notebook, and the translation of finished English sentences.
 
 To translate a finished sentence, the templates of a catalogue are matched against it. Reports are created and stored in English,
-so a rubric does not depend on languages. `'{thing} is missing'` finds the facts of 'the frame laser is missing' again, and they
-go into the other language's template. Facts that are sentences themselves are translated, too.
+so a rubric does not depend on languages. From 'the frame laser is missing', the template `'{thing} is missing'` recovers the
+facts, which are then put into the other language's template. Facts that are sentences themselves are translated, too.
 """
 
 from __future__ import annotations
@@ -65,10 +65,10 @@ def reader_of(env: Mapping[str, str], folder: str) -> Reader:
 
 
 def language_of(env: Mapping[str, str]) -> str:
-    """Return the language that environment variables choose: `EDULAUNCH_LANG`, else as gettext does.
+    """Return the language that environment variables select: `EDULAUNCH_LANG`, or otherwise the one that gettext would use.
 
-    The locale is the first that is set of `LC_ALL`, `LC_MESSAGES` and `LANG`. `LANGUAGE` lists languages by preference; as for
-    gettext it counts only where the locale is not `C` or `POSIX`. The first language with a catalogue is chosen.
+    The locale is the first value among `LC_ALL`, `LC_MESSAGES` and `LANG`. `LANGUAGE` lists languages by preference. As in
+    gettext, it counts only if the locale is not `C` or `POSIX`. The first language with a catalogue is selected.
     """
     locale = next(filter(None, (env.get(name) for name in ('LC_ALL', 'LC_MESSAGES', 'LANG'))), 'C')
     wanted = [locale] if _plain_name(locale) in ('C', 'POSIX') else [*env.get('LANGUAGE', '').split(':'), locale]
@@ -125,7 +125,7 @@ def catalogue_file(language: str) -> str:
 def translations(language: str) -> dict[str, str]:
     """Return the translation of each English sentence; {} for a language without a catalogue.
 
-    :param language: such as 'de' or 'de_AT'; the catalogue of 'de' serves a country that has none of its own.
+    :param language: such as 'de' or 'de_AT'; the catalogue of 'de' is used for a country without its own catalogue.
     """
     for name in (language, language.partition('_')[0]):
         if os.path.isfile(catalogue_file(name)):
@@ -166,18 +166,18 @@ def _retelling(language: str) -> Retelling:
 
 _BARE = re.compile(r'\{(\w+)[^{}]*\}')
 LONGEST = 2000
-"""Characters: a longer text is a program's output, not a sentence of ours."""
+"""The maximum number of characters of a sentence. A longer string is the output of a program."""
 DEEPEST = 3
 LEAST = 8
-"""One letter of so many has to stand in templates: else it is somebody else's sentence with a word of ours in it."""
+"""At least one letter in this many must match templates. Otherwise, the sentence is not one of edulaunch's."""
 MOST_TRIES = 500
-"""Facts that are looked at in one text: whoever writes one that fits everywhere gets it back as it is."""
+"""The maximum number of facts to try for one string. A string that exceeds it is returned unchanged."""
 
 
 _WORD = re.compile(r"(?<![\w/.:'\"-])[A-Za-z][a-z]+(?![\w/.:'\"=(-])")
-"""A word of a sentence, and not a part of a name, a path, a call or a quotation."""
+"""A word of a sentence, but not a part of a name, a path, a call or a quotation."""
 MOST_WORDS = 2
-"""Plain words in facts without a translation, beyond those of the template: more of them make a sentence of two languages."""
+"""The maximum number of plain words in facts without a translation. With more, the sentence would mix two languages."""
 
 
 class _Pattern(NamedTuple):

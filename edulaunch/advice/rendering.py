@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 MOST_NAMES = 12
 MOST_SHOWN = 5
-"""Findings shown at the end of a run at most."""
+"""The maximum number of findings that are shown at the end of a run."""
 
 
 class Rendered(NamedTuple):
@@ -129,9 +129,7 @@ def help_below(error: dict[str, Any], env: Mapping[str, str]) -> str | None:
 
 
 def help_of(error: dict[str, Any]) -> str | None:
-    """Return one line of help for an error given as data: the mistake and what to do, in the language of who started this
-    program.
-    """
+    """Return one line of help for an error given as data: the mistake and what to do, in the language of the program's user."""
     file, line = error.get('place') or (None, None)
     return help_text(Failure(error['type'], error['message'], file, line, facts=error['facts']))
 

@@ -21,8 +21,7 @@ class Finding(NamedTuple):
     :ivar kind: the kind of thing that has the mistake: 'node', 'topic', 'service', 'frame', 'process', 'parameter', 'file',
         'package', 'turtle'.
     :ivar name: the name of that thing: '/listener', '/turtle1/cmd_vel', 'carrot1', 'listener-2'.
-    :ivar facts: what the sentences of the rule need beside `kind` and `name`: strings, numbers or lists of strings, or None
-        if unknown.
+    :ivar facts: the other facts that the sentences of the rule need: strings, numbers or lists of strings, or None if unknown.
     :ivar file: the student's file with the mistake, if there is one, and the line.
     :ivar time_s: the time of the mistake in simulated seconds since the start, if it has one.
     :ivar rule: the rule that found it, such as 'tf.unknown-frame'. The judge sets it.
@@ -48,16 +47,18 @@ def found(
 
 GROUPS = ('launch', 'programs', 'messages', 'packages', 'tf', 'time', 'turtlesim', 'grader')
 LEVELS = ('error', 'warning', 'info')
-"""Worst first: it does not work; it works by luck or not as written; worth knowing."""
+"""The levels, worst first: it does not work; it works only by chance or not as written; it is worth knowing."""
 CONFIDENCES = ('stated', 'asked')
-"""A rule that states is sure. One that asks may be wrong about what was meant: its sentence is a question or says 'if'."""
+"""A rule that states is certain. A rule that asks may be wrong about the intention, so its sentence is a question or contains
+'if'.
+"""
 
 Sentence = str | tuple[str, ...]
-"""A template with the facts in braces, as `str.format` has them; of several the first counts whose facts are all known."""
+"""A template with facts in braces, as for `str.format`. Among several, the first one whose facts are all known counts."""
 
 
 EditForm = tuple[str, str, str]
-"""Templates of what is written and of what belongs there, and where that is: 'word', or 'import' for a line among the imports."""
+"""Templates of the wrong and the correct text, and the place of the edit: 'word', or 'import' for a line among the imports."""
 
 
 class Rule(NamedTuple):
@@ -97,8 +98,8 @@ def rule(
     :param name: 'group.what-is-wrong'; the group is one of :data:`GROUPS`.
     :param lesson: the lesson that explains it: '09_broadcaster_and_listener'.
     :param hides: rules whose findings are consequences of this one, and are left out if it has a finding.
-    :param edits: the edits that are certain to be the cure, each as (old, new) or (old, new, place), with the facts in braces.
-        The first one counts whose facts are all known. An `old` that occurs more than once in the line gives no edit.
+    :param edits: the edits that certainly correct the mistake, each as (old, new) or (old, new, place), with facts in braces. The
+        first edit whose facts are all known counts. If `old` occurs more than once in the line, there is no edit.
     """
     assert name.partition('.')[0] in GROUPS and level in LEVELS and confidence in CONFIDENCES, name
 
@@ -138,7 +139,9 @@ def failure_of(error: BaseException) -> Failure:
 
 
 KINDS = ('errors', 'plans', 'recordings', 'scripts', 'sources', 'workspaces')
-"""What rules look at, each a folder: a Failure, a Rehearsal, a Recording, launch files as syntax trees, a Source, a Workspace."""
+"""The kinds of subjects of rules, each with a folder: a Failure, a Rehearsal, a Recording, launch files as syntax trees, a
+Source, a Workspace.
+"""
 
 
 _loaded: dict[str, Rule] = {}

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 Script = tuple[str, ast.Module]
 LONGEST = 400_000
-"""Bytes of a file that is parsed; nobody writes more by hand."""
+"""The maximum size, in bytes, of a file that is parsed. Files written by hand are smaller."""
 
 
 def launch_scripts(recording: Recording) -> list[Script]:

@@ -18,9 +18,9 @@ Place = tuple[str | None, int | None]
 NOWHERE: Place = (None, None)
 _ORIGIN = re.compile(r'(.+) line (\d+)')
 INTERRUPTS = ('KeyboardInterrupt', 'ExternalShutdownException')
-"""How a program ends by Ctrl-C: no mistake of its own."""
+"""Exit codes of a program that Ctrl-C has ended, which is not a mistake of the program."""
 ROS_OWN = ('/parameter_events', '/rosout', '/clock', '/tf', '/tf_static')
-"""Topics that every node has, or that rules of their own look at."""
+"""Topics that every node has, or that have their own rules."""
 
 
 @lru_cache(maxsize=1)
@@ -108,7 +108,7 @@ def asking_place(recording: Recording, node: str, name: str) -> Place:
 
 
 def origin_place(recording: Recording, process: str | None, origin: str) -> Place:
-    """Return the place in the origin of a parameter ('a.launch.py line 4'), or else where the program was started."""
+    """Return the place in the origin of a parameter ('a.launch.py line 4'), or else the place where the program was started."""
     started = places(recording).get(process or '', NOWHERE)
     match = _ORIGIN.fullmatch(origin)
     if match is None:
@@ -148,7 +148,7 @@ def is_ros_own(name: str, nodes: tuple[str, ...] = ()) -> bool:
 TF_TYPE = 'tf2_msgs/msg/TFMessage'
 TINY = 1e-9
 CLOCK_NS = 3_000_000_000
-"""Further from the moment of broadcast no stamp is."""
+"""The largest plausible difference between a stamp and the time of the broadcast."""
 
 
 class Broadcasts:

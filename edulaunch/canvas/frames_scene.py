@@ -166,9 +166,9 @@ def limits_of(marks: list[FrameMark]) -> tuple[float, float, float, float]:
 
 
 class FrameTracks:
-    """Return all transforms of a recording by child frame, in order of publication.
+    """All transforms of a recording by child frame, in order of publication.
 
-    As in tf2, a static transform replaces earlier ones, and of dynamic ones the newest counts.
+    As in tf2, a static transform replaces earlier ones. Among dynamic transforms, the newest one counts.
     """
 
     def __init__(self, recording: Recording) -> None:

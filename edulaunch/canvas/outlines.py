@@ -66,8 +66,9 @@ def outline_of(description: str) -> list[Part]:
 
 
 def outline_of_footprint(text: str) -> list[Part]:
-    """Return a footprint from a parameter of navigation, '[[0.2, 0.1], [-0.2, 0.1], ...]' or a radius, or [] for another
-    value."""
+    """Return the polygon of a navigation parameter: '[[0.2, 0.1], [-0.2, 0.1], ...]' or a radius, in metres. Return [] for
+    another value.
+    """
     try:
         given = json.loads(text)
         corners = _circle(float(given)) if isinstance(given, (int, float)) else [(float(x), float(y)) for x, y in given]

@@ -120,8 +120,7 @@ def thinned(points: list[Point], tolerance_m: float = 0.002) -> list[Point]:
     """Return the line with fewer points: no removed point is further than the tolerance from the remaining line.
 
     From the last kept point, each further point allows a cone of directions. A line can continue while its cones share a
-    direction
-    and it does not turn back.
+    direction and it does not turn back.
     """
     kept = [points[0]]
     (x0, y0), low, high, reach, axis = points[0], -math.inf, math.inf, 0.0, 0.0

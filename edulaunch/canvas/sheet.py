@@ -84,7 +84,7 @@ def place_labels(
 
 
 def _places(x: float, y: float, width: float, height: float, distance: float) -> list[tuple[float, Box]]:
-    """Yield boxes around a point in rings of growing distance, as (cost of the distance, box)."""
+    """Return boxes around a point in rings of growing distance, as (cost of the distance, box)."""
     places: list[tuple[float, Box]] = []
     for ring in range(4):
         reach = distance + ring * (height / 2 + 1)

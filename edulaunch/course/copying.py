@@ -146,7 +146,7 @@ class Copied(NamedTuple):
 def copy_files(files: Mapping[str, bytes], target: str, *, update: bool = False) -> Copied:
     """Write the files to a folder. An existing file that differs stays, unless it equals an earlier copy.
 
-    :param update: keep the files that the student changed, and write the others; without it, refuse the whole copy.
+    :param update: keep the files that the student changed, and write the others; without it, reject the whole copy.
     :raises UnusableInput: when the student changed files and `update` is not set; then nothing is written. Also when a file
         cannot be read or written.
     """

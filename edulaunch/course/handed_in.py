@@ -1,7 +1,7 @@
 """Read the progress files of a class: untrusted files from a shared drive, home folders or clones.
 
-No code of a student runs. Links are not followed. A file that is too large, or does not come from `check()`, is refused with
-a fixed reason, and does not affect other students.
+No code of a student runs. Links are not followed. A file that is too large, or does not come from `check()`, is rejected with a
+fixed reason, and does not affect other students.
 """
 
 from __future__ import annotations

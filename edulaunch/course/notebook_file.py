@@ -31,7 +31,7 @@ class Cell(NamedTuple):
     :ivar ident: its id; empty in a notebook older than version 4.5.
     :ivar kind: one of `KINDS`.
     :ivar source: its text.
-    :ivar outputs: the outputs that are stored in it, as Jupyter's format has them; only code cells have some.
+    :ivar outputs: the outputs that are stored in it, in Jupyter's format; only code cells have outputs.
     :ivar counted: whether it has an execution count.
     """
 
@@ -78,7 +78,7 @@ def parse_notebook(data: bytes, path: str) -> Notebook:
 
 
 class _Wrong(Exception):
-    """What is wrong with a notebook, as the end of a sentence."""
+    """A problem of a notebook. The message is the end of a sentence."""
 
 
 def _notebook(data: bytes) -> Notebook:

@@ -4,6 +4,6 @@
 `machine/` is the simulated machine that terminals and notebooks share: a server, its clients, and the connection between them.
 `view/` is the live view: the page that shows turtles, frames, graph and numbers of a run. `notebook/` has the magics.
 `facade.py` is what `import edulaunch` offers.
-It may import every wing but `extras`, `course` and the grader; start reading with `cli/main.py` and `machine/server.py`.
+It may import every wing except `extras`, `course` and the grader; start reading with `cli/main.py` and `machine/server.py`.
 An import is inside a function only if most uses of the module do not need it.
 """

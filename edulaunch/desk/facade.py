@@ -1,6 +1,7 @@
-"""What `import edulaunch` offers: each public name is loaded when it is first used, and the wings get to know each other here.
+"""The public names of `import edulaunch`. Each is loaded when it is first used. This module also connects the wings.
 
-`edulaunch/__init__.py` hands on `__getattr__` and `__dir__`. Every import of edulaunch loads this module, so it imports little.
+`edulaunch/__init__.py` uses `__getattr__` and `__dir__` of this module. Every import of edulaunch loads this module, so it
+imports little.
 """
 
 from __future__ import annotations
@@ -49,7 +50,7 @@ def _load_view(name: str) -> None:
     elif name == 'replay':
         import edulaunch.desk.view.replay
     else:
-        import edulaunch.advice.rendering  # noqa: F401  # what is imported here registers itself
+        import edulaunch.advice.rendering  # noqa: F401  # the imported modules register themselves
 
 
 def _ros2(process: Any) -> Any:

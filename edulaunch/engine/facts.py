@@ -1,6 +1,6 @@
 """Facts about an error beyond its message, as plain data. `edulaunch.advice` turns them into sentences.
 
-The module belongs to no room of the engine: the processes, the graph and ROS's packages attach facts, and each recording keeps
+The module belongs to no package of the engine, because processes, the graph and ROS's packages attach facts, and recordings store
 them.
 """
 

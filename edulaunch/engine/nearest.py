@@ -1,6 +1,6 @@
 """The nearest match among known names, for "did you mean" lines.
 
-The module is in no room of the engine, because all wings use it.
+The module is in no package of the engine, because all wings use it.
 """
 
 from __future__ import annotations

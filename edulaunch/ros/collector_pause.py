@@ -8,7 +8,7 @@ from contextlib import contextmanager
 
 MANY = 10_000
 MOST_UNSEEN = 500_000
-"""So much may be made in pauses before the collector looks at all of it: two plans of a thousand nodes."""
+"""The number of objects that may be created in pauses before a collection examines all of them: two plans of a thousand nodes."""
 
 
 class _Unseen:

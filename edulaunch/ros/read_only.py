@@ -9,10 +9,11 @@ T = TypeVar('T')
 
 
 class ReadOnly(Generic[T]):
-    """A property `name` that returns the private attribute `__name` of its class. As upstream, setting it raises AttributeError.
+    """A property `name` that returns the private attribute `__name` of its class. As in upstream, setting it raises
+    AttributeError.
 
-    :param doc: what it is.
-    :param path: what it gives instead, behind `self.`.
+    :param doc: the docstring of the property.
+    :param path: the attribute of `self` to return instead, which may be dotted.
     """
 
     def __init__(self, doc: str, path: str | None = None) -> None:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 _INDEXES: list[Index] = []
-"""Of the workspaces that were sourced: their generated prefixes stand as long as these objects."""
+"""The indexes of the sourced workspaces. Their generated prefixes exist as long as these objects."""
 
 
 def source(workspaces: Sequence[str | os.PathLike[str]] = ()) -> None:

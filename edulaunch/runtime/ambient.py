@@ -31,7 +31,7 @@ CLOCKS = frozenset(map(id, (time, datetime, datetime.datetime, *filter(callable,
 def script_sees_the_clock() -> bool:
     """Return whether the script that first uses ROS reads the real clock.
 
-    The result is False in tests and notebooks, whose code is not a script: there, simulated time passes as fast as possible.
+    The result is False in tests and notebooks, whose code is not a script. There, simulated time passes as fast as possible.
     """
     main = getattr(sys.modules.get('__main__'), '__file__', None)
     if main is None or not is_own(main):
@@ -59,7 +59,9 @@ class AmbientProcess(Process):
         target.flush()
 
     def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
-        """Start a thread as every program does; a real thread starts a real one, which runs independently of the main thread."""
+        """Start a simulated thread of the program. If a real thread calls this method, start a real thread that runs
+        independently.
+        """
         if current_task().is_real_thread:
             return start_real_thread(body, name)
         return super().start_thread(body, name, daemon, at_once=at_once)

@@ -26,7 +26,7 @@ class Ending:
     """While active, the first signal of `ENDING` makes a run stop between two steps; a second one raises KeyboardInterrupt.
 
     Without it, Python would end immediately and lose the recording. Signals that are ignored (`nohup`) or have another handler do
-    not change, and outside the main thread none changes.
+    not change. Outside the main thread, no signal changes.
 
     :param stop: called at the first signal.
     :ivar came: the first signal that arrived, or None.
@@ -61,7 +61,7 @@ class Ending:
             raise KeyboardInterrupt
 
     def text(self, elapsed_s: float) -> str:
-        """Return which signal ended the run, and when in simulated seconds."""
+        """Return a message with the signal that ended the run, and the simulated seconds."""
         return f'{signal.Signals(self.came or 0).name} ended the run at {elapsed_s:.2f} s of simulated time'
 
 

@@ -1,7 +1,7 @@
 """Save the recording of a run that C code ends, or that is killed because a call of C code never returns.
 
-Python runs its handlers of signals only between two steps of its interpreter. The system runs a handler that ctypes makes at
-once, in the middle of other code, whose data may be inconsistent. So only a process that ends in any case gets such a handler.
+Python runs its handlers of signals only between two steps of its interpreter. A handler that ctypes creates runs immediately, in
+the middle of other code, whose data may be inconsistent. So only a process that is going to end gets such a handler.
 """
 
 from __future__ import annotations

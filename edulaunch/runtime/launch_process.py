@@ -1,4 +1,4 @@
-"""`ros2 launch` as a process of the simulation, and how its failure is reported."""
+"""`ros2 launch` as a process of the simulation, and the reports about its failures."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Explanation(NamedTuple):
 
 
 class LaunchRun:
-    """One `ros2 launch` in the simulation: the process, its arguments, and how it ended."""
+    """One `ros2 launch` in the simulation: the process, its arguments, and its outcome."""
 
     def __init__(
         self,
@@ -77,7 +77,7 @@ class LaunchRun:
                 program.send_signal(signal.SIGINT)
 
     def _main(self, process: Process) -> int:
-        """Return the main program of `ros2 launch FILE name:=value ...`; return launch's own return code."""
+        """Run `ros2 launch FILE name:=value ...`; return launch's own return code."""
         from launch import LaunchDescription, LaunchService
         from launch.actions import IncludeLaunchDescription
         from launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
@@ -114,7 +114,7 @@ class LaunchRun:
 
 
 def explain(error: BaseException, index: Index) -> Explanation:
-    """Return an exception from a launch file as a message for people; places are in the student's own files."""
+    """Return an exception from a launch file as an explanation for people. Its places are in the student's own files."""
     from launch._failure import failure_data
 
     data = failure_data(error, index)

@@ -79,7 +79,7 @@ class Plugin(NamedTuple):
 
 
 class Provider(NamedTuple):
-    """The plug-in of edulaunch that provides something, and how to install it."""
+    """The plug-in of edulaunch that provides a feature, and how to install it."""
 
     plugin: str
     install: str
@@ -260,7 +260,7 @@ def function(place: str) -> Any:
 
 
 def _lacking(name: str) -> str:
-    """Return the plug-in itself, or the missing one that it needs."""
+    """Return the plug-in, or a missing plug-in that it needs."""
     found = next((_loaded(entry) for entry in entries() if entry.name == name), None)
     lacking = [need for need in found.needs if not is_here(need)] if found is not None else []
     return lacking[0].rpartition('.')[2] if lacking else name

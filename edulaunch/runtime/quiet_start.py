@@ -15,7 +15,7 @@ LOADING_FAULTS = ('failed to map segment', 'Cannot allocate memory', 'Too many o
 
 
 def run_quietly(module: str, name: str, broken: int = UNUSABLE) -> int:
-    """Load a command and run it. While it loads, Ctrl-C ends the process at once and without a traceback.
+    """Load a command and run it. While it loads, Ctrl-C ends the process immediately and without a traceback.
 
     :param broken: the exit code when the command cannot be loaded, because this computer has no memory or descriptors left.
     """
@@ -37,7 +37,7 @@ def _loaded(module: str, name: str) -> Callable[[], int]:
     before = signal.getsignal(signal.SIGINT)
     if before is signal.default_int_handler:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
-    gc.disable()  # modules leave little to collect: this takes a tenth less time
+    gc.disable()  # without garbage collection, this takes a tenth less time
     try:
         command: Callable[[], int] = getattr(import_module(module), name)
         return command

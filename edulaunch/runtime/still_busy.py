@@ -18,7 +18,7 @@ class StillBusy:
     """A context in which :meth:`press` starts the timer, and the end of the run stops it.
 
     The signal also arrives inside a call of C code that checks signals, such as a slow regular expression, where no thread runs.
-    On systems without such a signal, nothing happens. The message goes to the error stream of the beginning.
+    On systems without such a signal, nothing happens. The message goes to the error stream that existed when the context began.
     """
 
     def __init__(self) -> None:

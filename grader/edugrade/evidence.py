@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
 
 _AT_THE_LIMIT = re.compile(r'of\sreal\stime$')
-# The text of a run that was stopped because it took too long ends so. A pattern, and not a second sentence to translate.
+# The end of the message of a run that was stopped because it took too long. As a pattern, it needs no translation.
 
 
 class Scenario(NamedTuple):
@@ -178,7 +178,7 @@ def written_text(described: str) -> str:
 class Failure(Exception):
     """A check raises this when the submission does not do what the sentence of the check says.
 
-    :param rationale: one sentence that says what is wrong, with names and values.
+    :param rationale: one sentence that states what is wrong, with names and values.
     :param expected: what the check looked for, in words or as a value.
     :param seen: what it found instead.
     :param where: (file, line) of the launch action or the file to change.

@@ -105,7 +105,7 @@ def _text_of(outcome: Outcome) -> str:
         with suppress(Exception):  # a hostile recording can make the reader raise any exception
             programs = outcome.recording.processes
             texts += [json.dumps(program.exception, default=str) for program in programs if program.exception is not None]
-            # launch says there which program it could not start, and for what error
+            # launch's message names the program that it could not start, and the error
             texts += [log.message for log in outcome.recording.logs if log.process == 'launch' and log.level >= 40]
     return '\n'.join(text for text in texts if isinstance(text, str))[:_LONGEST_LOOK]
 

@@ -50,7 +50,7 @@ class InPlace:
     def add(
         self, submission: Submission, scenarios: Sequence[Scenario], workspaces: Sequence[str] = (), is_next: bool = False
     ) -> GradingJob:
-        """Ask for the runs of a submission; as `Runner.add`."""
+        """Request the runs of a submission, as `Runner.add` does."""
         job = GradingJob(scenarios)
         self._given[id(job)] = submission, [os.path.abspath(folder) for folder in (*workspaces, *submission.workspaces)]
         return job
@@ -115,7 +115,7 @@ def _bags(session: Session, outcome: Outcome, home: str) -> list[dict[str, Any]]
 
 @contextmanager
 def _folder() -> Iterator[str]:
-    """Make a private folder and enter it; afterwards, restore the modules and search paths of this process."""
+    """Create a private folder and enter it; afterwards, restore the modules and search paths of this process."""
     import shutil
     import tempfile
 

@@ -26,10 +26,10 @@ class Limits(NamedTuple):
     :param memory_mib: address space.
     :param output_mib: size of its output.
     :param recording_mib: size of its recording.
-    :param sandbox: 'auto' confines as far as the system can, 'require' refuses runs that are not fully confined, and 'off'
-        limits only time and memory.
-    :param turn_s: processor time of one turn of a program. A single call into C may take two and a half times as long.
-        Exercises need a hundredth of it, and a class waits for each endless loop.
+    :param sandbox: 'auto' confines as far as the system can, 'require' refuses runs that are not fully confined, and 'off' limits
+        only time and memory.
+    :param turn_s: processor time of one turn of a program. A single call into C may take two and a half times as long. The limit
+        is short, because each endless loop delays a class; exercises need a hundredth of it.
     """
 
     wall_s: float = 30.0

@@ -70,7 +70,7 @@ def edugrade_parser() -> argparse.ArgumentParser:
 
 
 def _epilog() -> str:
-    """Return examples, the commands that plug-ins bring, and the exit codes."""
+    """Return examples, the commands that plug-ins add, and the exit codes."""
     from edulaunch.runtime import plugins
 
     verbs = sorted(plugins.grading_verbs().items())

@@ -1,5 +1,5 @@
-"""The plug-in with which the grader adds to edulaunch: `edulaunch.check`, completion of `edugrade`, and the verbs that every
-grader has.
+"""The grader as a plug-in of edulaunch: it adds `edulaunch.check`, completion of `edugrade`, and the verbs that every grader
+has.
 """
 
 from __future__ import annotations

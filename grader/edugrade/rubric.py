@@ -24,7 +24,7 @@ class Check(NamedTuple):
     :param name: the name of the function, which identifies the check in the JSON report.
     :param sentence: the sentence that the student reads.
     :param points: the points for passing the check.
-    :param needs: checks that must pass before this one can say anything useful.
+    :param needs: checks that must pass before the result of this one is useful.
     """
 
     name: str
@@ -38,9 +38,9 @@ class Check(NamedTuple):
 
 
 def check(*, points: int = 0, needs: Sequence[Check] = ()) -> Callable[[CheckFunction], Check]:
-    """Make a check of a function; the first line of its docstring is the sentence that the student sees.
+    """Make a function a check. The first line of its docstring is the sentence that the student sees.
 
-    :raises ValueError: the function has no docstring, or the points are negative.
+    :raises ValueError: when the function has no docstring, or the points are negative.
     """
 
     def make(function: CheckFunction) -> Check:

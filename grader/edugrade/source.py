@@ -36,7 +36,7 @@ def shipped_program(package: str, executable: str) -> str:
 
 
 def comes_with_edulaunch(package: str) -> bool:
-    """Return whether edulaunch brings a package of this name."""
+    """Return whether edulaunch contains a package of this name."""
     return os.path.isdir(os.path.join(engine_folder(), 'ros', 'share', package))
 
 

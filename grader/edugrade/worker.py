@@ -35,7 +35,7 @@ Attend = Callable[[int, float], bool]
 
 _attending: list[Attend] = []
 _to_load: list[str] = []
-"""What the last workers had to load, for the next one."""
+"""The modules that the last workers had to load, for the next worker."""
 
 
 class Exceeded(Exception):
@@ -162,7 +162,7 @@ def _own(known: set[str]) -> list[str]:
 
 
 def _types() -> list[str]:
-    """Return the stock types whose classes were made in this process."""
+    """Return the stock types whose classes were created in this process."""
     registry = sys.modules.get(REGISTRY)
     return [cls.TYPE for cls in registry.underlay_registry().classes() if hasattr(cls, 'TYPE')] if registry else []
 

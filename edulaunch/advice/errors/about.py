@@ -26,6 +26,6 @@ def about(
 
 
 def report(failure: Failure, **facts: Any) -> Finding:
-    """Return a finding about an error, with the facts that came with it and further ones."""
+    """Return a finding about an error, with the facts of the error and the facts that the rule adds."""
     kind, name = ('process', failure.process) if failure.process else ('file', os.path.basename(failure.file or ''))
     return Finding(kind, name or '', {**failure.facts, **facts}, failure.file, failure.line, failure.time_s)

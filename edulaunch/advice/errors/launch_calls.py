@@ -31,7 +31,7 @@ OLD_KEYWORDS = {
     'command': 'cmd',
     'func': 'function',
 }
-"""Of ROS 1, of older ROS 2, and of XML."""
+"""Keyword arguments of ROS 1, of older ROS 2, and of XML, with their current names."""
 
 
 @rule(
@@ -121,7 +121,7 @@ def component_is_node(failure: Failure) -> Iterator[Finding]:
     edits=(('{near}=', '{needed}='),),
 )
 def missing_keyword(failure: Failure) -> Iterator[Finding]:
-    """Report a missing argument. Actions pass unknown arguments on, so a misspelt one shows only as a missing one."""
+    """Report a missing argument. Actions pass unknown arguments on, so a misspelt argument is reported only as a missing one."""
     match = re.match(r"(\w+)\.__init__\(\) missing \d+ required (?:keyword-only|positional) arguments?: '(\w+)'", failure.message)
     cls = class_named(match[1]) if match is not None else None
     if match is not None and cls is not None and failure.process is None:
@@ -181,7 +181,7 @@ def not_a_text(failure: Failure) -> Iterator[Finding]:
     edits=(('{argument}={value}', '{argument}={as_float}'),),
 )
 def wrong_type(failure: Failure) -> Iterator[Finding]:
-    """Report an argument that the type check of launch refuses."""
+    """Report an argument that the type check of launch rejects."""
     match = re.search(
         r"xpected '(\w+)' to be one of \[(.*)\], but got '(.*)' of type '<class '(.*)'>'", failure.message, re.DOTALL
     )
@@ -348,7 +348,7 @@ def number_wanted(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def text_is_bytes(failure: Failure) -> Iterator[Finding]:
-    """`'ready' in event.text` in a handler of OnProcessIO."""
+    """Report code such as `'ready' in event.text` in a handler of OnProcessIO."""
     match = re.match(
         'a bytes-like object is required|argument should be integer or bytes-like|.*must be bytes or', failure.message
     )

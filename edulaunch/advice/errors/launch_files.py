@@ -257,7 +257,7 @@ def no_module(failure: Failure) -> Iterator[Finding]:
 
 
 EXTRAS = {'xacro': 'urdf', 'urdf_parser_py': 'urdf', 'rosbags': 'bags'}
-"""Modules that an extra of edulaunch brings."""
+"""Modules that belong to an extra of edulaunch."""
 
 
 def misspelt(module: str) -> str | None:

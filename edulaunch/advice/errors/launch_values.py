@@ -116,7 +116,7 @@ def condition_value(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def namespace(failure: Failure) -> Iterator[Finding]:
-    """Report a namespace that ROS 2 refuses."""
+    """Report a namespace that ROS 2 rejects."""
     if failure.message.startswith('The resulting namespace is invalid'):
         yield report(failure)
 

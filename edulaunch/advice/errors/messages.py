@@ -26,7 +26,9 @@ from edulaunch.engine.nearest import nearest_spelling
     edits=(('.{field}', '.{near}', 'near'),),
 )
 def field(failure: Failure) -> Iterator[Finding]:
-    """Report a field that a message does not have. In do_transform_point(), the caller passed only a part of the message."""
+    """Report a field that a message does not have. If do_transform_point() raises the error, the caller passed only a part of the
+    message.
+    """
     if failure.facts.get('about') == 'messages.field':
         called = re.search(r'\b(do_transform_\w+)\(', linecache.getline(failure.file or '', failure.line or 0))
         yield report(failure, transform=called[1] if called else None)
@@ -119,7 +121,7 @@ HOMES = {
     'nav_msgs.msg': 'Odometry',
     'turtlesim.srv': 'Kill SetPen Spawn TeleportAbsolute TeleportRelative',
 }
-"""What tutorials import, by where it is. Pose is that of geometry_msgs: who wants turtlesim's sees at once which one came."""
+"""Names that tutorials import, by module. Pose is that of geometry_msgs. A user of turtlesim's Pose notices the difference."""
 _HOME_OF = {name: home for home, names in HOMES.items() for name in names.split()}
 
 

@@ -15,7 +15,7 @@ from edulaunch.advice.rule import Failure, Finding, rule
 from edulaunch.advice.run_sources import keyword_of, name_of_call, script_of
 
 MODELS = {'TURTLEBOT3_MODEL': 'burger', 'LINOROBOT2_BASE': '2wd', 'LDS_MODEL': 'LDS-01'}
-"""What tutorials set."""
+"""Values that tutorials set."""
 LONGEST = 200_000
 
 
@@ -220,7 +220,7 @@ ELSEWHERE = {
     'Time': 'rclpy.time',
     'remove_ros_args': 'rclpy.utilities',
 }
-"""Names that are looked for in `rclpy` itself, and the modules that have them."""
+"""Names that programs expect in `rclpy` itself, with the modules that contain them."""
 
 
 @rule(

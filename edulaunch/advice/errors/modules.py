@@ -28,7 +28,7 @@ UNKNOWN_MODULE = about(
     edits=(('{module}', '{near}', 'near'),),
 )
 NEWER = {'turtlesim_msgs': 'turtlesim'}
-"""Packages of interfaces of newer versions of ROS 2, and where Jazzy has these interfaces."""
+"""Packages of interfaces in newer versions of ROS 2, and the packages in which Jazzy has these interfaces."""
 
 
 @rule(

@@ -133,7 +133,7 @@ def indentation(failure: Failure) -> Iterator[Finding]:
 
 
 def _simple(name: str, pattern: str, what: str, do: str, unless: str = r'(?!)') -> Rule:
-    """Return a rule that explains an error message of Python in one sentence, unless the line has something of that pattern."""
+    """Return a rule that explains an error message of Python in one sentence, unless the line matches the pattern `unless`."""
 
     def look(failure: Failure) -> Iterator[Finding]:
         if _matched(failure, pattern) and not re.search(unless, getline(failure.file or '', failure.line or 0)):

@@ -27,7 +27,7 @@ FORMS = (
     (r'parameter must be instance of type', "set_parameters([Parameter('speed', value=0.4)])"),
     (r'incompatible function arguments: a name must be a str, not (?:method|function)', 'create_service(Type, name, callback)'),
 )
-"""The beginning of Python's message, with the name of what was called, and how the call is written."""
+"""For each called function, the beginning of Python's message, and the correct form of the call."""
 LAUNCH_FORMS = (
     (r'LaunchDescription\.(add_action)\(\) takes 2 positional', '{}(action) once for each action'),
     (r'(generate_launch_description)\(\) missing \d+ required', 'def {}() without parameters'),

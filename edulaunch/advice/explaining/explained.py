@@ -102,7 +102,7 @@ class Explanation(Tree):
     def system(self, earlier: Recording | None = None) -> System:
         """Return the nodes, endpoints and frames that the launch file plans; see :mod:`edulaunch.advice.explaining.systems`.
 
-        :param earlier: a run of it, whose nodes have the endpoints that they had there.
+        :param earlier: an earlier run, from which its nodes get their endpoints.
         """
         from edulaunch.advice.explaining.systems import planned_system
 
@@ -116,7 +116,7 @@ class Explanation(Tree):
     def why(self, name: str, parameter: str | None = None) -> Reason:
         """Return why a node's parameter, or a launch argument, has the value it has.
 
-        :param name: of a node ('/sim'); without `parameter` also of a launch argument.
+        :param name: the name of a node ('/sim'). Without `parameter`, it may also be the name of a launch argument.
         :raises UnusableInput: if that name does not exist; the error has the nearest name.
         """
         from edulaunch.advice.explaining.reasons import reasons

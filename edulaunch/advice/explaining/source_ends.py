@@ -24,7 +24,7 @@ MAKERS = {
     'ActionServer': ('service', 1, 2),
     'ActionClient': ('client', 1, 2),
 }
-"""Of each call: the kind of endpoint, and the positions of its type and its name."""
+"""For each call, the kind of the endpoint, and the positions of its type and its name."""
 KEYWORDS = {
     'create_publisher': 'topic',
     'create_subscription': 'topic',
@@ -41,7 +41,7 @@ PASSED_ON = ('get_parameter_value', 'string_value', 'integer_value', 'double_val
 UNKNOWN = object()
 MOST_STEPS = 20
 End = tuple[str, str, str]
-"""Kind ('publisher', 'subscription', 'service' or 'client'), name as the program writes it, and type."""
+"""The kind ('publisher', 'subscription', 'service' or 'client'), the name in the program, and the type."""
 
 
 class SourceEnds(NamedTuple):

@@ -33,7 +33,7 @@ KINDS = ('publisher', 'subscription', 'service', 'client')
 NOT_KNOWN = 'endpoints not known'
 HIDDEN_PARAMETERS = ('use_sim_time', 'start_type_description_service', 'qos_overrides.')
 End = tuple[str, str, str]
-"""Kind, absolute name, type."""
+"""The kind, the absolute name and the type."""
 
 
 class SystemNode(NamedTuple):
@@ -123,8 +123,8 @@ def _ends_of(node: NodeRecord) -> list[End]:
 def planned_system(plan: Mapping[str, Any], index: Index, earlier: Recording | None = None, title: str = '') -> System:
     """Return what the plan of a launch file would start.
 
-    :param plan: in the plan format 1.
-    :param earlier: a run of it; its nodes have the endpoints that they had there.
+    :param plan: the plan, in the plan format 1.
+    :param earlier: an earlier run, from which its nodes get their endpoints.
     """
     items = [item for item in plan['items'] if item['kind'] == 'node']
     run = None if earlier is None else system_of_run(earlier)

@@ -25,7 +25,7 @@ STYLES = {
 }
 SIGNS = {'+': '32', '-': '31', '~': '33'}
 BOLD, DIM, NOT_TAKEN = '1', '2', '2;9'
-"""Styles are the numbers that a terminal knows them by."""
+"""The numbers of the styles in a terminal."""
 STYLE = """<style>
 .edulaunch-tree{font-family:monospace;line-height:1.5;overflow-wrap:anywhere}
 .edulaunch-tree details,.edulaunch-tree .leaf{margin-left:1.3em}
@@ -39,7 +39,7 @@ STYLE = """<style>
 </style>"""
 _CLASSES = {'+': ' added', '-': ' gone', '~': ' changed'}
 _CLOSED = frozenset(('node', 'process', 'composable_node'))
-"""What is shown closed in a large tree: one sees first which nodes there are."""
+"""Kinds of entries that are closed in a large tree, so that the reader first sees the nodes."""
 LARGE = 60
 
 

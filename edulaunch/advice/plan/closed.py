@@ -36,7 +36,7 @@ CHANGES = {
     **dict.fromkeys(('chmod', 'chown', 'lchown', 'truncate', 'utime'), 'change {}'),
     **dict.fromkeys(('link', 'mkfifo', 'mknod', 'symlink'), 'make {}'),
 }
-"""Functions of `os` that change files, and what a note says of each."""
+"""Functions of `os` that change files, with the text of the note about each."""
 TWO_PATHS = ('link', 'rename', 'renames', 'replace', 'symlink')
 STARTS = frozenset(('os.exec', 'os.fork', 'os.posix_spawn', 'os.startfile', 'os.system', 'subprocess.Popen'))
 SPAWNS = tuple(f'spawn{ending}' for ending in ('l', 'le', 'lp', 'lpe', 'v', 've', 'vp', 'vpe'))
@@ -55,10 +55,10 @@ EVENTS = {
     'open': 'write {}',
     'sqlite3.connect': 'write {}',
 }
-"""Audit events of what changes something."""
+"""Audit events of actions that change something."""
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 NOWHERE = getattr(os, 'O_TMPFILE', 0)
-"""A file without a name, which nobody sees."""
+"""The flag for a file without a name, which no other program can see."""
 _hearing = False
 
 

@@ -21,7 +21,7 @@ class AssumingIndex(Index):
     Placeholders are in a temporary folder that is deleted with this object.
 
     :param real: the index that is asked first.
-    :ivar assumptions: what the index had to assume.
+    :ivar assumptions: the assumptions that the index has made.
     """
 
     def __init__(self, real: Index) -> None:
@@ -61,13 +61,12 @@ def make_plan(
 
     :param arguments: a mapping, or strings 'name:=value'.
     :param environ: the environment variables that launch would see.
-    :param assume_packages: give every package that is missing an empty share folder, and do not look
-        executables up.
+    :param assume_packages: assume an empty share folder for every missing package, and accept every executable.
     :param command_set: the tools and the shell for commands whose output the launch file needs. By default, no command runs.
-    :returns: a dict with `arguments` (declared), `configurations` (after the first visit), `given`, `items`, `log`,
-        `warnings`, `stdout` and `shutdown_reason`. `error` has type, text, stage, origin and help, if there is an error.
-        `not_done` lists changes to this computer that the dry run left out.
-    :raises UnusableInput: for an argument of another form than 'name:=value'.
+    :returns: a dict with `arguments` (declared), `configurations` (after the first visit), `given`, `items`, `log`, `warnings`,
+        `stdout` and `shutdown_reason`. `error` has type, text, stage, origin and help, if there is an error. `not_done` lists
+        changes to this computer that the dry run left out.
+    :raises UnusableInput: for an argument that is not of the form 'name:=value'.
     """
     return rehearse(path, arguments, index, environ, assume_packages=assume_packages, command_set=command_set).plan
 
@@ -75,11 +74,11 @@ def make_plan(
 class Rehearsal(NamedTuple):
     """The result of a dry run.
 
-    :ivar plan: in the plan format 1.
+    :ivar plan: the plan, in the plan format 1.
     :ivar outline: the plan and the actions that were not executed, as a tree for people.
     :ivar missing: names of the packages that were assumed to exist, and descriptions of other things.
     :ivar placeholders: the share folder of the assumed packages; None if the dry run assumes none.
-    :ivar read: names of the launch configurations that substitutions asked for, in order.
+    :ivar read: names of the launch configurations that substitutions have read, in order.
     """
 
     plan: Plan

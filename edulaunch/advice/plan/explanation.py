@@ -4,8 +4,8 @@ An entry is a dict: `kind`, `text`, `file` and `line` (None when no launch file 
 
 * with a condition: `condition`;
 * an argument: `name`, `value`, `default`, `description`, `choices`, `origin`;
-* a node: `name` (None for the program's own), `package`, `executable`, and among its children the remappings and
-* a parameter: `name`, `value`, `origin`, and `overrode`, the dicts (`value`, `origin`, `file`, `line`) of the values that lost.
+* a node: `name` (None for the name in the program), `package`, `executable`, and among its children the remappings and
+* a parameter: `name`, `value`, `origin`, and `overrode`, the dicts (`value`, `origin`, `file`, `line`) of the overridden values.
 """
 
 from __future__ import annotations
@@ -29,8 +29,9 @@ HIDDEN = frozenset(
 
 
 def explanation_of(rehearsal: Rehearsal) -> Entry:
-    """Return the explanation of a dry run: `format`, `file`, `given`, `error`, `missing`, `nodes` and `processes` (how many),
-    `shutdown_reason`, and the `tree`."""
+    """Return the explanation of a dry run: `format`, `file`, `given`, `error`, `missing`, `nodes` and `processes` (their
+    numbers), `shutdown_reason`, and the `tree`.
+    """
     plan = rehearsal.plan
     kinds = [item['kind'] for item in plan['items']]
     tree = [entry for branch in rehearsal.outline.children[:1] for entry in _below(branch)]
@@ -60,7 +61,7 @@ def _below(branch: Branch) -> list[Entry]:
 
 
 def _is_given_argument(branch: Branch, declared: set[str]) -> bool:
-    """Return whether an include sets an argument here, and the argument's own entry will show the value."""
+    """Return whether an include sets an argument here, so that the entry of the argument will show the value."""
     item = branch.item
     return item is not None and item['kind'] == 'set_configuration' and branch.origin is None and item['name'] in declared
 

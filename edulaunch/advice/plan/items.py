@@ -25,7 +25,7 @@ def item_of(action: Any, context: LaunchContext, environ: Mapping[str, str], ind
     """Return the item of an action that was just executed, without its phase; None for a group.
 
     :param environ: the environment variables of launch at its start.
-    :param index: how many processes came before.
+    :param index: the number of earlier processes.
     """
     for cls in type(action).__mro__:
         if cls.__module__.partition('.')[0] not in ('launch', 'launch_ros'):

@@ -1,6 +1,6 @@
 """Record what a launch does while it runs, for the live view, for replays and for `edulaunch launch --step`.
 
-A trace is an observer of one launch service. It keeps a step for each action and each event. A step contains the launch
+A trace is an observer of one launch service. It stores a step for each action and each event. A step contains the launch
 configurations and the environment at its time. :meth:`LaunchTrace.as_data` returns them as plain data.
 """
 
@@ -29,18 +29,18 @@ if TYPE_CHECKING:
     from edulaunch.engine.processes.process import Process
 
 _EVALUATED_AGAIN = ('msg', 'name', 'period', 'sigterm_timeout', 'sigkill_timeout', 'descriptions_to_load')
-"""What the items of some actions evaluate a second time."""
+"""Attributes that the items of some actions evaluate a second time."""
 MOST_STEPS = 20_000
 MOST_TIMES = 500
-"""Limits for a launch whose handlers fire forever: how many steps the trace keeps, and how many firings or runs of one step."""
+"""Limits for a launch whose handlers fire forever: the number of steps in the trace, and of the events or runs of one step."""
 
 
 class LaunchTrace(Watch):
     """Observes the launch service of a process.
 
-    :ivar steps: all of them; a step's place in the list is its number.
-    :ivar touched: numbers of steps in the order in which they were made or changed. A number may occur several times.
-    :ivar stepper: decides where the launch stops; see :class:`Stepper`.
+    :ivar steps: all steps. The index of a step in the list is its number.
+    :ivar touched: numbers of steps in the order in which they were created or changed. A number may occur several times.
+    :ivar stepper: determines where the launch stops; see :class:`Stepper`.
     :ivar on_stop: called with the step before which launch stops. By default the whole simulation stops there.
     """
 
@@ -115,7 +115,7 @@ class LaunchTrace(Watch):
         return self._sim.now_ns - self._sim.start_ns
 
     def _touch(self, step: Step) -> None:
-        # record it even if it was also the last change, because that one may have been returned already
+        # record the step even if it was also the last one to change, because that change may already have been returned
         if step.number < MOST_STEPS:
             self.touched.append(step.number)
 
@@ -151,7 +151,7 @@ class LaunchTrace(Watch):
             return {'kind': 'action', 'name': type(action).__name__}
 
     def _process_item(self, action: Any, context: LaunchContext) -> dict[str, Any]:
-        """Return the item of a process. It takes longer to make than the process takes to start, so it is made on first use."""
+        """Return the item of a process. It is created on first use, because that takes longer than starting the process."""
         item = self._item(action, context) or {'kind': 'action', 'name': type(action).__name__}
         if item['kind'] == 'node':
             add_names_and_parameters(item, self._process.host.parameter_entries)
@@ -274,7 +274,7 @@ class LaunchTrace(Watch):
         return {'pid': self.pid, 'at': None if at is None else at.number, 'count': len(self.touched), 'rows': rows}
 
     def context_before(self, step: Step) -> tuple[dict[str, Any], dict[str, Any]]:
-        """The launch configurations before a step, and the environment variables that were changed until then (None: unset)."""
+        """Return the launch configurations before a step, and the environment variables changed until then (None if unset)."""
         found: dict[str, dict[str, Any]] = {'configurations': {}, 'environment': {}}
         for one in sorted(self.steps, key=lambda one: one.order):
             if one.order <= step.order:
@@ -286,7 +286,7 @@ class LaunchTrace(Watch):
     # -- queries
 
     def signal(self, number: int, signum: signal.Signals) -> str:
-        """Let launch send a signal to the process of a step. Returns a message for the student."""
+        """Let launch send a signal to the process of a step. Return a message for the student."""
         from launch.events.matchers import matches_action
         from launch.events.process import SignalProcess
 
@@ -298,7 +298,7 @@ class LaunchTrace(Watch):
         return f'launch sends {signum.name} to {step.process_name}'
 
     def restart(self, number: int) -> str:
-        """Let launch start the program of a step again. Returns a message for the student."""
+        """Let launch start the program of a step again. Return a message for the student."""
         step = self._process_step(number)
         if self.is_over or self._context is None or self._context.is_shutdown:
             return 'the launch has ended: launch it again'
@@ -306,7 +306,7 @@ class LaunchTrace(Watch):
         return f'launch starts {step.process_name} again'
 
     def _process_step(self, number: int) -> Step:
-        """:raises ValueError: when the step does not start a process."""
+        """Return the step with that number. Raise ValueError if it does not start a process."""
         step = self.steps[number] if 0 <= number < len(self.steps) else None
         if step is None or not step.process_name:
             raise ValueError(f'step {number} starts no process')

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 Item = dict[str, Any]
 UNNAMED = 'unnamed'
-"""Stands for the program's own name, which a plan does not know, when parameter files are read."""
+"""Represents the name that the program itself chooses, which a plan does not know, when parameter files are read."""
 
 
 def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str], index: int) -> Item:
@@ -26,7 +26,7 @@ def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str]
     it.
 
     :param environ: the environment variables of launch at its start.
-    :param index: how many processes came before.
+    :param index: the number of earlier processes.
     """
     details = action.process_description
     command = list(details.command)
@@ -112,7 +112,7 @@ def add_names_and_parameters(item: Item, entries_of: Callable[[str], Sequence[En
     """Add name, namespace and parameters to a node's item, as rcl reads them from its command line. The item has None for a name
     and namespace that the program chooses.
 
-    :param entries_of: what the parameter file at a path says; see `Host.parameter_entries`.
+    :param entries_of: returns the entries of the parameter file at a path; see `Host.parameter_entries`.
     """
     command = item['cmd'][len(item['prefix']) :]
     try:

@@ -1,4 +1,4 @@
-"""A host that starts no process. It records each process that launch would start, and ends it when launch stops it.
+"""A host that starts no process. It records each process that launch would start, and ends the process when launch stops it.
 
 Changes that a launch file would make itself (`subprocess`, `os.system`, `open(..., 'w')`, `os.remove`) are not made; see
 `closed.py`.
@@ -32,14 +32,14 @@ if TYPE_CHECKING:
 
 WARNING = 30
 LOOKING_UP = ('pkg', 'interface')
-"""Verbs of `ros2` that only look something up."""
+"""Verbs of `ros2` that only query information."""
 
 
 class ImaginaryProcess:
     """A process that does nothing and ends on a signal.
 
     :param on_exit: called with the return code.
-    :ivar came_back: whether it is a process that has ended once already, and was started again.
+    :ivar came_back: whether the process has ended once before and was started again.
     """
 
     came_back = False
@@ -51,7 +51,7 @@ class ImaginaryProcess:
         self._on_exit = on_exit
 
     def send_signal(self, signum: int) -> None:
-        """End as a program without a signal handler does. A second signal has no effect."""
+        """End the process, as a signal ends a program without a signal handler. A second signal has no effect."""
         self.end(0 if self.came_back else -int(signum))
 
     def end(self, code: int) -> None:
@@ -271,12 +271,12 @@ class ImaginedLifecycles:
 
 
 TURN_LIMIT_S = 2.0
-"""Seconds of the processor's time that the code of a launch file may take without coming on; see `Watchdog`."""
+"""Seconds of processor time that the code of a launch file may take without progress; see `Watchdog`."""
 MOST_INSTANTS = 2_000
 MOST_STEPS = 500_000
-"""So often may simulated time advance, and so much may be done, before something must end."""
+"""Limits for a dry run: how often simulated time may advance, and how many actions may run, before a process must end."""
 STEPS_BETWEEN_COLLECTIONS = 20_000
-"""A plan is made without the garbage collector, which takes half of the time of a large one."""
+"""Steps between two garbage collections. The collector stays off otherwise, because it takes half of the time of a large plan."""
 
 
 def run_to_rest(sim: Simulation) -> str | None:

@@ -1,4 +1,4 @@
-"""Decide where a launch stops when a user steps through it."""
+"""Determine where a launch stops when a user steps through it."""
 
 from __future__ import annotations
 
@@ -10,11 +10,12 @@ if TYPE_CHECKING:
 
 GO, INTO, NEXT, EVENT, LINE = 'go', 'into', 'next', 'event', 'line'
 """Never stop. Stop before the next action. Stop before the next action after this include or group. Stop before the next event.
-Stop before an action that a line of a file makes."""
+Stop before an action that a line of a file creates.
+"""
 
 
 class Stepper:
-    """Decides before which steps a launch stops.
+    """Determines the steps before which a launch stops.
 
     :ivar at: the step before which the launch waits now, or None.
     """

@@ -16,31 +16,31 @@ from edulaunch.advice.plan.why import declared_steps, parameter_chain, setter_st
 
 Row = dict[str, Any]
 LAUNCH_OWN = frozenset(('timer', 'emit_event'))
-"""With these launch itself ends a process; they are the user's only when a launch file made them."""
+"""Events with which launch itself ends a process. They belong to the user only if a launch file created them."""
 SHOWN_EVENTS = frozenset(('ProcessStarted', 'ProcessExited', 'TimerEvent', 'Shutdown'))
-"""Events of launch that are steps even when no handler of a launch file waits for them."""
+"""Events of launch that are steps even if no handler of a launch file waits for them."""
 LONGEST_VALUE = 2000
-"""Characters of a value in a row; a robot description is longer."""
+"""The maximum number of characters of a value in a row. A robot description is longer."""
 
 
 class Step(Branch):
-    """An action or event of a launch, with what is known of it at run time.
+    """An action or event of a launch, with the data that is known about it at run time.
 
     :ivar number, parent, depth: its index in the trace, the index of the enclosing step (-1: none), and the number of enclosing
         steps.
     :ivar state: 'waiting', 'visiting', 'taken', 'left out' or 'failed'.
     :ivar order: its position in the order of all visits and events of the launch, from 1.
     :ivar at_ns: when its visit began; None while it waits.
-    :ivar changes: launch configurations and environment variables that have changed since the step before in this order.
+    :ivar changes: launch configurations and environment variables that have changed since the previous step in this order.
     :ivar values: the launch configurations at an action that was left out.
     :ivar runs: [pid, start, end, exit code] of each run of its process.
-    :ivar fired_ns: when a handler handled an event, or a timer ran out.
+    :ivar fired_ns: when a handler handled an event, or a timer fired.
     :ivar fired: the numbers of the handlers that handled the event.
-    :ivar handlers: the event handlers that it registered and that a launch file wrote.
-    :ivar due_ns: when a timer runs out.
+    :ivar handlers: the event handlers that it registered and that a launch file contains.
+    :ivar due_ns: when a timer will fire.
     :ivar about: the process or timer to which an event belongs.
-    :ivar make_item: makes the item when it is first asked for.
-    :ivar waiting: the steps of nested actions that were not visited yet, by identity of the action.
+    :ivar make_item: creates the item on first use.
+    :ivar waiting: the steps of nested actions that have not been visited yet, by `id()` of the action.
     """
 
     number = parent = -1

@@ -84,7 +84,7 @@ class Setters:
 
 
 Detail = tuple[str, str]
-"""Kind and text of a line."""
+"""The kind and the text of a line."""
 
 
 def action_words(action: Any) -> tuple[str, str]:

@@ -28,9 +28,9 @@ Executed = Callable[[Branch, 'LaunchContext'], object]
 _PHASES = {'ProcessStarted': 'on_start', 'TimerEvent': 'timer', 'ProcessExited': 'on_exit', 'Shutdown': 'on_shutdown'}
 _EVENTS = {'ProcessStarted': 'when {name} has started', 'ProcessExited': 'when {name} has ended', 'Shutdown': 'at shutdown'}
 MOST_REACTIONS = 20_000
-"""Event handlers may give actions this often. Launch handles events that follow from events in one step."""
+"""How often event handlers may return actions. Launch handles events that follow from events in one step."""
 _NO_BRANCH = ('IncludeLaunchDescription', 'TimerEvent')
-"""What follows these events hangs below the action itself."""
+"""Events whose consequences belong directly to the action."""
 
 
 class Watch:
@@ -38,12 +38,13 @@ class Watch:
 
     :param executed: a function that is called as executed(branch, context) after each action.
     :param instead: functions that are called instead of executing an action, by the name of its class.
-    :param came_back: numbers of processes that were started again; the actions after their start and end are planned already.
+    :param came_back: numbers of processes that were started again; the plan already contains the actions after their start and
+        end.
     :ivar phase: the phase of the action that is visited now.
     :ivar outline: the root of all branches so far.
     :ivar branch: the branch of the action that was entered last.
     :ivar timers: the branch of each timer; launch has one handler for all timers.
-    :ivar reactions: how often handlers gave actions; beyond the most that may be they stay silent, so that the launch ends.
+    :ivar reactions: how often handlers returned actions. Above a maximum, their actions are ignored, so that the launch ends.
     """
 
     def __init__(
@@ -59,16 +60,18 @@ class Watch:
         self.reactions = 0
         self._open: list[Branch] = [self.outline]
         self._parents: dict[int, list[tuple[Any, Branch]]] = {}
-        """By identity of a handler: the handler and the branch of the action that registered it, once for each time."""
+        """For each handler, by its `id()`: the handler, and the branch of the action that registered it, once for each
+        registration.
+        """
         self._failure: Exception | None = None
 
     @property
     def is_endless(self) -> bool:
-        """Whether the handlers were silenced."""
+        """Whether the maximum of reactions was exceeded."""
         return self.reactions > MOST_REACTIONS
 
     def enter(self, entity: Any, context: LaunchContext) -> None:
-        """See :class:`launch._observer.Observer`, as for all methods that follow."""
+        """Begin a branch. For this method and all that follow, see :class:`launch._observer.Observer`."""
         parent = self._open[-1]
         if isinstance(entity, Action):
             parent = self.branch = self._branch_of(entity, parent)

@@ -1,7 +1,7 @@
 """Explain a value: the chain from the first value to the one that has an effect.
 
-A step is a dict with `value`, `origin` (in words), `file` and `line` (or None), and `counts` (for the last step).
-`argument` has the steps of the launch argument that decides the value.
+A step is a dict with `value`, `origin` (in words), `file` and `line` (or None), and `counts` (for the last step). `argument` has
+the steps of the launch argument that determines the value.
 """
 
 from __future__ import annotations

@@ -58,12 +58,12 @@ LESSON = '04_conditions'
 OF_LAUNCH = frozenset(
     ('sigterm_timeout', 'sigkill_timeout', 'emulate_tty', 'launch-prefix', 'launch-prefix-filter', 'log_level', 'ros_namespace')
 )
-"""Launch itself reads these."""
+"""Configurations that launch itself reads."""
 _COMMENTS = re.compile(r'^[ \t]*#[^\n]*|<!--.*?-->', re.MULTILINE | re.DOTALL)
 
 
 _STARTS = re.compile(r'\bsys\.exit\(|\bexit\(|\breturn LaunchDescription\(\[?\]?\)(?=.*\breturn\b)', re.DOTALL)
-"""A file that gives up early: it would start something on another computer, or with other arguments."""
+"""Signs of a file that ends early, because it would start something on another computer or with other arguments."""
 
 
 @rule(

@@ -21,7 +21,7 @@ _MODULE = re.compile(r"No module named '([\w.]+)'")
 _ARGUMENT = re.compile(r"missing required argument '(.*?)' .*given: \[\]", re.DOTALL)
 _ELEMENT = re.compile(r'Unrecognized entity of the type: (\w+)')
 _ELEMENTS = {'gz_server': 'ros_gz_sim', 'gz_spawn_model': 'ros_gz_sim', 'ros_gz_bridge': 'ros_gz_bridge'}
-"""Elements of XML and YAML that a package adds to launch, and the package."""
+"""Elements of XML and YAML that a package adds to launch, with the package."""
 _VARIABLE = re.compile(r"environment variable '(\w+)' does not exist")
 _LEGACY = re.compile(r"cannot import name '(\w+)' from 'launch_testing.legacy'")
 _KEY = re.compile(r"KeyError: '(\w+)'")
@@ -34,7 +34,7 @@ _ABOUT = (
     'packages.made-by-build',
     'packages.no-executable',
 )
-"""What an error is about when the thing belongs to others."""
+"""Rules about errors whose subject belongs to other packages."""
 
 
 @rule(

@@ -126,7 +126,7 @@ def parameter_order(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _given_behind(item: dict[str, Any], file: str, parameter: str) -> Any:
-    """Return the value that a dict after a parameter file sets, or None."""
+    """Return the value that a dict sets after a parameter file, or None."""
     sources = item['parameter_sources']
     first = next((number for number, source in enumerate(sources) if source['file'] == file), len(sources))
     for source in sources[first + 1 :]:
@@ -198,9 +198,10 @@ def path_of_one_machine(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _in_package(file: str, path: str) -> dict[str, Any]:
-    """Return the package of a path such as `src/PACKAGE/config/a.yaml`, and the arguments of the place where a build installs the
-    file. If the package is not in the workspace of the launch file, assume that the build keeps the folders. If the build does
-    not install the file, `unbuilt` names it.
+    """Return facts about a path such as `src/PACKAGE/config/a.yaml`: its package, and the place where a build installs the file.
+
+    If the package is not in the workspace of the launch file, assume that the build keeps the folders. If the build does not
+    install the file, `unbuilt` names it.
     """
     from edulaunch.engine.packages import Index
     from edulaunch.engine.packages.discovery import find_workspaces, install_folders

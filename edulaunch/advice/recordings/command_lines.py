@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
 
 FEWEST = 5
-"""Words of one letter: nobody gives a program so many."""
+"""The number of one-letter words from which a command line is suspicious, because programs rarely get so many."""
 ROS_FLAGS = ('-r', '--remap', '-p', '--param', '--params-file')
 
 
@@ -89,7 +89,7 @@ def main_misspelt(recording: Recording) -> Iterator[Finding]:
     hides=('programs.parameter-refused',),
 )
 def parameter_callback(recording: Recording) -> Iterator[Finding]:
-    """Report a callback that returned None, True or False."""
+    """Report a callback for changed parameters that returned None, True or False."""
     for fact in recording.facts:
         if fact.kind == 'no parameter result':
             file, line = fact_place(recording, fact)

@@ -1,4 +1,4 @@
-"""Rules about callbacks that wait for something that only a later callback can bring."""
+"""Rules about callbacks that wait for something that only a later callback can provide."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ WAITS = {'call': 'call()', 'look': 'while not future.done()', 'await': 'await'}
 
 
 def _of(recording: Recording, kind: str, *rest: str, but: frozenset[str] = frozenset()) -> Iterator[Finding]:
-    """Yield one finding for each fact of a kind. `rest` are the other facts that the sentences name.
+    """Yield one finding for each fact of a kind. `rest` are the names of the other facts that the sentences contain.
 
     :param but: kinds of facts that already explain a fact of this kind in the same program.
     """
@@ -76,7 +76,7 @@ def goes_on(recording: Recording) -> Iterator[Finding]:
 EXPLAINED = frozenset(
     ('callback waits', 'spin in callback', 'spin in callback in vain', 'rate in callback', 'node not spun', 'waits for input')
 )
-"""Facts that say why a callback does not end."""
+"""Facts that explain why a callback does not end."""
 
 
 @rule(

@@ -36,18 +36,20 @@ if TYPE_CHECKING:
 POSE = 'turtlesim/msg/Pose'
 LESSON = '09_broadcaster_and_listener'
 SAMPLES = 12
-"""Commands that a follower must have sent until its formula is known."""
+"""The number of commands that a follower must have sent before its formula is known."""
 CLOSE = 0.05
-"""How far ratios of numbers that follow one formula are apart: a lookup is one broadcast older than the command."""
+"""The largest difference between ratios of numbers that follow one formula. A lookup is one broadcast older than the command."""
 
 
 ORIGIN = (0.0, 0.0, 0.0)
 MOVES = 0.1
-"""Radians by which a leader moves as seen from the origin: one that stays tells nothing about who looks."""
+"""The angle, in radians, by which a leader must move as seen from the origin. A leader that stays reveals nothing about the
+lookup.
+"""
 
 
 FAR = 0.98
-"""The cosine of half the angle between heading and rotation, below which they differ: 23 degrees."""
+"""The cosine of half the angle between heading and rotation. Below it, they differ: by more than 23 degrees."""
 
 
 @rule(

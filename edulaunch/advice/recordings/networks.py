@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 LESSON = '18_real_network'
 REMOTE = 'network'
-"""The process of nodes that are on another machine."""
+"""The process of nodes on another machine."""
 
 
 def _notes(recording: Recording, kind: str) -> Iterator[Note]:

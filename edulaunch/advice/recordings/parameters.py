@@ -94,7 +94,7 @@ def key_for_no_node(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def refused(recording: Recording) -> Iterator[Finding]:
-    """Report a value that the node's parameter service refused."""
+    """Report a value that the node's parameter service rejected."""
     if not any(row[2] == SET for row in recording.rows('calls')):
         return
     for call in recording.service_calls:

@@ -15,9 +15,11 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording.records import ProcessRecord
 
 ENDED_WELL = (None, 0, -1, -2, -13, -15)
-"""Still running, finished, ended by its closed terminal (`| head`, too), by Ctrl-C or by launch."""
+"""Exit codes of a program that still runs, has finished, or was ended by its closed terminal (`| head`, too), Ctrl-C or
+launch.
+"""
 INTERRUPTED = '[ros2run]: Interrupt'
-"""What `ros2 run` says when Ctrl-C ended its program, whatever that one did about it."""
+"""The message of `ros2 run` when Ctrl-C has ended its program, however that program has ended."""
 LONGEST = 400
 HELP = 'help: '
 _ENDED = re.compile(r'\[ERROR\] \[(?P<name>[^\]]+)\]: process has died \[pid \d+, exit code (?P<code>-?\d+), cmd ')
@@ -30,7 +32,7 @@ _ENDED = re.compile(r'\[ERROR\] \[(?P<name>[^\]]+)\]: process has died \[pid \d+
     do='choose another name, such as self.my{attribute}',
 )
 def private_name(recording: Recording) -> Iterator[Finding]:
-    """Report a value of another type than rclpy's own, such as a dictionary in place of its list of clients."""
+    """Report an attribute of a node that replaces a private attribute of the real rclpy."""
     for fact in recording.facts:
         if fact.kind == 'private name':
             file, line = fact_place(recording, fact)

@@ -18,8 +18,8 @@ _PAIR = {'publisher': 'subscription', 'subscription': 'publisher'}
 
 
 def lone_ends(recording: Recording, kind: str) -> list[EndRecord]:
-    """Return the publishers or subscriptions whose topic never had the opposite kind, only the first one of each
-    node and topic.
+    """Return the publishers or subscriptions whose topic never had an endpoint of the opposite kind. Return only the first one of
+    each node and topic.
     """
     ends = ends_by_name(recording)
     first: dict[tuple[str, str], EndRecord] = {}
@@ -31,7 +31,7 @@ def lone_ends(recording: Recording, kind: str) -> list[EndRecord]:
 
 
 def meant(end: EndRecord, others: list[EndRecord]) -> EndRecord | None:
-    """Return the endpoint without a partner that another one was probably meant for.
+    """Return the one endpoint without a partner with which this endpoint was probably meant to communicate.
 
     It has the same type, and a name with nearly the same spelling or the same ending.
     """
@@ -98,7 +98,7 @@ def _commands(recording: Recording) -> set[str]:
     level='error',
 )
 def nobody_listens(recording: Recording) -> Iterator[Finding]:
-    """Report velocities without a subscription. Most other topics need none."""
+    """Report a topic of velocities without a subscription. Most other topics may lack one."""
     received = [name for kind, name in ends_by_name(recording) if kind == 'subscription']
     for end in lone_ends(recording, 'publisher'):
         if end.type in COMMANDS and _sent(recording, end):
@@ -193,7 +193,7 @@ CLOSE_NS = 1_000_000_000
     lesson='10_carrots',
 )
 def two_commanders(recording: Recording) -> Iterator[Finding]:
-    """Report two nodes whose different velocities follow each other within a second, at least five times."""
+    """Report two nodes that send different velocities within a second of each other, at least five times."""
     for (kind, topic), publishers in ends_by_name(recording).items():
         nodes = {end.node for end in publishers}
         if kind != 'publisher' or publishers[0].type not in COMMANDS or len(nodes) < 2:
@@ -205,7 +205,7 @@ def two_commanders(recording: Recording) -> Iterator[Finding]:
 
 
 def _quarrels(rows: list[tuple[int, str, object]]) -> tuple[int, float, tuple[str, str]]:
-    """Return how often another node sends another velocity within a second, the first time, and the node."""
+    """Return how often another node sends another velocity within a second, the time of the first case, and that node."""
     turns, first_s, pair = 0, 0.0, ('', '')
     for (before_ns, node, wire), (time_ns, other, new) in zip(rows, rows[1:], strict=False):
         if node != other and wire != new and time_ns - before_ns < CLOSE_NS:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 LESSON = '09_broadcaster_and_listener'
 OFTEN = 3
-"""Fewer late calls than that are no pattern: nodes come late to their first ones."""
+"""The number of late calls from which they form a pattern, because the first calls of nodes are often late."""
 
 
 def _of(recording: Recording, kind: str) -> list[Fact]:

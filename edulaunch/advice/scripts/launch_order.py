@@ -35,7 +35,7 @@ STARTING = frozenset(
     )
 )
 PROCESSES = {'ExecuteLocal', 'ExecuteProcess'}
-"""Only variables of the environment reach these."""
+"""Actions that only environment variables affect."""
 LESSON = '02_names'
 
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from edulaunch.advice.source_package import PackageInWorkspace
 
 LEVELS_ABOVE = 4
-"""So far above a package its workspace is looked for."""
+"""The number of folders above a package that are searched for its workspace."""
 
 
 @rule(
@@ -43,7 +43,7 @@ def changed_after_build(source: PackageInWorkspace) -> Iterator[Finding]:
         for top, folder in () if is_linked else package.contents.python_modules.items():
             inside = [path for path in package.python_files if path.startswith(folder + os.sep)]
             built = {os.path.join(place, top, os.path.relpath(path, folder)): path for path in inside}
-            # a folder that is not there may be one that setup() leaves out
+            # setup() may leave out a folder that is missing in the build
             pairs.update({name: path for name, path in built.items() if os.path.isdir(os.path.dirname(name))})
     changed = [package.relative(path) for built, path in pairs.items() if not _is_equal(built, path)]
     if changed:
@@ -138,7 +138,7 @@ def _left_out(source: PackageInWorkspace) -> Iterator[str]:
 
 
 def executables_launched(source: PackageInWorkspace) -> set[str]:
-    """Return what the launch files of a package name as `executable` or `exec`."""
+    """Return the values of `executable` or `exec` in the launch files of a package."""
     texts = (read_text(path) for path in source.package.files() if source.package.is_launch_file(path))
     return {name for text in texts for name in _EXECUTABLE.findall(text)}
 

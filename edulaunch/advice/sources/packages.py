@@ -27,7 +27,7 @@ INSTALL = (
 
 
 NOT_LAUNCHED = frozenset(('doc', 'docs', 'example', 'examples', 'src'))
-"""Folders whose launch files are read, or started by their path."""
+"""Folders whose launch files are only read, or are started by their path."""
 
 
 @rule(
@@ -40,7 +40,9 @@ NOT_LAUNCHED = frozenset(('doc', 'docs', 'example', 'examples', 'src'))
     edits=(('', "(os.path.join('share', package_name, '{folder}'), glob('{pattern}'))", 'data_files'),),
 )
 def launch_file_not_installed(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report a launch file that no build installs, by its name or its folder. Launch tests need not be installed."""
+    """Report a file that has the name or the folder of a launch file and that no build installs. Launch tests need not be
+    installed.
+    """
     package = source.package
     for path in _not_installed(source):
         if package.is_launch_file(path) and os.path.dirname(package.relative(path)).split(os.sep)[0] not in NOT_LAUNCHED:
@@ -117,7 +119,7 @@ def _of_file(package: str, path: str, facts: dict[str, Any]) -> Finding:
     level='error',
 )
 def not_python(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report wrong syntax, tabs mixed with spaces, and an encoding other than UTF-8."""
+    """Report invalid syntax, tabs mixed with spaces, and an encoding other than UTF-8."""
     for path in source.package.python_files:
         name = os.path.basename(path)
         try:
@@ -132,7 +134,7 @@ def not_python(source: PackageInWorkspace) -> Iterator[Finding]:
 
 
 UNUSED = frozenset(('antigravity', 'idlelib', 'this', 'turtle', 'turtledemo'))
-"""Modules of Python's that no other module imports."""
+"""Modules of Python that no other module imports."""
 
 
 @rule(
@@ -160,9 +162,9 @@ FROM_OTHERS = {
     'rcl_interfaces': ('rclpy',),
     'ros2launch': ('launch', 'launch_ros'),
 }
-"""Packages that come with another one, so that nobody misses them in a package.xml."""
+"""Packages that another package depends on, so package.xml need not name them."""
 OF_LAUNCH = frozenset(('launch', 'launch_ros', 'launch_xml', 'launch_yaml'))
-"""What `ros2launch` brings: one entry is enough for all of them."""
+"""The dependencies of `ros2launch`. One entry is enough for all of them."""
 SAME = {'tf2_ros': ('tf2_ros', 'tf2_ros_py'), 'tf_transformations': ('tf_transformations', 'python3-transforms3d')}
 _COMMENT = re.compile(r'<!--.*?-->|^\s*#[^\n]*', re.DOTALL | re.MULTILINE)
 _XML_LAUNCHED = re.compile(r"""\bpkg\s*[:=]\s*["']?(\w+)["']?""")
@@ -268,6 +270,6 @@ def name_differs(source: PackageInWorkspace) -> Iterator[Finding]:
     if named is not None and named[1] != package.name:
         place = f'share/{named[1]}/' if package.is_python else None
         if place is not None and not any(name.startswith(place) for name in package.contents.files):
-            return  # a build needs the other name only for itself
+            return  # only the build itself uses the other name
         line = read_text(build).count('\n', 0, named.start(1)) + 1
         yield found('package', package.name, file=build, line=line, other=named[1], written=os.path.basename(build), place=place)

@@ -1,4 +1,4 @@
-"""Checking a file while the student writes it: findings with line and column, and the edit that cures them where one is certain.
+"""Check a file while the student writes it. The findings have a line, a column, and the edit that corrects them if it is certain.
 
 `check(text, path)` executes no code of the file. It looks at launch files, parameter files, package files and nodes. It predicts
 errors of Python and launch as `Failure` objects, and the rules over errors judge these as they do after a run. Start reading in

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 class Around:
     """The packages that a launch of the text would find. They are read once. A new object reads them again.
 
-    :param path: where the text is stored.
+    :param path: the path at which the text is stored.
     :param workspaces: folders with packages. The default is the folders that a command beside the file would find.
     """
 

@@ -1,4 +1,4 @@
-"""The names in a Python text: which are defined, which are not, and where each was imported from."""
+"""The names in a Python text: the defined ones, the undefined ones, and the module from which each was imported."""
 
 from __future__ import annotations
 
@@ -180,11 +180,11 @@ def _no_interface(text: Text, node: ast.ImportFrom, alias: ast.alias, known: lis
 
 
 def text_of(node: ast.AST | None) -> str | None:
-    """Return the text of a literal; None for anything else."""
+    """Return the value of a string literal, or None for anything else."""
     return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None
 
 
 def inside_quotes(text: Text, node: ast.AST) -> Span:
-    """Return the literal without its quotes."""
+    """Return the span of a string literal without its quotes."""
     span = text.of_node(node)
     return Span(span.start + 1, span.end - 1)

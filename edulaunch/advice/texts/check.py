@@ -61,8 +61,8 @@ def kind_of(path: str, text: str) -> str | None:
 def check(text: str, path: str, around: Around | None = None) -> list[Marked]:
     """Return the mistakes in the content of a file, the worst first. None of its code is executed.
 
-    :param path: the path of the text. Its name decides the kind of file, and its folder the packages around it.
-    :param around: the packages around it. By default they are read again.
+    :param path: the path of the text. Its name determines the kind of file, and its folder determines the packages around it.
+    :param around: the packages around it. By default, they are read again.
     """
     kind = kind_of(path, text)
     if kind is None or len(text) > LONGEST:

@@ -26,7 +26,7 @@ class Edit(NamedTuple):
 
 
 Edits = tuple[Edit, ...]
-"""Edits that belong together; none when no edit is certain."""
+"""Edits that belong together. The tuple is empty if no edit is certain."""
 
 
 def written(finding: Finding) -> tuple[str, str, str] | None:
@@ -149,9 +149,9 @@ INSERTING: dict[str, Callable[[Text, str, dict[str, Any]], Edits]] = {
     'console_scripts': _in_list('console_scripts'),
     'manifest': _manifest,
 }
-"""Places at which something is added; the first two are in any Python file, the others in files of a package."""
+"""Places at which something is inserted. The first two are in any Python file, the others are in files of a package."""
 FILES = {'data_files': 'setup.py', 'console_scripts': 'setup.py', 'manifest': 'package.xml'}
-"""Files of the package in which these edits are made, whichever file the finding is about."""
+"""Files of the package that these edits change, whichever file the finding is about."""
 
 
 def applied(text: str, edits: Edits) -> str:

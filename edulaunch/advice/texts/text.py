@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 LONGEST = 400_000
-"""Characters of a file that is looked at; nobody writes more by hand."""
+"""The maximum number of characters of a file that is checked. Files written by hand are shorter."""
 
 
 class Span(NamedTuple):
@@ -56,7 +56,7 @@ class Text:
         return Place(number, offset - self._starts[number - 1])
 
     def offset(self, line: int, column: int) -> int:
-        """Return the offset of a place; one outside the text is moved to its nearest end."""
+        """Return the offset of a place. A place outside the text is moved to its nearest end."""
         number = min(max(line, 1), len(self._starts))
         return min(self._starts[number - 1] + max(column, 0), self.whole_line(number).end)
 
@@ -94,7 +94,9 @@ class Text:
         return spans[0] if len(spans) == 1 else None
 
     def extent(self, line: int) -> Span:
-        """Return the span of what begins in a line: the call or statement in Python, the tag in XML, or otherwise the line."""
+        """Return the span of the code that begins in a line: the call or statement in Python, the tag in XML, or otherwise the
+        line.
+        """
         own = self.line_span(line)
         if self.path.endswith('.py') and self.tree is not None:
             nodes: list[Any] = [

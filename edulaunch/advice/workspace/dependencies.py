@@ -16,13 +16,13 @@ NOT_NEEDED = (
     *('rclcpp*', 'rcutils', 'rmw*', 'tf2', 'tf2_eigen', 'class_loader', 'pluginlib', 'eigen', 'yaml-cpp', 'boost'),
     *('qtbase5-dev', 'libqt5-*', 'python3-pytest', 'python3-setuptools', 'ros2[a-z]*'),
 )
-"""What builds, lints and generates, what C++ programs are linked with, and the parts of the `ros2` command, which is here.
-`*` stands for any text.
+"""Dependencies that edulaunch does not need: tools to build, lint and generate, libraries of C++ programs, and the parts of the
+`ros2` command, which edulaunch has. `*` matches any text.
 """
 SAME = {'tf2_ros_py': 'tf2_ros'}
-"""Packages whose part for Python goes by another name."""
+"""Packages whose Python part has another name."""
 PYTHON_NAMES = {'opencv-python': 'cv2', 'opencv': 'cv2', 'pil': 'PIL', 'pyyaml': 'yaml', 'tk': 'tkinter', 'pyqt5': 'PyQt5'}
-"""Python packages by rosdep's name, where their module is called otherwise."""
+"""Python packages by the name in rosdep, if their module has another name."""
 
 
 class Missing(NamedTuple):

@@ -1,5 +1,5 @@
-"""Answers to commands that set up a real ROS 2 computer or open a window. They say why the command is not needed, and what shows
-the same.
+"""Answers to commands that set up a real ROS 2 computer or open a window. They explain why the command is not needed, and which
+command shows the same information.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ WINDOWS = {
     'rqt_tf_tree': 'tree',
     'rviz2': 'frames',
 }
-"""Command or package, and the tab of the live view."""
+"""Commands or packages, with the tab of the live view that replaces each."""
 
 
 def shown_by(name: str) -> str:
@@ -45,7 +45,7 @@ _SHOWN = 5
 def answer(words: Sequence[str], folder: str = os.curdir) -> str | None:
     """Return the sentence for `colcon`, `rosdep`, `vcs`, `apt` with packages of ROS, `source` of setup files, and windows.
 
-    It also answers `ls` of folders that only a build makes.
+    It also answers `ls` of folders that only a build creates.
 
     :param words: the command line, including `sudo`.
     :param folder: the current folder of the command.

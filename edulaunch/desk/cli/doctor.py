@@ -42,7 +42,7 @@ ENDINGS = ('.launch.py', '.launch.xml', '.launch.yaml', '.launch.yml', '_launch.
 
 
 def doctor_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what to examine, and how to report it."""
+    """Add the objects to examine, and the form of the report."""
     parser.add_argument(
         'target',
         metavar='FILE | FOLDER | RECORDING | PACKAGE',

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def machine_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what the machine should do."""
+    """Add the command for the machine, such as `status` or `stop`."""
     parser.add_argument('word', choices=('status', 'pause', 'resume', 'speed', 'stop'), nargs='?', default='status')
     parser.add_argument('value', nargs='?', help='for speed: simulated seconds per second')
 

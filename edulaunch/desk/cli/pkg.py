@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def pkg_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the sub-verbs."""
+    """Add the sub-verbs of `edulaunch pkg`."""
     verbs = parser.add_subparsers(dest='what', metavar='create | check', required=True)
     add_create_arguments(verbs.add_parser('create', help='create a new ROS 2 package'))
     check = verbs.add_parser('check', help='look for common mistakes in packages')

@@ -222,7 +222,7 @@ def diff(arguments: argparse.Namespace) -> int:
 
 
 def recording_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the sub-verbs."""
+    """Add the sub-verbs of `edulaunch recording`."""
     verbs = parser.add_subparsers(dest='what_to_do', metavar='diff | export | info | show', required=True)
     info = verbs.add_parser('info', help='print a summary of a recording')
     _file_arguments(info)

@@ -12,7 +12,7 @@ from edulaunch.errors import UnusableInput
 
 
 def rosdep_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the sub-verbs."""
+    """Add the sub-verbs of `edulaunch rosdep`."""
     verbs = parser.add_subparsers(dest='what', metavar='check', required=True)
     check = verbs.add_parser('check', help='list dependencies that neither edulaunch nor the workspace provides')
     check.add_argument('path', nargs='?', default='.', metavar='PATH', help='a workspace or a package (default: this folder)')
@@ -66,7 +66,7 @@ def colcon_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def colcon_verb(arguments: argparse.Namespace) -> int:
-    """Print one sentence. Always return 0, so that the user can continue with the next command of a tutorial."""
+    """Print a sentence that explains why no build is needed. Return 0, so that the user can continue with the tutorial."""
     from edulaunch.advice.workspace.not_needed import answer
 
     print(answer(['colcon', *(arguments.rest or ['build'])]))

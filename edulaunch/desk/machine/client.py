@@ -1,6 +1,6 @@
 """The terminal's side: pass the command to the machine and show its output, for a keyboard or for a calling program.
 
-Standard library only.
+It imports only the standard library.
 """
 
 from __future__ import annotations

@@ -50,7 +50,7 @@ def real_command(name: str) -> str | None:
 def run(words: Sequence[str]) -> int:
     """Run `ros2 WORDS...` on the machine, with the live view beside it on request; return the exit code.
 
-    The page exists while the command runs; for a tool that is only a window here, until Ctrl-C.
+    The page exists while the command runs. For a tool that only opens a window, it exists until Ctrl-C.
     """
     from edulaunch.desk.machine import client
 

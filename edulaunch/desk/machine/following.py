@@ -1,6 +1,6 @@
 """A terminal that follows its command on the machine: it shows the output, passes keys and signals on, and always ends.
 
-Standard library only.
+It imports only the standard library.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
 """The process beside a machine that can always act: it watches the machine, reports where it is stuck, and can kill it.
 
-A program that keeps Python's interpreter inside one call of C code (`sum(range(10**12))`) stops every thread of the machine.
-The
-guardian is the machine's parent process. It receives a heartbeat. When the heartbeat stops, it writes the state of the machine
-to a file that the terminals read. It uses only the standard library, so it needs a few megabytes and starts beside the machine.
+A program that keeps Python's interpreter inside one call of C code (`sum(range(10**12))`) stops every thread of the machine. The
+guardian is the machine's parent process. It receives a heartbeat. When the heartbeat stops, it writes the state of the machine to
+a file that the terminals read. It uses only the standard library, so it needs a few megabytes and starts beside the machine.
 
-`python -m edulaunch.desk.machine.guardian FOLDER DOMAIN PID`; file descriptor 3 is the end of the heartbeat's pipe.
+The command line is `python -m edulaunch.desk.machine.guardian FOLDER DOMAIN PID`. File descriptor 3 is the end of the heartbeat's
+pipe.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The machine's end of the guardian: a sign of life twice a second, and the current line when the guardian asks for it."""
+"""The machine's end of the guardian: it sends a heartbeat twice a second, and reports the current line on request."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""How a machine is found, and how one is started.
+"""Find the address of a machine, or record it.
 
-A folder that only its user may enter has one small file for each ROS_DOMAIN_ID.
+A folder that only its user may enter contains one small file for each ROS_DOMAIN_ID.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """`edulaunch.start`: a private machine that runs beside the cells of a notebook, or in a script, with a live view.
 
-It is deterministic as `edulaunch.run` is: the machine keeps manual actions with their simulated time. Thus it can
-reach any instant again and continue from there.
+Like `edulaunch.run`, it is deterministic, because the machine stores manual actions with their simulated time. So it can reach
+any instant again and continue from there.
 """
 
 from __future__ import annotations
@@ -183,8 +183,8 @@ class Machine(LiveMachine):
     def foxglove(self, port: int = 0, origins: Sequence[str] = ()) -> Any:
         """Serve this machine to Foxglove and Lichtblick; return the server, with `address` and `close()`.
 
-        :param port: of this computer, or 0 for any free one.
-        :param origins: of pages that may connect besides Foxglove's.
+        :param port: a port of this computer, or 0 for any free port.
+        :param origins: the origins of pages that may connect, besides Foxglove's.
         :raises UnusableInput: without the plug-in or a running asyncio loop, and when the port is taken.
         """
         self._served.append(offered('foxglove')(self, port, origins))
@@ -201,7 +201,7 @@ class Machine(LiveMachine):
         return slider(self, self.take, node, name, limits)
 
     def take(self, words: dict[str, Any]) -> None:
-        """Do what a request of a page would do."""
+        """Handle a request as if it came from a page."""
         self.do_for(self._hand, words)
 
     def record_request(self, words: dict[str, Any]) -> None:

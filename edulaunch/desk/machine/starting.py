@@ -1,4 +1,4 @@
-"""How a terminal finds the machine of its domain, and starts one if necessary. Standard library only."""
+"""Functions with which a terminal finds the machine of its domain, or starts one. They need only the standard library."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ def _spawn(listener: socket.socket, place: str, number: str) -> tuple[int, int]:
 
 
 def _become(module: str, place: str, number: str, *words: str, files: tuple[int, ...]) -> None:
-    """Run one of our modules in place of this process. Its files are 3 and the next ones; its errors go to the log."""
+    """Run one of our modules in place of this process. Its open files have the numbers from 3, and its errors go to the log."""
     import fcntl
 
     is_machine = module.endswith('serving')

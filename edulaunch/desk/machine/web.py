@@ -34,7 +34,7 @@ Paths = list[tuple[str, type[RequestHandler]]]
 
 
 class Guarded(RequestHandler):
-    """Serves the page only with the token, and only at our address: other names of the loopback are refused."""
+    """Serves the page only with the token, and only at our address. Other names of the loopback are rejected."""
 
     def prepare(self) -> None:
         expected = self.application.settings
@@ -124,9 +124,9 @@ async def serve_paths(paths: Paths, *, port: int, opened: Callable[[str], object
 def open_paths(paths: Paths, *, port: int, **settings: Any) -> tuple[HTTPServer, str]:
     """Return a server of guarded handlers on the running loop, and its address.
 
-    :param paths: the first group of each is the token.
-    :param port: of the loopback; 0 means any free one.
-    :param settings: for the handlers.
+    :param paths: regular expressions of paths. The first group of each is the token.
+    :param port: a port of the loopback; 0 means any free port.
+    :param settings: the settings of the handlers.
     :raises OSError: when the port is taken.
     """
     token = secrets.token_urlsafe(24)

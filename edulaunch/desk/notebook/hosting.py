@@ -30,7 +30,7 @@ from edulaunch.runtime.session import Session
 
 
 class Hosting(LiveMachine):
-    """The server of a notebook's machine. It needs a running loop, and a system that allows it.
+    """The server of a notebook's machine. It needs a running loop that can wait for connections.
 
     :ivar joins_next: whether the next machine joins a real network.
     """
@@ -114,7 +114,7 @@ class Hosting(LiveMachine):
 
     @contextmanager
     def cell(self) -> Iterator[None]:
-        """Surround a cell that lets time pass: for terminals, time continues from the end of the cell."""
+        """Run a cell that lets time pass. For terminals, time continues from the end of the cell."""
         with suppress(RuntimeError):
             self._loop = asyncio.get_running_loop()
         try:

@@ -180,7 +180,7 @@ class NotebookMachine:
         return end_of_run_lines(session.of_command(process.pid), helped=helped, typed=typed)
 
     def _say_what_runs(self, session: Session | None, stays: bool) -> None:
-        """Print a note: a launch beside programs of earlier cells or terminals differs from one on a new machine."""
+        """Print a note that a launch beside programs of earlier cells or terminals differs from one on a new machine."""
         if session is None or not stays:
             return
         for job in self._jobs.running():

@@ -18,7 +18,7 @@ TABS = ('launch', 'frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'paramet
 
 
 class ViewedMachine:
-    """The machine behind a page: its session and its time. The methods here answer for machines that lack an ability.
+    """The machine behind a page: its session and its time. These methods are the defaults for machines that lack an ability.
 
     :ivar session: the session that runs on it.
     :ivar time: how its time passes.

@@ -1,6 +1,6 @@
 """The launch in a page without a script: what the tab Launch shows, as it was at the end of the run.
 
-It consists of lists and of elements that open and close, so a keyboard and a screen reader need no help with it.
+It consists of lists and of elements that open and close, so it works with a keyboard and a screen reader.
 """
 
 from __future__ import annotations
@@ -88,7 +88,7 @@ def titled(row: Row) -> str:
 
 
 def place_of(row: Row) -> str:
-    """Return the file and line that made a step, such as 'demo.launch.py:12', or ''."""
+    """Return the file and line that created a step, such as 'demo.launch.py:12', or ''."""
     return f'{os.path.basename(row["file"])}:{row["line"]}' if row.get('file') else ''
 
 
@@ -141,7 +141,7 @@ def _of_timer(due: int, fired: Sequence[int], steps: Mapping[int, Row], end_us: 
 
 
 def _facts(row: Row) -> Iterator[str]:
-    """Yield what is known of a step besides its state."""
+    """Yield the known facts about a step, except its state."""
     for text in row.get('handlers', ()):
         yield f'<p>Waits for {_text(text)}.</p>'
     for _, text, file, line in row['details']:

@@ -1,4 +1,4 @@
-"""Validate the launches in a recording: a recording from a stranger may contain anything."""
+"""Validate the launches in a recording, because a recording from a stranger may contain anything."""
 
 from __future__ import annotations
 
@@ -12,7 +12,9 @@ MOST_DEPTH = 30
 
 
 def _chain(value: Any, depth: int = 0) -> bool:
-    """Return the valid steps of a value's origin; a step may contain those of the launch argument that decides it."""
+    """Return whether a value is a list of valid steps of an origin. A step may contain those of the launch argument that
+    determines it.
+    """
     below = {'argument': lambda inner: depth < MOST_DEPTH and _chain(inner, depth + 1)}
     step = record({'value': anything, 'origin': text, 'file': maybe(text), 'line': maybe(number), 'counts': anything, **below})
     return each(step)(value)

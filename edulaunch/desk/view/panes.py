@@ -100,7 +100,7 @@ class _Keyboard(PipedInput):
         return SIZE
 
     def change_mode(self, process: Process, flags: int) -> None:
-        """Inform the page whether the program wants keys or lines."""
+        """Report to the page whether the program wants keys or lines."""
         super().change_mode(process, flags)
         self._tell_mode(self.by_key)
 

@@ -21,8 +21,8 @@ def planned_delta(system: System) -> dict[str, Any]:
     Its part `planned` has
 
     * `frames`: [parent, child, is static, nodes] of each frame;
-    * `unknown`: for a node, what is not known;
-    * `source`: for a node, where its endpoints are known from.
+    * `unknown`: a description of the unknown parts of each node;
+    * `source`: the origin of the endpoints of each node.
     """
     nodes = list(enumerate(system.nodes))
     return {

@@ -55,7 +55,7 @@ def outline_of(recording: Recording) -> str:
 
 
 class RecordingSource:
-    """A finished recording as the source of a timeline: equal on every machine, because it has no paths of this one."""
+    """A finished recording as the source of a timeline. It contains no paths of this machine, so it is equal on all machines."""
 
     def __init__(self, recording: Recording) -> None:
         from edulaunch.engine.recording.canonical import canonical
@@ -84,7 +84,7 @@ class RecordingSource:
         return range(len(self.part(name)))
 
     def forgotten(self, topic: tuple[str, str]) -> int:
-        """Implement `numbers`."""
+        """Implement `TimelineSource.forgotten`."""
         return 0
 
     def lines(self) -> Mapping[int, tuple[str, int]]:

@@ -74,7 +74,7 @@ class TimelineSource(Protocol):
         """Return (dotted path, type) of each entry of a wire."""
 
     def lines(self) -> Mapping[int, tuple[str, int]]:
-        """Return the file and line that made an endpoint, by its number; only for code of students."""
+        """Return the file and line that created an endpoint, by its number. It contains only code of students."""
 
     def beside(self, name: str, since: Mapping[int, int]) -> Sequence[dict[str, Any]]:
         """Return the records of another wing (see `Recorder.beside`).

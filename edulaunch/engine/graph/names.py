@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 Problem = tuple[str, int]
-"""Why a name is refused, in ROS 2's words, and the index of the offending character."""
+"""The reason for rejecting a name, in ROS 2's words, and the index of the invalid character."""
 
 MAX_NODE_NAME = 255
 MAX_NAMESPACE = 245
@@ -129,7 +129,7 @@ def _character_problem(name: str) -> Problem | None:
 
 
 def caret_text(kind: str, name: str, problem: Problem) -> str:
-    """Return the three lines in which ROS 2 reports a refused name: reason, name, and a caret under the offending character."""
+    """Return the three lines in which ROS 2 reports a rejected name: reason, name, and a caret under the offending character."""
     reason, index = problem
     return f"Invalid {kind}: {reason}:\n  '{name}'\n   {' ' * index}^"
 

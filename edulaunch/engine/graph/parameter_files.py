@@ -14,7 +14,7 @@ _YAML_MARKS = frozenset('\'"[]{}!&*#|>:%@`,\n')
 
 
 class ParameterFileError(ValueError):
-    """A parameter file or value that rcl would refuse; the text is rcl's reason."""
+    """A parameter file or value that rcl would reject. The message is rcl's reason."""
 
 
 class Entry(NamedTuple):
@@ -58,7 +58,7 @@ def read_value(text: str) -> Any:
 
 
 class _Reader:
-    """Yield the YAML events of a string, one at a time."""
+    """Yields the YAML events of a string, one at a time."""
 
     def __init__(self, text: str, of_a_file: bool = True) -> None:
         import yaml

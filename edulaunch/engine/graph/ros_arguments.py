@@ -36,7 +36,7 @@ SEVERITIES = {'debug': 10, 'info': 20, 'warn': 30, 'error': 40, 'fatal': 50}
 
 
 class RosArgumentsError(UnusableInput):
-    """A rule, flag or parameter file after `--ros-args` that rcl refuses."""
+    """A rule, flag or parameter file after `--ros-args` that rcl rejects."""
 
 
 class Override(NamedTuple):
@@ -55,7 +55,7 @@ class RosArguments:
     :ivar outputs: which of 'stdout', 'rosout', 'external-lib' logs were switched on or off.
     :ivar others: the arguments outside any `--ros-args` section, the program's own name included.
     :ivar deprecated: the remap rules among the `others`.
-    :ivar unknown: tokens inside a section that have no meaning.
+    :ivar unknown: unknown tokens inside a section.
     """
 
     def __init__(self) -> None:

@@ -26,7 +26,7 @@ TOKEN, SLASH, WILD_ONE, WILD_ANY, DOT = range(18, 23)
 
 
 class RuleError(Exception):
-    """An argument that rcl refuses; the text is rcl's message after `Error:`."""
+    """An argument that rcl rejects. The message is rcl's message after `Error:`."""
 
 
 class RuleReader:

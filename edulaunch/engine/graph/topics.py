@@ -195,4 +195,4 @@ def disconnect(publisher: Publisher, subscription: Subscription) -> None:
 
 
 def _forget(record: Any) -> None:
-    """Replaces the function that records the messages of a publisher."""
+    """Record nothing. This replaces the function that records the messages of a destroyed publisher."""

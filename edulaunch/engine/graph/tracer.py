@@ -71,13 +71,13 @@ class Tracer:
         """A program logged a message."""
 
     def note(self, process: Any, kind: str, text: str) -> None:
-        """The engine noticed something that the user should know."""
+        """The engine noticed a problem that the user should know."""
 
     def fact(self, process: Any, kind: str, key: Hashable, data: dict[str, Any]) -> None:
         """A program did something unusual: plain data, without messages. A repeated key counts another occurrence."""
 
     def fact_over(self, process: Any, kind: str, key: Hashable) -> None:
-        """Withdraw the fact of that key: it turned out not to be one."""
+        """Withdraw the fact of that key, because it turned out not to be unusual."""
 
     def watch(self, node: NodeEntry, look: Look) -> None:
         """`look()` returns unusual facts about a node; it is called when the node is removed, or earlier if the recording

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Lazy:
-    """A class attribute computed at its first reading, then kept on the class that owns it."""
+    """A class attribute that is computed when it is first read, and then stored on the class that owns it."""
 
     def __init__(self, compute: Callable[[], Any]) -> None:
         self._compute = compute
@@ -43,8 +43,8 @@ class ConstantsStay(type):
 class Message(metaclass=ConstantsStay):
     """The common base of all message classes; their fields behave as in rclpy.
 
-    `to_wire(msg)` is the flat immutable snapshot of a message (see `layout`), `from_wire(wire)` a new message
-    from one.
+    `to_wire(msg)` returns the flat immutable snapshot of a message (see `layout`), and `from_wire(wire)` creates a message from a
+    snapshot.
     """
 
     __slots__: list[str] = []

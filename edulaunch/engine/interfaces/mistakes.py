@@ -1,4 +1,4 @@
-"""Facts about mistakes with messages, as plain data: a refused value, a misspelt field, or an unknown type.
+"""Facts about mistakes with messages, as plain data: a rejected value, a misspelt field, or an unknown type.
 
 `twist.linaer = 1` must raise Python's own AttributeError, as with real rclpy. A hook that extends its message at that moment
 (`__setattr__`) would make each correct assignment three times slower. So the code that reports an error to the user asks this

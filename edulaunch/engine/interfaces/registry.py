@@ -209,7 +209,7 @@ class Registry:
         return make_service(spec, self.get) if isinstance(spec, ServiceSpec) else make_action(spec, self.get)
 
     def _nested(self, spec: MessageSpec, type_name: str) -> type[Message]:
-        """Return the class of a field's type; an unknown one is reported at the line that asks for it."""
+        """Return the class of a field's type. The error for an unknown type names the line of the field."""
         try:
             return self.get(type_name)
         except InterfaceError as error:

@@ -151,7 +151,7 @@ class Constant(NamedTuple):
 
 
 class MessageSpec(NamedTuple):
-    """One message, or one half of a service: its full type name, fields, constants and the file it was read
+    """One message, or the request or response of a service: its full type name, fields, constants and the file it was read
     from.
     """
 

@@ -1,4 +1,4 @@
-"""What a robot's machine may have and edulaunch does not: packages whose programs launch files start, and modules.
+"""Packages and modules that a robot's machine may have and edulaunch lacks.
 
 A student's ROS machine has such packages, so a launch that names them continues there. It also continues here: their programs end
 immediately with an explanation. The modules are not found, whatever is installed on the real machine, and the error names what is
@@ -12,7 +12,7 @@ from edulaunch.engine.underlay_place import underlay_data
 _TABLE = underlay_data('absent.json')
 
 KINDS: dict[str, dict[str, list[str]]] = _TABLE['kinds']
-"""By what they belong to: names of `packages` (`*` stands for any text) and of Python `modules`."""
+"""For each kind of software, the names of its `packages` (`*` matches any text) and its Python `modules`."""
 REFUSED: frozenset[str] = frozenset(_TABLE['refused'])
 """Modules that would open windows on the real screen, take the real keyboard or not see the student's packages, so they are not
 found even where they are installed. `tkinter` has a view.
@@ -20,7 +20,7 @@ found even where they are installed. `tkinter` has a view.
 
 
 def absent_kind(package: str) -> str | None:
-    """Return what an absent package belongs to; None for an unknown name, which is a mistake in ROS 2, too."""
+    """Return the software that an absent package belongs to; None for an unknown name, which is a mistake in ROS 2, too."""
     from fnmatch import fnmatchcase  # imported here, because most launches do not need it
 
     return next(
@@ -29,5 +29,5 @@ def absent_kind(package: str) -> str | None:
 
 
 def absent_module_kind(module: str) -> str | None:
-    """Return what a missing module belongs to; None for an unknown name."""
+    """Return the software that a missing module belongs to; None for an unknown name."""
     return next((kind for kind, names in KINDS.items() if module in names.get('modules', ())), None)

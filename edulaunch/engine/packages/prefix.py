@@ -158,7 +158,7 @@ _SIGNS = ('package.xml', 'console_scripts.txt', 'interfaces', 'msg', 'srv', 'act
 
 
 class Underlay:
-    """One underlay prefix."""
+    """The underlay: the prefix that contains the built-in packages."""
 
     def __init__(self, path: str) -> None:
         self.path = path

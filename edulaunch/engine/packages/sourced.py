@@ -23,7 +23,7 @@ _SOURCED = _Sourced()
 
 
 def put_on_prefix_path(prefixes: Sequence[str] = ()) -> None:
-    """Put prefixes in front of this interpreter's AMENT_PREFIX_PATH, and the underlay behind it, as sourcing ROS 2 does."""
+    """Put prefixes at the start of this interpreter's AMENT_PREFIX_PATH and the underlay at its end, as sourcing ROS 2 does."""
     before = [folder for folder in os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if folder]
     os.environ['AMENT_PREFIX_PATH'] = os.pathsep.join(dict.fromkeys((*prefixes, *before, underlay_prefix())))
     _SOURCED.path = os.environ['AMENT_PREFIX_PATH']

@@ -1,6 +1,7 @@
-"""Facts about an error that ended a program, beyond its message, as plain data for `edulaunch.advice`. One example is a module of
-the workspace that is compiled code, or would be after a build. Another one is a `with` around an object of ROS that is not a
-context manager.
+"""Facts about an error that ended a program, beyond its message, as plain data for `edulaunch.advice`.
+
+For example, a module of the workspace may be compiled code, or would be after a build. Or a `with` statement uses an object of
+ROS that is not a context manager.
 """
 
 from __future__ import annotations

@@ -43,10 +43,10 @@ def is_own(filename: str) -> bool:
 
 
 def student_line(frame: FrameType | None = None) -> dict[str, Any]:
-    """Return the innermost line of the student on the way to a frame (default: the caller's), for a fact. It has `file`,
-    `line`,
-    the `function`, and what it `calls`, such as 'timer.sleep' (file and function). A view counts as the module that it
-    replaces. Without code of a student, the result is empty.
+    """Return the innermost line of the student on the way to a frame (default: the caller's), for a fact.
+
+    It has `file`, `line`, the `function`, and what it `calls`, such as 'timer.sleep' (file and function). A view counts as the
+    module that it replaces. Without code of a student, the result is empty.
     """
     inner: FrameType | None = None
     here = frame if frame is not None else sys._getframe(1)

@@ -50,9 +50,8 @@ class Host:
     :param command_set: the tools and the shell of the machine (default: none).
     :param hint_of: returns the hint below an error, see :class:`DeferredHints` (default: no hints).
     :param stdin: input of programs, by launch name ('game-2', or 'game' for all of that name) or executable. It is a string, a
-        list of (simulated seconds, string), or an open text file. Other programs read an empty input, and programs of a launch
-        a
-        silent pipe.
+        list of (simulated seconds, string), or an open text file. Programs of a launch read a silent pipe, and all others read an
+        empty input.
     :cvar is_real: whether programs run on the real rclpy, and query this computer instead of the host.
     :ivar is_paced: whether something else lets simulated time keep pace with real time.
     :ivar join_network: joins a real ROS 2 network, or None where that is impossible. It takes an environment, the words of the
@@ -94,9 +93,9 @@ class Host:
         self.make_launch_observer: Callable[[Any], Any] | None = None
         self.compiled: dict[str, tuple[tuple[int, int], CodeType]] = {}
         self.generated_files: dict[str, GeneratedFile] = {}
-        """By path: what launch made for programs to read, which is on the disk only for real programs."""
+        """By path: the files that launch has generated for programs. They are on the disk only for real programs."""
         self.goal_ids: set[bytes] = set()
-        """Of all goals that were sent: programs of the same name draw the same numbers, which may not meet at a server."""
+        """All goal ids that were sent. Programs of the same name draw the same numbers, but a server needs unique ids."""
         self._pid = FIRST_PID
         self._overlays: list[tuple[Index, Overlay]] = []
 

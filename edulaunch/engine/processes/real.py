@@ -37,8 +37,7 @@ READER_NAME = 'edulaunch reads '
 
 
 class RealLook:
-    """Checks all real programs of a simulation: it passes on their output and, while any of them runs, keeps simulated time
-    equal
+    """Checks all real programs of a simulation. It passes on their output and, while any of them runs, keeps simulated time equal
     to real time.
 
     :ivar news: a queue to which their threads add (program, stream, text).
@@ -138,7 +137,7 @@ class RealProcess:
         self._news.put((self, '', None))
 
     def take(self, stream: str, text: str | None) -> None:
-        """Handle the message of one of its threads: a piece of output, or None for its end."""
+        """Handle the message of one of the program's threads: a piece of output, or None for the end of the output."""
         if text is not None:
             self._room.release()
             if text and self.on_output is not None:

@@ -1,11 +1,10 @@
 """Records which simulated programs read the real machine. Such a run cannot repeat exactly, which its recording states.
 
-It uses Python's own audit events, which also occur inside libraries (`psutil` reads `/proc`, `requests` connects). A few
-modules
-and functions reveal facts about the machine without such an event; their use by the student's code is recorded.
-Importing a library that inspects the machine does not count, because its result seldom matters. Views cannot replace the audit
-hook: they see only calls from the student's own code, and installed libraries do not use them. The file also has the folders of
-this machine that a digest must not depend on.
+It uses Python's own audit events, which also occur inside libraries (`psutil` reads `/proc`, `requests` connects). A few modules
+and functions reveal facts about the machine without such an event. Their use by the student's code is recorded. Importing a
+library that inspects the machine does not count, because its result seldom matters. Views cannot replace the audit hook: they see
+only calls from the student's own code, and installed libraries do not use them. The file also has the folders of this machine
+that a digest must not depend on.
 """
 
 from __future__ import annotations

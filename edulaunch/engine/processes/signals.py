@@ -59,7 +59,7 @@ class SignalDelivery:
         self._lifecycle.vanish()
 
     def die_at_once(self, signum: int) -> None:
-        """The handler that stands for the default action of a signal; called inside the program."""
+        """Handle a signal by its default action; called inside the program."""
         self.die_of(signum)
         self._lifecycle.task.attend()
 

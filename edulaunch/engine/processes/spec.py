@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 
 class Origin(NamedTuple):
-    """The place in a student's file that made a launch action or a parameter."""
+    """The place in a student's file that created a launch action or a parameter."""
 
     file: str
     line: int
@@ -21,7 +21,7 @@ class Origin(NamedTuple):
 
 
 class ProcessSpec(NamedTuple):
-    """Everything that is decided before a program starts.
+    """Everything that is known before a program starts.
 
     :ivar argv: the command line, program first, exactly as the launch action resolved it.
     :ivar name: the launch name, such as 'talker-1'.
@@ -29,7 +29,7 @@ class ProcessSpec(NamedTuple):
     :ivar env: the whole environment of the program; None for a copy of the launcher's.
     :ivar shell: whether the joined command line goes through the shell.
     :ivar origin: the launch file and line of the action.
-    :ivar package, executable: of a Node action.
+    :ivar package, executable: those of a Node action.
     :ivar parameter_origins: for each parameter of a Node action, where its value came from, in words.
     :ivar emulate_tty: whether a real program writes to a terminal instead of pipes; a simulated one writes as if to one anyway.
     :ivar has_pipe: whether it reads from a pipe of its parent, which is never written to; otherwise, it reads an empty file.

@@ -1,11 +1,10 @@
-"""The output streams of a simulated program. A student's own modules get the streams of their program from the `sys` view.
-Output of the standard library or an installed
-package (warnings, `help()`, progress bars) goes through the real `sys`. While a simulation runs, this has a
-:class:`SharedStream`
+"""The output streams of a simulated program.
+
+A student's own modules get the streams of their program from the `sys` view. Output of the standard library or an installed
+package (warnings, `help()`, progress bars) goes through the real `sys`. While a simulation runs, this has a :class:`SharedStream`
 in their place, so each call reaches the program that makes it.
 
-Beginners print futures, nodes and methods (`<rclpy.task.Future object at 0x7f0000000010>`). The real addresses differ from run
-to
+Beginners print futures, nodes and methods (`<rclpy.task.Future object at 0x7f0000000010>`). The real addresses differ from run to
 run, and recordings must not. So the addresses are replaced by numbers, in the order of their appearance.
 """
 
@@ -23,7 +22,7 @@ from edulaunch.engine.sim.task import AmbientTask, running_task
 class OutputStream:
     """`sys.stdout` or `sys.stderr` as a simulated program sees it.
 
-    :param write: takes the name of the stream and a string.
+    :param write: called with the name of the stream and a string.
     """
 
     encoding = 'utf-8'

@@ -28,7 +28,7 @@ ASLEEP = 10
 time.
 """
 PAUSES_S = (0.01, 0.03, 0.1, 0.3)
-"""Between attempts to start the thread on a computer that has no threads left for a moment."""
+"""Pauses between attempts to start the thread, for a computer that has no threads left for a moment."""
 VALUES = frozenset({int, float, bool, str, bytes, complex})
 CONTAINERS = frozenset({list, dict, set, tuple, bytearray})
 

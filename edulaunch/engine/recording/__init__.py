@@ -1,9 +1,8 @@
 """Recordings: the wings below produce a Recording, and the wings above read one.
 
-`records.py` defines the content, and `recorder.py` collects it from a running simulation. `recording.py` answers questions
-about
-it, and `file_format.py` writes and reads it as text that is the same byte for byte for the same run. Other wings register their
-views of a recording in `views.py`.
+`records.py` defines the content, and `recorder.py` collects it from a running simulation. `recording.py` answers questions about
+it, and `file_format.py` writes and reads it as text with the same bytes for the same run. Other wings register their views of a
+recording in `views.py`.
 """
 
 from __future__ import annotations

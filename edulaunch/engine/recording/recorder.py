@@ -18,14 +18,14 @@ if TYPE_CHECKING:
 
 
 class Beside(Protocol):
-    """A record of another wing about a process."""
+    """A record that another wing keeps about a process."""
 
     @property
     def pid(self) -> int:
         """The number of the process."""
 
     def as_data(self, since: int = 0) -> dict[str, Any]:
-        """Return all pieces as plain data, or those after the first `since` ones."""
+        """Return all entries as plain data, or those after the first `since` ones."""
 
 
 class Recorder(Tracer):

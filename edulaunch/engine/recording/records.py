@@ -72,8 +72,8 @@ class LaunchRecord(NamedTuple):
 
 
 class ProcessRecord(NamedTuple):
-    """A launched program. `returncode` is still None while it runs, and negative for a signal. `exception` is the exception that
-    ended it, if any, as a dict with type, message, file, line.
+    """A launched program. `returncode` has the value None while the program runs, and is negative for a signal. `exception` is
+    the exception that ended it, if any, as a dict with type, message, file, line.
     """
 
     name: str

@@ -92,8 +92,8 @@ class Views:
     def foxglove(self, port: int = 0, origins: Any = ()) -> Any:
         """Serve the run to Foxglove and Lichtblick from a notebook; return the server, with `address` and `close()`.
 
-        :param port: of this computer, or 0 for any free one.
-        :param origins: of pages that may connect besides Foxglove's.
+        :param port: a port of this computer, or 0 for any free port.
+        :param origins: the origins of pages that may connect, besides Foxglove's.
         """
         return view('foxglove')(self, port, origins)
 

@@ -1,4 +1,4 @@
-"""Checks whether a message of its type can have the values of a recorded message."""
+"""Checks whether the values of a recorded message are possible for its type."""
 
 from __future__ import annotations
 

@@ -107,7 +107,7 @@ class RealTime:
 
     @property
     def paused(self) -> bool:
-        """Whether time stands still."""
+        """Whether simulated time is paused."""
         return self._paused
 
     @paused.setter

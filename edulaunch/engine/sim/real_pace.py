@@ -26,12 +26,12 @@ class RealPace:
         self._anchor = self._last = sim.now_ns, clock()
 
     def begin(self) -> None:
-        """From now on, let both times pass together from their current values."""
+        """Let simulated and real time pass together from now on, starting from their current values."""
         self._anchor = self._last = self._sim.now_ns, self._clock()
 
     def ahead_s(self) -> float:
-        """Return how long to wait until real time reaches simulated time. After a second without a call, both start again
-        together.
+        """Return how long to wait until real time reaches simulated time. After a second without a call, both start together
+        again.
         """
         now, real = self._sim.now_ns, self._clock()
         if now - self._last[0] > SILENCE_NS or real - self._last[1] > SILENCE_NS:

@@ -47,11 +47,11 @@ class RealThreads:
         time.sleep(THREAD_BEGINS_S)
 
     def join(self) -> RealThreadTask:
-        """Let the running thread take part."""
+        """Let the running thread take part in the simulation. Return its task."""
         return RealThreadTask(self._host, self)
 
     def add(self, thread: threading.Thread) -> None:
-        """Use another real clock; simulated time continues from its current value."""
+        """Add a thread. If it is the only one, simulated time follows real time from its current value."""
         if not self.are_here():
             self._anchor = self._host.sim.now_ns, time.monotonic_ns()
         self._threads.append(thread)
@@ -87,7 +87,7 @@ class RealThreads:
 
 
 class RealThreadTask(AmbientTask):
-    """Stands for the code of a real thread in the simulation of the main thread."""
+    """Represents the code of a real thread in the simulation of the main thread."""
 
     is_real_thread = True
 

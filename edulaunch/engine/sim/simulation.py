@@ -29,8 +29,7 @@ class Simulation:
 
     The agenda is a heap of (time, priority, sequence, callback): among equal times, the priority and then the order of the
     requests decide. Items for the current instant with the usual priority 0 are in a queue beside the heap. The order is the
-    same, because the heap's items
-    for this instant were requested earlier, and the queue is much cheaper.
+    same, because the heap's items for this instant were requested earlier. The queue is much faster.
 
     Callbacks run on the *hub*, the greenlet that called :meth:`run`; they must not block (a program that blocks is a
     :class:`~edulaunch.engine.sim.task.Task`).
@@ -50,7 +49,7 @@ class Simulation:
         self._stopped = False
         self.hands_on = False  # whether a parking task may switch directly to the next task of this instant
         self.keep_up: Callable[[], object] | None = None
-        """Moves the time to that of the clock on the wall, where a plain script follows it. Called before the time is read."""
+        """Advances simulated time to the real clock that a plain script follows. It is called before each reading of the time."""
 
     @property
     def elapsed_s(self) -> float:

@@ -45,7 +45,7 @@ class Task(Parking):
         return getattr(self._greenlet, 'gr_frame', None)
 
     is_real_thread = False
-    """Whether it stands for a real thread beside the main one; see `real_threads.py`."""
+    """Whether the task represents a real thread beside the main one; see `real_threads.py`."""
 
     def start(self) -> None:
         """Give the task its first turn, at the current simulated time."""
@@ -110,7 +110,7 @@ class ThreadsBeside(Protocol):
     """The real threads beside the main thread of a plain script; see `real_threads.py`."""
 
     def keep_time(self) -> None:
-        """Make simulated time real time from now on."""
+        """Make simulated time equal to real time from now on."""
 
     def set_the_pace(self, due_ns: int | None) -> bool:
         """Return whether the main thread must wait in real time for an item that is due at `due_ns` (None means never)."""
@@ -125,7 +125,7 @@ class ThreadsBeside(Protocol):
         """Make the main thread check again immediately."""
 
     def join(self) -> AmbientTask:
-        """Let the running thread take part."""
+        """Let the running thread take part in the simulation. Return its task."""
 
 
 class AmbientTask(Task):

@@ -41,7 +41,7 @@ class TransformBuffer:
 
         :param authority: name of the node that broadcasts it.
         :param static: whether it holds at all times; then the stamp does not matter.
-        :returns: the log lines of tf2 when it refuses the transform, as (severity, text); empty if it was accepted.
+        :returns: the log lines of tf2 when it rejects the transform, as (severity, text); empty if it was accepted.
         """
         x, y, z, qx, qy, qz, qw = pose
         square = qx * qx + qy * qy + qz * qz + qw * qw
@@ -168,11 +168,11 @@ class TransformBuffer:
         return list(self._frames)
 
     def all_frames_as_yaml(self) -> str:
-        """Implement :func:`edulaunch.engine.tf.dumps.all_frames_as_yaml`."""
+        """Return all frames as YAML; see :func:`edulaunch.engine.tf.dumps.all_frames_as_yaml`."""
         return dumps.all_frames_as_yaml(self._frames)
 
     def all_frames_as_string(self) -> str:
-        """Implement :func:`edulaunch.engine.tf.dumps.all_frames_as_string`."""
+        """Return all frames, one on a line; see :func:`edulaunch.engine.tf.dumps.all_frames_as_string`."""
         return dumps.all_frames_as_string(self._frames)
 
     def all_frames_as_dot(self, now_ns: int = 0) -> str:

@@ -14,9 +14,8 @@ COMPACT_AT = 64
 class History:
     """The samples of one child frame, oldest first: three parallel lists from index `first` on.
 
-    Old samples are dropped by moving `first`. The lists are cut when half of their entries have been dropped. Thus the cost of
-    an insert
-    does not depend on the length of the history. A lookup at any time costs a bisection.
+    Old samples are dropped by moving `first`. The lists are cut when half of their entries have been dropped, so the cost of an
+    insert does not depend on their length. A lookup at any time costs a bisection.
 
     :param name: the child frame.
     :param static: True for a frame of /tf_static: one sample, valid at all times.
@@ -113,8 +112,7 @@ class History:
 def poses_at(histories: Sequence[History], time_ns: int) -> list[Transform] | None:
     """Return the pose of each frame at a time (0 means the newest); None if one of them would need extrapolation.
 
-    Between two samples, the result is interpolated. At a stamp with several samples, the last inserted one counts, except at
-    the
+    Between two samples, the result is interpolated. At a stamp with several samples, the last inserted one counts, except at the
     oldest stamp, where the first one counts (as in tf2). The loop has no function call for each frame, because lookups in the
     past spend their time here.
 

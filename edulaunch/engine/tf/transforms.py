@@ -1,7 +1,7 @@
 """Rigid transforms as flat tuples (x, y, z, qx, qy, qz, qw): metres and a unit quaternion.
 
-A transform is named `target_from_source`: applied to coordinates given in *source* it yields coordinates in
-*target*. It is also the pose of the source frame seen from the target frame.
+A transform is named `target_from_source`. It converts coordinates in *source* to coordinates in *target*. It is also the pose of
+the source frame seen from the target frame.
 """
 
 from __future__ import annotations

@@ -186,7 +186,7 @@ class _Watch:
         self._parameters: dict[str, dict[str, Any]] = {}
 
     def add(self, report: Any) -> None:
-        """Return the reports of the observer."""
+        """Add a report of the observer."""
         self._nodes.update(
             {steady_name(node): when - self._began_s for node, when in report['nodes'].items() if is_compared(node)}
         )

@@ -183,7 +183,7 @@ def program_of(name: str) -> str:
 def add_messages(
     flows: dict[str, Flow], topic: str, type_name: str, rows: Iterable[tuple[float, Any]], class_of: ClassOf
 ) -> None:
-    """Add the wires of a topic."""
+    """Add the messages of a topic, from (seconds, wire tuple) rows."""
     for time_s, wire in rows:
         if type_name == _TRANSFORMS:
             for transform in wire[0]:

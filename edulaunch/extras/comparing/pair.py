@@ -46,8 +46,7 @@ def compare(
 ) -> Pair:
     """Run a launch file in simulation, as long as the real run may take, and then in reality.
 
-    Some differences depend on the order in which programs start. So in further simulations, programs start as late as in
-    reality,
+    Some differences depend on the order in which programs start. So in further simulations, programs start as late as in reality,
     at the same time of day. Other differences depend on random numbers, see :func:`by_chance`. The rest is the result.
 
     :param seconds: simulated seconds until Ctrl-C.

@@ -120,7 +120,7 @@ class EndsRecorder(Recorder):
 
 
 class LateSession(Session):
-    """A session with such a host and recorder."""
+    """A session with a `LateHost` and an `EndsRecorder`."""
 
     host_class = LateHost
     recorder_class = EndsRecorder

@@ -24,7 +24,7 @@ class Row(NamedTuple):
     :ivar words: as for `edulaunch compare`.
     :ivar found: differences that are not known.
     :ivar known: the rows that explain the other differences.
-    :ivar trouble: why there is no result.
+    :ivar trouble: the reason why there is no result.
     """
 
     words: tuple[str, ...]
@@ -64,7 +64,7 @@ def sweep(
 
     :param items: the words of each comparison: a path, or a package and a file, and launch arguments.
     :param options: further options of each comparison.
-    :param folder_of: the folder in which each is launched, if not here.
+    :param folder_of: the folder in which each file is launched; by default, the current one.
     :param progress: called with each finished row.
     :raises KeyboardInterrupt: after Ctrl-C, when the running comparisons have ended.
     """

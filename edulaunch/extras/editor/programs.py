@@ -22,7 +22,7 @@ HIDDEN = ('qos_overrides.', 'start_type_description_service')
 
 
 class Interface(NamedTuple):
-    """Return the parameters of a program with their defaults, and the types of its topics, by name."""
+    """The parameters of a program with their defaults, and the types of its topics, by name."""
 
     parameters: dict[str, str]
     topics: dict[str, str]

@@ -44,7 +44,7 @@ class Feed(Protocol):
         """Return the other fields of the server's first message."""
 
     def advance(self) -> list[bytes]:
-        """Let time pass; return the messages for a client about this."""
+        """Let time pass. Return the messages that inform a client about the new time."""
 
     def now_ns(self) -> int:
         """Return the current time, in ns since 1970."""

@@ -1,7 +1,7 @@
-"""The messages that a client of the Foxglove WebSocket protocol may send. This module checks everything, and refuses an invalid
-message with an error message. A client may be hostile, so the size of messages, the length of lists and the range of numbers
-are
-limited.
+"""The messages that a client of the Foxglove WebSocket protocol may send.
+
+This module checks everything, and answers an invalid message with an error message. A client may be hostile, so the size of
+messages, the length of lists and the range of numbers are limited.
 """
 
 from __future__ import annotations

@@ -38,7 +38,7 @@ class SystemTime:
         return time.time_ns()
 
     def random(self, name: str) -> random.Random:
-        """Return random numbers, which differ in each run here."""
+        """Return a random generator. Unlike in a simulation, its numbers differ in each run."""
         return random.Random()
 
 

@@ -153,7 +153,7 @@ class NativeRun:
     """The output and the end of one program.
 
     :ivar written: (when, stream, text); times are seconds since 1970.
-    :ivar started_s, ended_s: None for one that still runs.
+    :ivar started_s, ended_s: its start and its end. The end has the value None while it runs.
     :ivar signalled_s: when it got its first signal; infinite without a signal.
     """
 

@@ -41,9 +41,9 @@ CLAIMED_WITHIN_NS = 10**9
 class Mirror:
     """The remote nodes and endpoints of one graph.
 
-    :param registry: has the types.
+    :param registry: the registry of types.
     :param crossing: which topics and services cross, and in which direction.
-    :param ask: takes the requests to a service on the network.
+    :param ask: passes requests on to a service on the network.
     :param diagnostic: called with each problem.
     """
 

@@ -189,11 +189,13 @@ class Link(Protocol):
         """Send everything now; called after each turn of the machine with new messages or endpoints."""
 
     def take(self) -> Sequence[Event]:
-        """Return incoming messages since the last call, without our own. The number is bounded: `fileno` stays readable."""
+        """Return incoming messages since the last call, without our own. Their number is limited. If more wait, `fileno` stays
+        readable.
+        """
         ...
 
     def graph(self) -> RemoteGraph:
-        """Return the other nodes and endpoints of now."""
+        """Return the other nodes and endpoints that exist now."""
         ...
 
     def fileno(self) -> int:

@@ -123,7 +123,7 @@ class RclpyLink:
         self._say(wire.NODE_GONE, handle)
 
     def add(self, node: int, kind: str, name: str, interface: Interface, qos: QoS) -> int:
-        """See `Link.add`; if rclpy refuses an endpoint, a :class:`LinkDiagnostic` reports it later."""
+        """See `Link.add`; if rclpy rejects an endpoint, a :class:`LinkDiagnostic` reports it later."""
         self._count += 1
         self._kinds[self._count] = f'{kind} {name}'
         message = {

@@ -1,7 +1,7 @@
 """`ros2 run`, `ros2 launch` and `ros2 component standalone` of a `--real` program: the programs that they start are real, too.
 
-`python -m edulaunch.extras.network.real_command LOCK WORDS...`: a file that is locked while the launch lives, and the words
-after `ros2`.
+The command line is `python -m edulaunch.extras.network.real_command LOCK WORDS...`. LOCK is a file that is locked while the
+launch lives, and WORDS are the words after `ros2`.
 """
 
 from __future__ import annotations

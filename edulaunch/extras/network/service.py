@@ -1,4 +1,6 @@
-"""The network as a service of the machine: whether it is available, and what creates it. Only then is the bridge loaded."""
+"""The network as a service of the machine: whether it is available, and the function that creates it. The function loads the
+bridge.
+"""
 
 from __future__ import annotations
 

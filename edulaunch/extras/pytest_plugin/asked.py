@@ -1,7 +1,7 @@
 """Support for pytest runs with ROS tests: launch tests, tests of launch_pytest, and plain tests of a package.
 
-The last two run on the simulated machine of the test run, a launch test in its own simulation. Tests of tests run pytest
-inside pytest, with its plugin `pytester`.
+The last two run on the simulated machine of the test run. A launch test has its own simulation. Tests of tests run pytest inside
+pytest, with its plugin `pytester`.
 """
 
 from __future__ import annotations

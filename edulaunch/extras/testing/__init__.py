@@ -1,6 +1,6 @@
 """Tests of a package (plain tests and tests of launch_pytest) on the simulated machine of a pytest run.
 
-This file decides which test files these are, which packages they see, and which of them need missing packages.
+This file selects these test files, and finds the packages that they can use and the ones that are missing.
 """
 
 from __future__ import annotations

@@ -1,5 +1,6 @@
-"""Messages in the forms in which ROS 2 gives them away; inside the simulation they are wire tuples, and none of this is needed.
+"""Messages in the forms that ROS 2 uses outside a program. Inside the simulation, messages are wire tuples, and this package is
+not needed.
 
-`cdr.py` has the bytes of DDS and of bags. `type_description.py` has the descriptions and hashes of types by which ROS 2 programs
-compare them. `message_text.py` has the YAML and CSV of `ros2 topic echo`.
+`cdr.py` converts messages to the bytes of DDS and of bags. `type_description.py` creates the descriptions and hashes by which ROS
+2 programs compare types. `message_text.py` writes the YAML and CSV of `ros2 topic echo`.
 """

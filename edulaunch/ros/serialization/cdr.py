@@ -1,5 +1,5 @@
-"""Convert messages to CDR bytes and back, as ROS 2 middlewares and rosbag2 files store them (XCDR1, little-endian). Positions
-count from the end of the header, to which alignment refers.
+"""Convert messages to CDR bytes and back, as ROS 2 middlewares and rosbag2 files store them (XCDR1, little-endian). Positions and
+alignments count from the end of the header.
 """
 
 from __future__ import annotations
@@ -229,7 +229,7 @@ def _write_count(out: bytearray, count: int) -> None:
 
 
 def _read_count(data: bytes, position: int, width: int) -> tuple[int, int]:
-    """Return a count, checked against the bytes that are left for that many elements of `width` bytes."""
+    """Return a count. Check that enough bytes are left for that many elements of `width` bytes."""
     position += -position % 4
     (count,) = _COUNT.unpack_from(data, position)
     if count * width > len(data) - position - 4:
@@ -244,7 +244,7 @@ AnyMessage = TypeVar('AnyMessage', bound=Message)
 def serialize(message: Message) -> bytes:
     """Return the CDR bytes of a message, with the 4-byte header.
 
-    :raises AssertionError: when the message holds a value that its type does not allow.
+    :raises AssertionError: when the message contains a value that its type does not allow.
     """
     return encode(type(message), type(message).to_wire(message))
 

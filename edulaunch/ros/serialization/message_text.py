@@ -10,8 +10,8 @@ from edulaunch.engine.interfaces.message import Message, spec_of
 class Shortening(NamedTuple):
     """The parts of a message that are left out.
 
-    :ivar length: the maximum number of array items and characters of a string; None for all.
-    :ivar no_arr, no_str: whether arrays and strings are replaced by what they are.
+    :ivar length: the maximum number of array items and characters of a string; None means no limit.
+    :ivar no_arr, no_str: whether arrays and strings are replaced by their type and length.
     """
 
     length: int | None = None

@@ -1,6 +1,6 @@
 """Make `python3 node.py` work in a shell that has evaluated `edulaunch env --shell`, as in a shell that has sourced ROS 2.
 
-Every Python of such a shell reads this file at its start. It only waits for the first import of a ROS package, or of one that is
+Every Python of such a shell reads this file at its start. It waits for the first import of a ROS package, or of a module that is
 not found otherwise, and then sources edulaunch. Python's own and installed modules often try names that do not exist (`copy` asks
 for `org.python.core`). A workspace is not searched for these, because reading it needs such modules.
 """
@@ -16,8 +16,8 @@ _JOIN = 'import sys; from edulaunch.desk.machine.client import run; sys.exit(run
 
 
 def _is_asked_by_installed():
-    """Return whether the importing module is Python's own, an installed one or ours; frames of the import machinery are
-    skipped.
+    """Return whether the importing module belongs to Python, an installed package or edulaunch. Frames of the import machinery
+    are skipped.
     """
     frame = sys._getframe(2)
     while frame is not None and frame.f_globals.get('__name__', '').partition('.')[0] in ('importlib', 'pkgutil', 'runpy'):
@@ -27,7 +27,7 @@ def _is_asked_by_installed():
 
 
 def _join_machine():
-    """Run a program of the student that a person has started in a terminal on the machine of all terminals, in place of here.
+    """Run a program that a person has started in a terminal on the machine of all terminals, instead of in this process.
 
     A debugger, an interactive Python, a test and a program that is read through a pipe do not join it.
     """
@@ -43,7 +43,7 @@ class _Sourcing:
     """A finder at one end of `sys.meta_path` that knows no module itself."""
 
     def __init__(self, names=None):
-        self._names = names  # None means all modules; the last finder has it
+        self._names = names  # None, the value of the last finder, means all modules
 
     def find_spec(self, name, path=None, target=None):
         if path is not None or self._names is not None and name not in self._names:

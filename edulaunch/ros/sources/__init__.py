@@ -2,8 +2,8 @@
 
 An `Index` of source workspaces is created with `read_source`. `setup_script.py` reads a setup.py, with `static_python.py` and
 `static_values.py` as its small interpreter. `setup_tables.py` reads setup.cfg and pyproject.toml, and `cmake.py` a CMakeLists.txt
-(`cmake_text.py` has its syntax). `source_package.py` shows one package of a workspace with its files. `missing.py` finds out why
-something is not found, as facts from which `edulaunch.advice` makes sentences.
+(`cmake_text.py` has its syntax). `source_package.py` shows one package of a workspace with its files. `missing.py` collects facts
+about something that is not found, from which `edulaunch.advice` makes messages.
 """
 
 from __future__ import annotations
@@ -16,7 +16,9 @@ from edulaunch.engine.packages.reading import Contents, Manifest, PackageWarning
 def read_source(manifest: Manifest) -> Contents:
     """Return what a source package installs, by its build type; see `edulaunch.engine.packages.reading.SourceReader`."""
     if manifest.build_type == 'ament_python':
-        from edulaunch.ros.sources.setup_script import read_setup_script  # late: most runs read one kind of package, or none
+        from edulaunch.ros.sources.setup_script import (
+            read_setup_script,
+        )  # imported here, because most runs read only one kind of package, or none
 
         return read_setup_script(manifest)
     if manifest.build_type not in ('ament_cmake', 'catkin', 'cmake'):

@@ -15,7 +15,7 @@ from edulaunch.ros.sources.cmake_text import Command, commands, expand
 
 _INTERFACES = ('.msg', '.srv', '.action')
 _MADE = '/made-by-the-build'
-"""Stands for the build folder: what is installed from there is made by the build, and is not in the sources."""
+"""Represents the build folder. The build creates the files that are installed from there, so the sources do not contain them."""
 _MARKERS = 'share/ament_index/resource_index/packages'
 _WORDS = frozenset(
     (
@@ -53,7 +53,7 @@ def read_cmake_lists(manifest: Manifest) -> Contents:
 
 
 class _CMakeLists:
-    """One CMakeLists.txt while it is read."""
+    """One CMakeLists.txt that is being read."""
 
     def __init__(self, manifest: Manifest) -> None:
         self.package = manifest.name
@@ -118,8 +118,8 @@ class _CMakeLists:
                 self._obey(command)
 
     def _follow_tests(self, todo: list[Command]) -> None:
-        """Follow only commands that add programs of tests, which launch tests start. A build of the package needs nothing else
-        there.
+        """Evaluate only commands that add programs for tests, because launch tests start these. A build of the package needs no
+        other command there.
         """
         for command in todo:
             words = expand(command, self.variables, lambda name: None)
@@ -363,7 +363,7 @@ def _files_below(top: str) -> Iterator[str]:
 
 
 def _matches(name: str, rest: list[str]) -> bool:
-    """Return whether install(DIRECTORY) takes the file, after its FILES_MATCHING and PATTERN ... EXCLUDE clauses."""
+    """Return whether install(DIRECTORY) includes the file, by its FILES_MATCHING and PATTERN ... EXCLUDE clauses."""
     from fnmatch import fnmatchcase
 
     taken = 'FILES_MATCHING' not in rest

@@ -19,7 +19,7 @@ _VARIABLE = re.compile(r'\$\{([^${}]*)\}')
 
 
 class Command(NamedTuple):
-    """A command `name(words...)` at `line`. `quoted` contains whether each word was in quotation marks."""
+    """A command `name(words...)` at `line`. For each word, `quoted` states whether it was in quotation marks."""
 
     name: str
     line: int
@@ -51,7 +51,7 @@ def commands(text: str) -> Iterator[Command]:
 def expand(command: Command, variables: dict[str, list[str]], unknown: Callable[[str], None]) -> list[str]:
     """Return the words with the values of ${variables}. An unquoted word becomes as many words as its lists have items.
 
-    A word with a variable that is not known is left out, after `unknown(name)`.
+    A word with an unknown variable is left out, and `unknown(name)` is called.
     """
     result: list[str] = []
     for word, quoted in zip(command.words, command.quoted, strict=True):
@@ -66,7 +66,7 @@ def expand(command: Command, variables: dict[str, list[str]], unknown: Callable[
 
 
 def _filled(word: str, variables: dict[str, list[str]]) -> tuple[str, str | None]:
-    """Return the word with its variables, from the inside out; and the first one that is not known."""
+    """Return the word with its variables expanded from the inside out, and the name of the first unknown variable."""
     match = _VARIABLE.search(word)
     while match is not None:
         if match[1] not in variables:

@@ -18,13 +18,14 @@ if TYPE_CHECKING:
 
 Facts = dict[str, Any]
 _WRITTEN = frozenset(('build', 'install', 'log', 'logs'))
-"""Folders that colcon and programs write: no package is looked for in them."""
+"""Folders that colcon and programs write. They are not searched for packages."""
 LOOKED_AT = 500
-"""Folders below the current one in which a package is looked for that no workspace has: others wait meanwhile."""
+"""The maximum number of folders below the current one that are searched for a package, because other programs wait meanwhile."""
 
 
 def missing_package(index: Index, package: str, here: str | None = None) -> Facts:
-    """Return facts about a missing package: the nearest name, the folder that contains it, or that no workspace was given.
+    """Return facts about a missing package: the nearest name, the folder that contains it, or the fact that no workspace was
+    given.
 
     :param here: the folder of the program that needs it (default: that of this process).
     """
@@ -51,7 +52,9 @@ def missing_package(index: Index, package: str, here: str | None = None) -> Fact
 
 
 def _is_another(name: str, package: str) -> bool:
-    """Return whether two names differ in their numbers only: turtlebot3_gazebo is not meant by turtlebot4_gazebo."""
+    """Return whether two names differ in their numbers only. For example, turtlebot4_gazebo is not a misspelling of
+    turtlebot3_gazebo.
+    """
     return name != package and re.sub(r'\d', '0', name) == re.sub(r'\d', '0', package)
 
 
@@ -67,7 +70,7 @@ def _without_manifest(package: str, here: str) -> str | None:
 
 
 def _elsewhere_below(package: str, workspaces: list[str], here: str) -> str | None:
-    """Return the folder of a package of that name below `here`, as a path from there; None when a workspace has it."""
+    """Return the relative path of a folder of that name below `here`, or None if a workspace contains the package."""
     for folder in find_packages(here, [], LOOKED_AT) if os.path.dirname(here) != here else ():
         manifest = read_manifest(folder, [])
         if manifest is not None and manifest.name == package and not any(f'{folder}/'.startswith(f'{w}/') for w in workspaces):
@@ -115,7 +118,7 @@ def source_package(index: Index, package: str) -> SourcePackage | None:
 
 
 def missing_launch_file(index: Index, package: str, file: str | None) -> Facts:
-    """Return facts about a launch file that a package has in its source but does not install; empty for others."""
+    """Return facts about a launch file that is in the source of a package but not installed, or {} for other files."""
     found = source_package(index, package)
     if found is None:
         return _built(index, package)
@@ -135,7 +138,7 @@ def _not_installed(package: SourcePackage, path: str) -> Facts:
 
 
 def missing_executable(index: Index, package: str, executable: str) -> Facts:
-    """Return facts about a missing executable: the nearest name, or that its source exists and no build file names it."""
+    """Return facts about a missing executable: the nearest name, or that its source exists but no build file names it."""
     names = [*index.executables(package), *index.native_executables(package)]
     near = f'{executable}.py' if f'{executable}.py' in names else nearest_spelling(executable, names)
     not_built = {} if near == f'{executable}.py' else _not_built(index, package, executable)
@@ -151,7 +154,7 @@ def missing_executable(index: Index, package: str, executable: str) -> Facts:
 
 
 def _unread(index: Index, package: str, executable: str) -> Facts:
-    """Return the command of CMakeLists.txt that may make an executable, where edulaunch does not know what it does."""
+    """Return the command of CMakeLists.txt that may create an executable, if edulaunch cannot evaluate it."""
     found = source_package(index, package)
     if found is None or found.is_python:
         return {}
@@ -188,7 +191,7 @@ def _not_built(index: Index, package: str, executable: str) -> Facts:
 
 
 def installed_file(index: Index, path: str) -> Facts:
-    """Return facts about a missing file in a package's share folder that its source has but does not install."""
+    """Return facts about a missing file in a package's share folder, if the source contains the file but does not install it."""
     head, sign, tail = path.rpartition(f'{os.sep}share{os.sep}')
     package, _, name = tail.partition(os.sep)
     if not (sign and name) or package not in index.packages() or head != index.prefix(package):

@@ -18,12 +18,12 @@ from edulaunch.ros.sources.source_package import read_text
 from edulaunch.ros.sources.static_values import Unknown, first_unknown
 
 _UNCERTAIN = frozenset(('exec', 'eval', 'globals', 'locals', 'vars', '__import__'))
-"""With one of these a script may define names that do not stand in it."""
+"""Names with which a script may define further names that do not occur in it."""
 _GIVEN = frozenset((*dir(builtins), '__file__', '__name__', '__doc__', '__builtins__', '__spec__', '__loader__', '__package__'))
 
 
 def first_undefined_name(tree: ast.Module) -> tuple[str, int] | None:
-    """Return the first undefined name and its line; None without one, or if that cannot be determined.
+    """Return the first undefined name and its line, or None if the file has no such name or that cannot be determined.
 
     It checks only code that always runs, and not the bodies of functions, conditions, loops and `try`.
     """
@@ -52,7 +52,7 @@ def _bound(tree: ast.Module) -> Iterator[str]:
 
 
 def _evaluated(node: ast.AST) -> Iterator[ast.Name]:
-    """Yield the names that are read whenever a statement or an expression is reached, in order of evaluation."""
+    """Yield the names that are read when a statement or an expression is evaluated, in order."""
     if isinstance(node, ast.Name):
         yield from [node] if isinstance(node.ctx, ast.Load) else ()
     for child in _surely(node):
@@ -77,7 +77,7 @@ def _surely(node: ast.AST) -> Sequence[ast.AST]:
 
 _SETUP = frozenset(('setuptools.setup', 'distutils.core.setup', 'setup'))
 _ENTRY = re.compile(r'\s*([^=]+?)\s*=\s*([\w.]+)\s*(?::\s*([\w.]+)\s*)?(?:\[.*\]\s*)?')
-"""What setuptools accepts; it stops at any other entry."""
+"""The form of an entry that setuptools accepts. It stops at any other entry."""
 _JOINED = re.compile(r'(?<=:main)[\w.-]+(?=\s*=)')
 """Two entries of a list without a comma between them."""
 _MARKERS = 'share/ament_index/resource_index/packages'
@@ -89,7 +89,7 @@ def read_setup_script(manifest: Manifest) -> Contents:
 
 
 class _SetupScript:
-    """One setup.py while it is read."""
+    """One setup.py that is being read."""
 
     def __init__(self, manifest: Manifest) -> None:
         self.package = manifest.name
@@ -152,7 +152,7 @@ class _SetupScript:
         return options
 
     def _with_tables(self, options: dict[str, Any]) -> dict[str, Any]:
-        """Return all options: setup() counts before setup.cfg, and pyproject.toml before both."""
+        """Return all options. setup() overrides setup.cfg, and pyproject.toml overrides both."""
 
         def warn(file: str, sentence: str) -> None:
             self.warn(sentence, 0, file)
@@ -274,7 +274,7 @@ class _SetupScript:
                 yield match[1], match[2], match[3] or ''
 
     def _have_nodes(self, modules: Iterable[str]) -> bool:
-        """Return whether modules have anything of rclpy: a package without nodes puts its commands into `bin` on purpose."""
+        """Return whether any of the modules uses rclpy. A package without nodes puts its commands into `bin` on purpose."""
         files = [os.path.join(self.folder, *module.split('.')) + '.py' for module in modules]
         return not all(map(os.path.isfile, files)) or any('rclpy' in read_text(path) for path in files)
 

@@ -13,13 +13,13 @@ if TYPE_CHECKING:
     from configparser import ConfigParser
 
 Warn = Callable[[str, str], None]
-"""Called with the file and the sentence."""
+"""Called with the file and the message."""
 
 SCRIPTS = {'scripts': 'console_scripts', 'gui-scripts': 'gui_scripts'}
 
 
 def read_setup_cfg(folder: str, warn: Warn) -> ConfigParser:
-    """Return the content of setup.cfg with its upper-case letters; empty if the file is missing or unreadable."""
+    """Return the content of setup.cfg without changing upper-case letters. It is empty if the file is missing or unreadable."""
     from configparser import ConfigParser, Error
 
     file = os.path.join(folder, 'setup.cfg')
@@ -90,7 +90,7 @@ def _toml_packages(folder: str, given: Any) -> Any:
 
 
 def _found(folder: str, wanted: dict[str, Any], namespaces: bool) -> list[str]:
-    """Return what setuptools' `find` finds; `where` is a list of folders."""
+    """Return the packages that setuptools' `find` finds. `where` is a list of folders."""
     where = wanted.get('where') or ['.']
     exclude, include = wanted.get('exclude') or (), wanted.get('include') or ('*',)
     marker = '' if namespaces else '__init__.py'
@@ -98,7 +98,7 @@ def _found(folder: str, wanted: dict[str, Any], namespaces: bool) -> list[str]:
 
 
 def _pairs(folder: str, sections: dict[str, list[str]]) -> list[tuple[str, list[str]]]:
-    """Return data_files= of {folder: patterns}. Unlike in setup(), patterns are expanded here."""
+    """Return the value of data_files= for {folder: patterns}. Unlike in setup(), patterns are expanded here."""
     return [
         (target, [name for pattern in patterns for name in _expanded(folder, pattern)]) for target, patterns in sections.items()
     ]
@@ -115,6 +115,6 @@ def _expanded(folder: str, pattern: str) -> list[str]:
 
 
 def _listed(text: str) -> list[str]:
-    """Return the lines of a value, or the words between commas of a single line."""
+    """Return the lines of a value. If it has only one line, return its comma-separated words."""
     parts = text.splitlines() if '\n' in text else text.split(',')
     return [part.strip() for part in parts if part.strip() and not part.strip().startswith('#')]

@@ -1,5 +1,5 @@
-"""The packages of a workspace in the form for checks: manifest, contents, sources, and the modules in them. The file also knows
-where data files belong so that a build installs them. Nothing is imported.
+"""The packages of a workspace in the form for checks: manifest, contents, sources, and the modules in them. The file also
+determines the folders from which a build installs data files. No module of a package is imported.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ class SourcePackage:
 
     @property
     def is_python(self) -> bool:
-        """Whether it is built with setup.py, or would be if that file were not missing."""
+        """Whether the package is built with setup.py, or would be if that file were not missing."""
         if os.path.isfile(self.build_file('CMakeLists.txt')):
             return False
         manifest = read_manifest(self.folder, [])
@@ -125,11 +125,11 @@ class SourcePackage:
 
 
 _OF_ROS_1 = re.compile(r'\$\(find |<node[^>]*\btype\s*=')
-"""What only a launch file of ROS 1 has."""
+"""Signs that occur only in a launch file of ROS 1."""
 
 
 def source_packages(index: Index) -> list[SourcePackage]:
-    """Return the packages of an index's source workspaces, by name."""
+    """Return the packages in the source workspaces of an index, by name."""
     return [
         SourcePackage(name, place.package_folder(name), place.contents(name))
         for place in index.workspaces
@@ -156,7 +156,7 @@ def parsed(path: str) -> ast.Module | None:
 
 
 def _line_of(lines: list[str], tag: str, name: str) -> int:
-    """Return the line of a dependency; 0 when it is written in some other way than on one line."""
+    """Return the line of a dependency, or 0 if it is not written on a single line."""
     for number, line in enumerate(lines, 1):
         if f'<{tag}' in line and name in line.replace('<', ' ').replace('>', ' ').split():
             return number
@@ -205,7 +205,7 @@ def main_of(tree: ast.Module, name: str) -> ast.FunctionDef | None:
 
 
 def line_with(file: str, word: str) -> int:
-    """Return the number of the first line that contains the word; 0 without one."""
+    """Return the number of the first line that contains the word, or 0 for no such line."""
     return next((number for number, line in enumerate(read_text(file).splitlines(), 1) if word in line), 0)
 
 
@@ -214,10 +214,11 @@ DATA_FOLDERS = ('config', 'params', 'param', 'rviz', 'urdf', 'worlds', 'maps', '
 
 
 def install_facts(package: SourcePackage, path: str) -> dict[str, str | None]:
-    """Return facts about the installation of a data file; None for facts that do not apply.
+    """Return facts about how to install a data file.
 
-    :returns: Return `beside`, the folder whose files are already installed. For a file beside the build file, return `move`, the
-        folder in which it belongs. `folder` and `pattern` are for setup.py, and `top` is for CMakeLists.txt.
+    :returns: a dict. `beside` is the folder whose files are already installed. For a file beside the build file, `move` is the
+        folder in which it belongs. `folder` and `pattern` are for setup.py, and `top` is for CMakeLists.txt. A fact that does not
+        apply has the value None.
     """
     folder, name = os.path.split(package.relative(path))
     place = folder or ('launch' if package.is_launch_file(path) else 'config')
@@ -233,7 +234,7 @@ def install_facts(package: SourcePackage, path: str) -> dict[str, str | None]:
 
 
 def _pattern(package: SourcePackage, path: str, name: str) -> str:
-    """Return what glob() finds the file with: for launch files the pattern of ROS 2's tutorials, if it fits."""
+    """Return the glob() pattern that matches the file: that of ROS 2's tutorials for launch files, if it matches."""
     if not package.is_launch_file(path):
         return '*'
     return LAUNCH_PATTERN if fnmatch(name, LAUNCH_PATTERN) else '*' + os.path.splitext(name)[1]

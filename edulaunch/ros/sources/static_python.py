@@ -40,9 +40,9 @@ class _Returned(Exception):
 class StaticPython:
     """Evaluates one module.
 
-    :param file: its path, which `__file__` shows.
-    :param folder: what relative paths in it mean.
-    :param watch: dotted names of functions whose calls are kept in :attr:`calls` as (line, keyword values).
+    :param file: the path of the module, which is the value of `__file__`.
+    :param folder: the folder to which its paths are relative.
+    :param watch: dotted names of functions whose calls are stored in :attr:`calls` as (line, keyword values).
     """
 
     def __init__(self, file: str, folder: str, watch: frozenset[str]) -> None:
@@ -71,7 +71,7 @@ class StaticPython:
             return method(node)
         except _Returned:
             raise
-        except Exception:  # any error in the program here only makes its value unknown
+        except Exception:  # any error of the evaluated program only makes its value unknown
             return self._unknown(node)
 
     def _unknown(self, node: ast.AST) -> Unknown:
@@ -293,7 +293,7 @@ class StaticPython:
         return keywords
 
     def _method(self, node: ast.expr) -> Callable[..., Any] | None:
-        """Return the bound method of a plain value that may be called while reading."""
+        """Return the bound method of a plain value, if the evaluation may call it."""
         if not isinstance(node, ast.Attribute):
             return None
         holder = self.value(node.value)
@@ -302,13 +302,13 @@ class StaticPython:
         return method
 
     def _callable(self, value: Any) -> Any:
-        """Return a function that is passed to another one (`map`, `filter`, `sorted(key=)`) as a callable."""
+        """Return a callable for a function that is passed to another one (`map`, `filter`, `sorted(key=)`)."""
         if isinstance(value, ast.FunctionDef | ast.Lambda):
             return lambda *arguments: self._call_own(value, list(arguments), {})
         return self._functions.get(value.name, value) if isinstance(value, Module) else value
 
     def _call_own(self, function: ast.FunctionDef | ast.Lambda, arguments: list[Any], keywords: dict[str, Any]) -> Any:
-        """Return a function that the file itself defines: its body is followed with the arguments bound."""
+        """Call a function that the file defines: evaluate its body with the arguments bound, and return the result."""
         outer = self.names
         self.names = {**outer, **self._bound(function.args, arguments, keywords)}
         try:
@@ -322,7 +322,7 @@ class StaticPython:
         return None
 
     def _bound(self, parameters: ast.arguments, arguments: list[Any], keywords: dict[str, Any]) -> dict[str, Any]:
-        """Return what each parameter of a function is worth in a call."""
+        """Return the value of each parameter of a function in a call."""
         names = [parameter.arg for parameter in parameters.posonlyargs + parameters.args]
         defaults = zip(reversed(names), map(self.value, reversed(parameters.defaults)), strict=False)
         only = zip((parameter.arg for parameter in parameters.kwonlyargs), map(self.value, parameters.kw_defaults), strict=True)

@@ -1,4 +1,4 @@
-"""Values for the static evaluation of Python text, and the few functions that may be called meanwhile."""
+"""Values for the static evaluation of Python text, and the few functions that it may call."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from typing import Any
 class Unknown:
     """A value that is not known without running the file. It stores its origin.
 
-    :param line: where in the file.
-    :param why: what could not be followed, as source text.
+    :param line: the line in the file.
+    :param why: the source text that could not be evaluated.
     """
 
     def __init__(self, line: int, why: str) -> None:
@@ -44,7 +44,7 @@ class PathText(str):
 
     @classmethod
     def below(cls, folder: str, *parts: str) -> PathText:
-        """Return the path that consists of these parts."""
+        """Return the path that consists of these parts, relative to `folder`."""
         made = cls(os.path.join(*parts) if parts else '.')
         made.folder = folder
         return made
@@ -154,7 +154,7 @@ PURE: dict[str, Callable[..., Any]] = {
     'zip': lambda *columns: list(zip(*columns, strict=False)),
     'enumerate': lambda items: list(enumerate(items)),
 }
-"""Functions that may be called because they look at their arguments only."""
+"""Functions that the evaluation may call, because they only use their arguments."""
 
 
 def callables(folder: str) -> dict[str, Callable[..., Any]]:
@@ -244,7 +244,7 @@ METHODS: dict[type, frozenset[str]] = {
     dict: frozenset(('items', 'keys', 'values', 'get', 'setdefault', 'update', 'copy')),
     set: frozenset(('add', 'update')),
 }
-"""Methods of plain values that may be called while reading."""
+"""Methods of plain values that the evaluation may call."""
 
 
 def find_packages(where: str, exclude: Any = (), include: Any = ('*',), marker: str = '__init__.py') -> list[str]:

@@ -23,7 +23,7 @@ from edulaunch.engine.sim.simulation import EPOCH_NS, FAR_NS, Simulation
 Key = tuple[int, int, int, int]
 NEVER: Key = (FAR_NS, 0, 0, 0)
 BEFORE_ALL = -FAR_NS  # a priority before all items, for the key of the end of a run
-IS_MARK = -1  # stands for a mark in place of the priority of a queued item
+IS_MARK = -1  # the value that represents a mark, in place of the priority of a queued item
 FOR_THE_OTHER = 1 << 16  # count of numbers reserved for the items that a frame causes in the other peer
 
 

@@ -30,7 +30,7 @@ from edulaunch.runtime.session import Session
 
 
 class HostedProgram:
-    """A program of the trusted peer, as the confined one knows it."""
+    """A program of the trusted peer, with the data that the confined peer has about it."""
 
     is_passed_on = False
 
@@ -66,7 +66,7 @@ class HostedProgram:
 
 
 class ConfinedRecorder(Recorder):
-    """Keeps nothing, and reports everything to the trusted peer."""
+    """Records nothing, and reports everything to the trusted peer."""
 
     peer: Peer
     replica: Replica
@@ -246,7 +246,7 @@ class ConfinedSession(Session):
         return [list(entry) for entry in entries]
 
     def _finish(self, payload: memoryview) -> Any:
-        """Return the record of the launch in launch's own words, with the items that the trusted peer asks for."""
+        """Return launch's own record of the launch, with the items that the trusted peer requests."""
         types, files = load(bytes(payload))
         self.describe()
         recorder = self.recorder

@@ -46,7 +46,7 @@ class Peer:
         sim.pass_token = self._pass_token
 
     def fatal(self, error: Exception) -> NoReturn:
-        """React to a failed link. Programs can catch this exception, so the owner of this peer may end the process here."""
+        """React to a failed link. Programs can catch exceptions, so the owner of this peer may end the process here."""
         raise error
 
     def send(self, kind: FrameKind, payload: bytes) -> None:

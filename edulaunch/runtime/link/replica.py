@@ -51,7 +51,7 @@ class RemoteQueue:
         self.item = item
 
     def extend(self, items: Any) -> None:
-        """Append a message; see above."""
+        """Append nothing, because the other peer already has old samples."""
 
     def clear(self) -> None:
         """Return 0: the queue is always empty."""
@@ -92,17 +92,17 @@ class Replica:
     # Changes here are sent to the other peer
 
     def node_added(self, node: NodeEntry) -> None:
-        """Implement `Tracer`."""
+        """Implement `Tracer.node_added`."""
         if not self.is_repeating:
             self.peer.tell(FrameKind.NODE, dump([node.index, node.process.pid, node.name, node.namespace]))
 
     def node_removed(self, node: NodeEntry) -> None:
-        """Implement `Tracer`."""
+        """Implement `Tracer.node_removed`."""
         if not self.is_repeating:
             self.peer.tell(FrameKind.NODE_GONE, END.pack(node.index))
 
     def endpoint_added(self, kind: str, end: Any) -> None:
-        """Implement `Tracer`."""
+        """Implement `Tracer.endpoint_added`."""
         if self.is_repeating:
             return
         self._ours[end.index] = end
@@ -112,7 +112,7 @@ class Replica:
             end.on_life.append(lambda: self.peer.tell(FrameKind.ALIVE, END.pack(end.index)))
 
     def endpoint_removed(self, kind: str, end: Any) -> None:
-        """Implement `Tracer`."""
+        """Implement `Tracer.endpoint_removed`."""
         self._known.pop(end.index, None)
         if not self.is_repeating:
             del self._ours[end.index]

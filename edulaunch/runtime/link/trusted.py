@@ -39,7 +39,7 @@ VISITOR_PID, VISITOR = 1, ProcessSpec(argv=('visitor',), name='visitor')
 
 
 class ConfinedProgram:
-    """A program of the confined peer, as far as the recording needs it."""
+    """A program of the confined peer, with the data that the recording needs."""
 
     def __init__(self, pid: int, spec: ProcessSpec) -> None:
         self.pid = pid
@@ -64,7 +64,7 @@ class ToldBeside:
 
 
 class TrustedRecorder(Recorder):
-    """Keeps the recording, and sends the confined peer the parts that it may see.
+    """Stores the recording, and sends the confined peer the parts that it may see.
 
     :ivar provenance: the process of each row, and the programs that ran here.
     :ivar programs: the programs that run here, by pid.
@@ -133,7 +133,7 @@ class TrustedRecorder(Recorder):
         self.replica.endpoint_removed(kind, endpoint)
 
     def interfaces(self, used: set[str]) -> dict[str, str]:
-        """Return the strings from the confined peer."""
+        """Return the definitions of types that the confined peer has sent."""
         return self.texts
 
 
@@ -191,7 +191,7 @@ class Trusted:
         return self.recorder.content()
 
     def _visit(self, topic: str, text: str) -> None:
-        """Publish a message of which the other peer knows nothing before."""
+        """Publish a message that the other peer could not know in advance."""
         node = self.graph.add_node(ConfinedProgram(VISITOR_PID, VISITOR), 'visitor', '/')
         publisher = self.graph.create_publisher(node, topic, underlay_registry().get('std_msgs/msg/String'), QoS())
         publisher.publish((text,))

@@ -115,7 +115,7 @@ class _Reader:
         return self._text[self._at : self._at + 1]
 
     def _take(self, *signs: str) -> str:
-        """Take the first of these signs that is next in the line; return an empty string if none is next."""
+        """Take the first of these signs that comes next in the line. Return an empty string if none comes next."""
         found = next((sign for sign in signs if self._text.startswith(sign, self._at)), '')
         self._at += len(found)
         return found
@@ -227,7 +227,7 @@ class _Reader:
         return Piece('text', self._text[self._at - 1], is_quoted)
 
     def _special(self, is_quoted: bool) -> Piece | None:
-        """Parse what begins with a $ or `."""
+        """Parse the expression that begins with a $ or `."""
         if self._text.startswith('$((', self._at):
             raise _NotInGrammar
         if self._take('$('):

@@ -1,7 +1,7 @@
 """Shell lines with commands of the simulation: `sleep 2; ros2 service call ... && ros2 topic list | grep turtle`.
 
-A real shell cannot reach the simulated programs, so such a line runs here, in simulated time. `grammar` defines
-these lines and the meaning of their words, `filters` the programs after a `|`.
+A real shell cannot reach the simulated programs, so such a line runs here, in simulated time. `grammar` defines these lines and
+the meaning of their words, and `filters` contains the programs after a `|`.
 """
 
 from __future__ import annotations
@@ -197,7 +197,7 @@ class _Stream:
         self._process, self._stream = process, stream
 
     def write(self, text: str) -> None:
-        """Write to it."""
+        """Write to the output of the process."""
         self._process.write(self._stream, text)
 
     def close(self) -> None:
@@ -205,13 +205,13 @@ class _Stream:
 
 
 class _Text(_Stream):
-    """Keeps the output."""
+    """Stores the output."""
 
     def __init__(self) -> None:
         self.parts: list[str] = []
 
     def write(self, text: str) -> None:
-        """Store it."""
+        """Store the text."""
         self.parts.append(text)
 
 
@@ -234,7 +234,7 @@ class _File:
             pass
 
     def write(self, text: str) -> None:
-        """Append to it."""
+        """Append to the file."""
         with open(self._path, 'a', encoding='utf-8') as file:
             file.write(text)
 
@@ -246,12 +246,12 @@ class _Inherited(_Stream):
     """The output of a background command: the program that started the line receives it, if that program reads output."""
 
     def write(self, text: str) -> None:
-        """Pass it on."""
+        """Pass the text on."""
         if self._process.on_output is not None and (not self._process.is_recorded or not self._process.lifecycle.is_dead):
             self._process.on_output(self._stream, text)
 
 
-# The shell's own commands: their words, and where they write
+# the shell's own commands: their arguments are the words, and the destination of the output
 
 
 def _nothing(shell: Shell, words: list[str], out: Sink) -> int:

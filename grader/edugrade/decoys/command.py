@@ -1,9 +1,8 @@
 """``edugrade decoys [FOLDER] [NAME ...]``: shows how many points the rubrics of a course give for names without behaviour.
 
 FOLDER (default: the current one) is the folder of a course, as for ``edugrade course``. The command makes decoys of each
-solution, which have its names but not its behaviour, and grades them like submissions. Exit code 1: a rubric pays more than
-half of its points,
-or than the share that it allows (``decoys: 0.75``).
+solution, which have its names but not its behaviour, and grades them like submissions. A rubric may give a
+decoy half of its points, or the share that it allows (``decoys: 0.75``). If one gives more, the exit code is 1.
 """
 
 from __future__ import annotations
@@ -35,8 +34,9 @@ report.
 
 
 class Paid(NamedTuple):
-    """The points that a rubric gives a decoy. `earned` has no value when the grader broke. `passed` has the checks with points,
-    and `most` is the share that the rubric allows."""
+    """The points that a rubric gives a decoy. `earned` has the value None when the grader broke. `passed` has the checks with
+    points, and `most` is the share that the rubric allows.
+    """
 
     exercise: str
     kind: str

@@ -58,7 +58,7 @@ def refuse_dead(run: Evidence) -> None:
 def refuse_gone(run: Evidence) -> None:
     """Fail when a program that never ends by itself was ended before the end of its run, even without an error.
 
-    A node that is there for a moment has a name, parameters and subscriptions, and does nothing.
+    Otherwise, a node that exists only for a moment could pass the checks of names, parameters and subscriptions.
 
     :raises Failure: with the program and the time of its end.
     """

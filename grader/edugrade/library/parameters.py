@@ -104,7 +104,7 @@ NOT_A_FILE = re.compile(r'Parameter file path is not a file: ([^\n]+)')
 
 
 def refuse_missing_file(run: Evidence, wrong: Iterable[Parameter | None], package: str, executable: str | None = None) -> None:
-    """Fail when wrong parameters have no value of the launch file, and launch has reported a parameter file that is missing.
+    """Fail when the launch file sets no value of wrong parameters, and launch has reported a missing parameter file.
 
     :param wrong: the parameters that do not have their value, or None for one that the node does not have.
     :raises MissingParameterFile: with the path of the file and the place of the Node.

@@ -19,8 +19,8 @@ class Markup(str):
 def element(tag: str, /, *children: str, **attributes: str) -> Markup:
     """Return an element. Children that are not Markup are plain text.
 
-    :param attributes: names end in an underscore where they are words of Python (``class_``). An underscore inside a name
-        stands for a hyphen (``http_equiv``).
+    :param attributes: attributes of the element. A name that is a keyword of Python ends in an underscore (``class_``). An
+        underscore inside a name stands for a hyphen (``http_equiv``).
     """
     words = ''.join(f' {key.rstrip("_").replace("_", "-")}="{escape(visible(value))}"' for key, value in attributes.items())
     if tag in VOID:

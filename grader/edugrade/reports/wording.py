@@ -1,7 +1,7 @@
-"""Words results for people: the advice of a level, the reader's language, and short paths.
+"""Phrase results for people: the advice of a level, the reader's language, and short paths.
 
-A rubric's author may write the steps of an advice (``try: [first, second, third]``). For a single advice, this module makes
-the earlier steps. The first step is the kind of thing to check. The second step is the advice without the content of its
+A rubric's author may write the steps of the advice (``try: [first, second, third]``). If there is only one step, this module
+creates the earlier ones. The first step is the kind of thing to check. The second step is the advice without the content of its
 brackets. The grader writes reports in English and translates them at the end (`edulaunch.advice.reader`).
 """
 
@@ -79,7 +79,7 @@ def _has_ended(result: CheckResult) -> bool:
 
 
 def kind_of(result: CheckResult) -> str:
-    """Return an advice that only names the kind of thing to check."""
+    """Return advice that only names the kind of thing to check."""
     for text in (_CORRECTED.sub('', result.try_ or ''), result.reason.partition(LAUNCHED)[0], result.sentence):
         thing = next((kind for kind, words in KINDS.items() if any(word in text for word in words)), None)
         if thing is not None and not thing.startswith(ARTICLES):
@@ -94,7 +94,7 @@ def kind_of(result: CheckResult) -> str:
 
 
 def without_code(advice: str) -> str:
-    """Return an advice without the content of its brackets, such as ``Node(...)`` and ``parameters=[...]``."""
+    """Return advice without the content of its brackets, such as ``Node(...)`` and ``parameters=[...]``."""
     for _ in range(_DEEPEST):
         before = advice
         for pattern, sign in _INSIDE:

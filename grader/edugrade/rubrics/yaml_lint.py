@@ -9,7 +9,7 @@ from typing import Any
 import yaml
 
 NAMED = ('ends', 'hears', 'logs', 'nodes', 'starts')
-"""Kinds of checks that look a node up by its name, and take `package`."""
+"""Kinds of checks that search for a node by its name, and have the field `package`."""
 
 
 def points_for_names(file: str) -> Iterator[str]:

@@ -25,7 +25,7 @@ OFTEN = (
     *('launch.substitutions.equals_substitution', 'launch.substitutions.path_join_substitution'),
     *('launch.substitutions.python_expression', 'tf2_ros.static_transform_broadcaster'),
 )
-"""What some runs load besides. For a class it is worth loading them once."""
+"""Modules that only some runs load. For a class, it is worth loading them once."""
 OFTEN_TYPES = ('nav_msgs/msg/Odometry', 'sensor_msgs/msg/LaserScan', 'std_msgs/msg/String', 'std_msgs/msg/Int32')
 WORDS, LINK = 3, 4  # the only descriptors other than input and output
 MOST_DESCRIPTORS = 4096
@@ -57,7 +57,7 @@ def warm_up() -> None:
 
 
 def warm_up_for_many() -> None:
-    """Load what only some runs need. If a module is not installed, this process continues, and a run says what it lacks."""
+    """Load what only some runs need. If a module is not installed, this process continues, and a run reports what is missing."""
     from importlib import import_module
 
     from edulaunch.engine.interfaces.registry import underlay_registry

@@ -50,7 +50,7 @@ def main() -> NoReturn:
             child.warm_up_for_many()
     except Exception:
         os._exit(1)  # the grader starts another one, and gives no mark if that one fails, too
-    # The runs share the loaded modules. The garbage of the first launch stays among them: to find it takes a tenth of this time.
+    # The runs share the loaded modules. The garbage of the first launch stays, because collecting it takes a tenth of this time.
     gc.freeze()
     gc.enable()
     confinement = confine.Confinement(**places)

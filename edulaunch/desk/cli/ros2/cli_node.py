@@ -93,14 +93,14 @@ def pause_until(node: Node, at_ns: int) -> bool:
 
 
 class NoAnswer(RuntimeError):
-    """A service does not exist, or has not answered in time."""
+    """A service does not exist, or has not replied in time."""
 
 
 def call(node: Node, service: str, service_type: Any, *, waits_s: Sequence[float | None] = (None,), **fields: Any) -> Any:
     """Call a service and wait for its response.
 
-    :param waits_s: seconds to wait for it, one period after the other (None: forever). Each period except the first begins
-        with a note that the service has not answered.
+    :param waits_s: seconds of each waiting period (None means forever). Each period except the first begins with a note that the
+        service has not replied.
     :raises NoAnswer: when the last wait is over.
     :raises RuntimeError: when there is no response because ROS 2 was shut down.
     """

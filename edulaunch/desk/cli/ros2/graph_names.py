@@ -63,7 +63,7 @@ def _add_count(parser: argparse.ArgumentParser, what: str) -> None:
 
 
 def add_hidden(parser: argparse.ArgumentParser, what: str) -> None:
-    """Return whether hidden names count."""
+    """Add the option that includes hidden names."""
     parser.add_argument(f'--include-hidden-{what}s', action='store_true', help=f'Consider hidden {what}s as well')
 
 

@@ -99,7 +99,9 @@ def launch_verb(arguments: argparse.Namespace) -> int:
 
 
 def _launch_file(process: Process, arguments: argparse.Namespace) -> tuple[str, list[str]]:
-    """Return the path of the launch file from the folder of the terminal, and a launch argument given in place of its name."""
+    """Return the path of the launch file, relative to the terminal's folder. If a launch argument takes the place of its name,
+    return that, too.
+    """
     word, name = arguments.package_name, arguments.launch_file_name
     path = os.path.join(process.cwd or '', word)
     is_argument = name is not None and ':=' in name

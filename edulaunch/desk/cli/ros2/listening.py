@@ -1,4 +1,6 @@
-"""Shared by verbs that subscribe: the class of a topic, `--filter EXPR`, the form of messages, and the `--qos-*` options."""
+"""Functions that verbs with subscriptions share: the class of a topic, `--filter EXPR`, the form of messages, and the `--qos-*`
+options.
+"""
 
 from __future__ import annotations
 

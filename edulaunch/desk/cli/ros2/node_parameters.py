@@ -68,7 +68,7 @@ class OtherNode:
 
 
 class ParametersOf(OtherNode):
-    """Create clients for the parameters of the node `name`."""
+    """Reads and changes the parameters of the node `name`, through clients of its services."""
 
     PACKAGE = 'rcl_interfaces'
     WAITS_S = (1.0, 9.0)
@@ -137,7 +137,7 @@ def python_value(value: Any) -> Any:
 
 
 def type_help(reason: str) -> str | None:
-    """Suggest how to write a value that was refused for its type; in YAML the spelling determines the type."""
+    """Suggest how to write a value that was rejected for its type. In YAML, the spelling determines the type."""
     found = re.search(r"is of type \{(\w+)\}|expected '(?:Parameter\.)?Type\.(\w+)'", reason)
     return None if found is None else SPELLINGS.get((found[1] or found[2]).lower())
 

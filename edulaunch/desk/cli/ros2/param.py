@@ -128,7 +128,7 @@ def list_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print the names, below the name of their node if the user names no node."""
+    """Print the names of the parameters. If the user names no node, print them below the names of their nodes."""
     if arguments.node_name is not None:
         with node_parameters.parameters_of(arguments) as parameters:
             _say(parameters, arguments, heading=False)

@@ -27,7 +27,7 @@ def find_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def find_verb(arguments: argparse.Namespace) -> None:
-    """Print the services, sorted."""
+    """Print the services of a type, sorted."""
     with cli_node.cli_node(arguments) as node:
         services = graph_names.visible(node.get_service_names_and_types(), arguments.include_hidden_services)
     graph_names.say_found(services, arguments.service_type, arguments.count)

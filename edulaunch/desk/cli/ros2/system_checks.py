@@ -28,7 +28,7 @@ CHANNEL = '/_multicast'
 
 
 class Found(NamedTuple):
-    """Return the warnings of a check."""
+    """The warnings of a check."""
 
     warnings: list[str]
     errors: list[str]
@@ -212,7 +212,7 @@ def daemon_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def daemon_verb(arguments: argparse.Namespace) -> None:
-    """Print that no daemon runs, and why none is needed."""
+    """Print that no daemon runs, and why the simulation does not need one."""
     say(f'{ANSWERS[arguments.verb]}: none is needed here, because each command queries the simulated machine directly')
 
 

@@ -24,7 +24,7 @@ def find_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def find_verb(arguments: argparse.Namespace) -> None:
-    """Print the topics, sorted."""
+    """Print the topics of a type, sorted."""
     with cli_node.cli_node(arguments) as node:
         topics = graph_names.visible(node.get_topic_names_and_types(), arguments.include_hidden_topics)
     graph_names.say_found(topics, arguments.topic_type, arguments.count)
@@ -39,7 +39,7 @@ def info_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def info_verb(arguments: argparse.Namespace) -> str | None:
-    """Print type and counts; with -v, print each endpoint too."""
+    """Print type and counts; with -v, print each endpoint, too."""
     topic, end = arguments.topic_name, '\n\n' if arguments.verbose else '\n'
     with cli_node.cli_node(arguments) as node:
         topics = node.get_topic_names_and_types()

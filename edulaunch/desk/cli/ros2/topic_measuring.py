@@ -24,7 +24,7 @@ class Measure(Protocol):
 
 
 def _common_arguments(parser: argparse.ArgumentParser, window: int) -> None:
-    """Add the topic, and how many messages count."""
+    """Add the topic, and the number of messages that count."""
     graph_names.add_name_arguments(parser, 'topic', 'tap into', '/chatter')
     parser.add_argument(
         '-w',
@@ -94,7 +94,7 @@ def bw_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def bw_verb(arguments: argparse.Namespace) -> str | None:
-    """Print a report each second."""
+    """Print the bandwidth of a topic, each second."""
     return listen(arguments, Bandwidth(arguments.window), verb='echo', heading='Subscribed to [{topic}]', raw=True)
 
 
@@ -135,7 +135,7 @@ def delay_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def delay_verb(arguments: argparse.Namespace) -> str | None:
-    """Print a report each second."""
+    """Print the delay of the messages of a topic, each second."""
     return listen(arguments, Delay(arguments.window), verb='echo')
 
 
@@ -171,7 +171,7 @@ def hz_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def hz_verb(arguments: argparse.Namespace) -> str | None:
-    """Print a report each second."""
+    """Print the rate of a topic, each second."""
     return listen(arguments, Rate(arguments.window, arguments.filter), verb='echo')
 
 

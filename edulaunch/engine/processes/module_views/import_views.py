@@ -164,8 +164,8 @@ NAMES = ('dump', 'dumps', 'load', 'loads', 'Pickler', 'Unpickler')
 
 
 def make_pickle(view: ModuleType, process: Process) -> ModuleType:
-    """Execute the standard module privately with its Python functions, because those in C search classes in modules that all
-    programs share.
+    """Execute the standard module privately with its Python functions. Those in C search for classes in modules that all programs
+    share.
     """
     spec = PathFinder.find_spec('pickle')
     assert spec is not None and spec.origin is not None

@@ -36,9 +36,7 @@ def _refused(name: str, kind: type[Exception], text: str, about: str) -> Any:
 
 
 def make_multiprocessing(view: ModuleType, process: Process) -> ModuleType:
-    """Refuse everything that would start another process or share data with it. `cpu_count` is that of the simulated
-    machine.
-    """
+    """Reject everything that would start another process or share data with it. `cpu_count` is that of the simulated machine."""
     import multiprocessing as real
 
     view.__dict__.update({name: _refused(name, RuntimeError, NO_COPY, THREADS) for name in PROCESSES})

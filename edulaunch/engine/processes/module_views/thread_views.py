@@ -161,19 +161,19 @@ class Thread:
         return self._started and self._task is not None and not self._task.finished
 
     def isDaemon(self) -> bool:
-        """Return the old spelling of `daemon`."""
+        """Return `daemon`. This is the old spelling."""
         return self.daemon
 
     def setDaemon(self, daemonic: bool) -> None:
-        """Old spelling of `daemon = ...`."""
+        """Set `daemon`. This is the old spelling."""
         self.daemon = daemonic
 
     def getName(self) -> str:
-        """Return the old spelling of `name`."""
+        """Return `name`. This is the old spelling."""
         return self.name
 
     def setName(self, name: str) -> None:
-        """Old spelling of `name = ...`."""
+        """Set `name`. This is the old spelling."""
         self.name = name
 
 

@@ -116,7 +116,7 @@ class MessageCallbacks(c.Structure):
 
 
 class ServiceCallbacks(c.Structure):
-    """The two messages of a service."""
+    """The names of a service, and the type support of its request and its response."""
 
     _fields_ = (('namespace', c.c_char_p), ('name', c.c_char_p), ('request', c.c_void_p), ('response', c.c_void_p))
 

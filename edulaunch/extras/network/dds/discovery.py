@@ -88,7 +88,7 @@ class Discovery:
         return any(counts), max(counts) >= AT_ONCE
 
     def graph(self) -> RemoteGraph:
-        """Return all others on the network, without the internal nodes of links."""
+        """Return all other nodes and endpoints on the network, without the internal nodes of links."""
         nodes = [node for nodes in self._nodes.values() for node in nodes if not node.name.startswith(MARK)]
         return RemoteGraph(
             nodes, [end for end in self._endpoints.values() if end.node is None or not end.node.name.startswith(MARK)]

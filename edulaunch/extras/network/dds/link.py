@@ -134,7 +134,7 @@ class CycloneLink:
     def _begin(self, handle: int, end: End) -> None:
         """Announce an endpoint.
 
-        :raises LinkError: when Cyclone DDS refuses it.
+        :raises LinkError: when Cyclone DDS rejects it.
         """
         reads, writes = SIDES[end.kind]
         parts = ('', '') if not (reads and writes) else ('_Request', '_Response')[:: 1 if end.kind == SERVICE else -1]

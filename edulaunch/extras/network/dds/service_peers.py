@@ -1,8 +1,7 @@
 """The peers with which services work over Cyclone DDS.
 
 A reply contains the id of its request. Cyclone DDS puts the id into the message. Fast DDS puts it beside the message, where
-cyclonedds for Python can neither write nor read it. So our service is announced only if a compatible peer exists, and our
-client
+cyclonedds for Python can neither write nor read it. So our service is announced only if a compatible peer exists, and our client
 calls only such a server. A hidden service is better than one that never answers.
 """
 

@@ -19,18 +19,18 @@ def own_path() -> str | None:
 
 
 def index_in_force() -> Index:
-    """Return the simulation's index; or an index of only the prefixes that the program has put into the variable."""
+    """Return the simulation's index, or an index of only the prefixes that the program has put into the variable."""
     path, sourced = own_path(), current_process().index
     return sourced if path is None else _index_of(path, sourced)
 
 
 def existing(path: str) -> list[str]:
-    """Return the existing folders of such a variable."""
+    """Return the existing folders of a path list such as AMENT_PREFIX_PATH."""
     return [folder for folder in path.split(os.pathsep) if folder and os.path.exists(folder)]
 
 
 def _index_of(path: str, sourced: Index) -> Index:
-    """Return the index of these prefixes, with the built-in packages and sourced workspaces among them."""
+    """Return the index of the prefixes in `path`. It contains built-in packages and workspaces only if `path` names them."""
     underlay, named = underlay_prefix(), path.split(os.pathsep)
     folders = [workspace.folder for workspace in sourced.workspaces if workspace.path in named]
     generated = {workspace.path for workspace in sourced.workspaces}

@@ -47,10 +47,9 @@ def get_package_share_directory(package_name: str, print_warning: bool = True) -
 
 
 def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
-    """Return :func:`get_package_share_directory` as a `pathlib.Path` of the calling program, which may have its own copy of
-    `pathlib`.
+    """Return :func:`get_package_share_directory` as a `pathlib.Path` of the calling program.
 
-    :func:`get_package_share_directory` as a `pathlib.Path` of the program that asks; it may have a copy of `pathlib`.
+    A program can have its own copy of `pathlib`, so the class is taken from there.
     """
     import pathlib  # imported here, because it takes 4 ms
 
@@ -66,7 +65,7 @@ def get_packages_with_prefixes() -> dict[str, str]:
 
 
 def _share(package_name: str, called: str | None) -> str:
-    """Return the share folder. If it is missing and `called` names it, log a warning."""
+    """Return the share folder. If it is missing and `called` is its name for the user, log a warning."""
     path = os.path.join(get_package_prefix(package_name), 'share', package_name)
     if called is not None and not os.path.exists(path) and _left_out_by_launch(package_name) is None:
         warnings.warn(f'Share {called} for {package_name} ({path}) does not exist.', stacklevel=3)
@@ -74,8 +73,8 @@ def _share(package_name: str, called: str | None) -> str:
 
 
 def _left_out_by_launch(package_name: str) -> str | None:
-    """Return the share folder of a well-known package that is missing: a launch file continues without it, a program gets the
-    error.
+    """Return the share folder of a well-known package that is missing, or None. A launch file continues without such a package,
+    but a program gets the error.
     """
     process = current_process()
     if 'launch.process_counter' not in process.state:

@@ -1,1 +1,1 @@
-"""demo_nodes_cpp: small programs for first steps, seen from outside as the C++ originals are."""
+"""demo_nodes_cpp: small programs for first steps, which behave like the C++ originals."""

@@ -20,15 +20,15 @@ T = TypeVar('T')
 FoundArguments = list[tuple[Any, 'list[Any] | None']]
 """`DeclareLaunchArgument` actions, each with the `IncludeLaunchDescription` actions that lead to it, if any."""
 Finding = tuple[Any, bool, tuple[Any, ...]]
-"""An argument, whether it is only there under a condition, and the includes that lead to it."""
+"""An argument, whether it is visited only under a condition, and the includes that lead to it."""
 _KEY = 'launch.look'
 
 
 class Look:
     """The results of files that were searched without being launched.
 
-    :ivar descriptions: by kind of source and location; None for what cannot be loaded.
-    :ivar findings: by the identity of such a description what was found in it and below; None before the search.
+    :ivar descriptions: launch descriptions by type of source and location; None for a file that cannot be loaded.
+    :ivar findings: the findings in a description and below it, by `id()` of the description; None before the search.
     """
 
     def __init__(self) -> None:
@@ -51,7 +51,9 @@ def looking() -> Iterator[Look]:
 
 
 def load_once(source: object, location: str, load: Callable[[], T]) -> T | None:
-    """Return what `load()` returns, None when it raises an exception; remembered in a look by the kind of source and location."""
+    """Return the result of `load()`, or None if it raises an exception. The look stores the result by source type and
+    location.
+    """
     with looking() as look:
         key = type(source), location
         if key not in look.descriptions:
@@ -67,7 +69,7 @@ def load_once(source: object, location: str, load: Callable[[], T]) -> T | None:
 def found_arguments(entities: Iterable[LaunchDescriptionEntity], conditional: bool) -> FoundArguments:
     """Return the first declaration of each name in the entities and below them.
 
-    :param conditional: whether the entities themselves are only there under a condition.
+    :param conditional: whether the entities themselves are visited only under a condition.
     """
     found: FoundArguments = []
     with looking() as look:
@@ -85,9 +87,9 @@ def _first_ones(findings: Iterable[Finding]) -> list[Finding]:
 
 
 def _findings(entities: Iterable[LaunchDescriptionEntity], conditional: bool, look: Look) -> list[Finding]:
-    """Return all below the entities; nothing is seen after a `ResetLaunchConfigurations`.
+    """Return all arguments below the entities, up to the first `ResetLaunchConfigurations`.
 
-    As upstream, only arguments directly in a conditional branch count as conditional. The arguments of a file that is included
+    As in upstream, only arguments directly in a conditional branch count as conditional. The arguments of a file that is included
     under a condition do not, and are checked even when the condition is false.
     """
     findings: list[Finding] = []

@@ -25,12 +25,13 @@ Parse = Callable[..., tuple[type, dict[str, Any]]]
 
 
 class ParsedByFrontend:
-    """A descriptor for `parse`. It returns the nearest class that the frontend knows, together with the class that was asked.
+    """A descriptor for `parse`. It returns the class on which `parse` was called, with the arguments for the nearest known base
+    class.
 
-    So `super().parse(entity, parser)` in a student's sub-class returns the keyword arguments of the base class.
+    So `super().parse(entity, parser)` in a student's subclass returns the keyword arguments of the base class.
 
     :param kind: 'action' or 'substitution'.
-    :param otherwise: for classes that it does not know; without one they have no `parse`.
+    :param otherwise: the function for classes that the frontend does not know. Without it, they have no `parse`.
     """
 
     def __init__(self, kind: str, otherwise: Parse | None = None) -> None:

@@ -23,13 +23,13 @@ SLICE_S = 0.01
 
 
 class StartedThreads:
-    """Returns whether the script has started threads since this object was created, and they still run."""
+    """Checks whether threads are running that the script has started since this object was created."""
 
     def __init__(self) -> None:
         self._before = {thread.ident for thread in threading.enumerate()} if is_plain_script() else None
 
     def has_come(self) -> bool:
-        """Return whether there is such a thread."""
+        """Return whether such a thread is running."""
         before = self._before
         if before is None:
             return False
@@ -53,11 +53,11 @@ def run_beside_threads(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int],
 
 
 async def run_beside_tasks(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], threads: StartedThreads) -> int:
-    """Run a simulated loop until its task is done, while the loop that awaits this runs what else it has.
+    """Run a simulated loop until its task is done, while the loop that awaits this coroutine runs its other tasks.
 
     In a notebook, the simulation counts as alone, because the other tasks of the kernel are not the student's.
 
-    :raises SimulationError: as above.
+    :raises SimulationError: when no code can end the wait of the task.
     """
     import asyncio
 
@@ -78,7 +78,7 @@ async def run_beside_tasks(loop: asyncio.AbstractEventLoop, task: asyncio.Task[i
 
 
 def _is_notebook() -> bool:
-    """Return whether a kernel runs the cells: an IPython object that the program has created without one does not count."""
+    """Return whether a kernel runs the cells. An IPython object that the program created without a kernel does not count."""
     shell: Any = sys.modules.get('IPython')
     return shell is not None and hasattr(shell.get_ipython(), 'kernel')
 

@@ -27,7 +27,7 @@ class OfProcess(Protocol):
 
 
 def running_process() -> Process:
-    """Return the process that runs launch: the `ros2 launch` of a simulation, or the ambient one of a plain script."""
+    """Return the process that runs launch: the `ros2 launch` of a simulation, or the process that represents a plain script."""
     return _current_process()()
 
 
@@ -47,12 +47,12 @@ def is_plain_script() -> bool:
 
 
 def environment() -> MutableMapping[str, str]:
-    """Return the environment variables of the running process, live; what upstream means by `os.environ`."""
+    """Return the environment variables of the running process, as a mapping that can be changed. Upstream uses `os.environ`."""
     return running_process().env
 
 
 def inside(path: str | os.PathLike[str]) -> str:
-    """Return the path that the running process means, because each terminal of a machine has its own folder."""
+    """Return the path as the running process understands it, because each terminal of a machine has its own folder."""
     return running_process().path(os.fspath(path))
 
 
@@ -66,7 +66,9 @@ def process_state(key: str, make: Callable[[], T]) -> T:
 
 
 def state_of(context: OfProcess) -> dict[str, Any]:
-    """Return the state of the process that runs this context, quickly; tests bring contexts of their own, without any."""
+    """Return the state of the process that runs this context. Contexts that tests create have none, so the running process
+    counts.
+    """
     try:
         return context.process_state
     except AttributeError:
@@ -74,7 +76,7 @@ def state_of(context: OfProcess) -> dict[str, Any]:
 
 
 def process_counter(context: OfProcess) -> list[int]:
-    """Return the number of the last numbered process, as the only item of a list. It is the same for any context, as above."""
+    """Return a list whose only item is the number of the last numbered process. All contexts of a process share it."""
     try:
         return context.process_counter
     except AttributeError:

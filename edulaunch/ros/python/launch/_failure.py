@@ -53,7 +53,7 @@ def failure_data(error: BaseException, index: Index | None = None) -> dict[str, 
 
 
 def launch_facts(error: BaseException) -> dict[str, Any]:
-    """Return what the error carries, or what the frames in which it arose still know; and the action that raised it."""
+    """Return the facts that the error carries, or that the frames of its traceback contain, and the action that raised it."""
     cause = root_cause(error)
     action = getattr(error, 'edulaunch_entity', None)
     known = facts_of(cause)
@@ -150,7 +150,7 @@ def _class_that_was_made(error: BaseException) -> dict[str, Any]:
 
 
 def _names_in_call(error: BaseException, text: str) -> list[str]:
-    """Return the names of the arguments in the call of a class that lacks one."""
+    """Return the names of the arguments in the call of a class that reports a missing argument."""
     match, place = re.match(r'(\w+)\.', text), launch_origin(error)
     if match is None or place is None:
         return []
@@ -182,7 +182,7 @@ def _not_a_text(error: BaseException, text: str) -> dict[str, Any]:
 
 
 def _local_of(error: BaseException, name: str) -> Any:
-    """Return the value that the variable of this name had in the innermost frame that has one."""
+    """Return the value of the local variable `name` in the innermost frame that has such a variable, or None."""
     values = [frame.f_locals.get(name) for frame, _ in frames_of(error) if name in frame.f_code.co_varnames]
     return values[-1] if values else None
 

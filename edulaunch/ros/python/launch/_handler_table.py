@@ -26,16 +26,16 @@ Ranked = dict[int, Handler]
 
 
 class HandlerTable:
-    """Registered handlers, each with a rank; the lowest rank is asked first."""
+    """Registered handlers, each with a rank. The handler with the lowest rank is asked first."""
 
     def __init__(self) -> None:
         self._groups: dict[int, Ranked] = {0: {}}
-        """By the identity of the only action whose events they accept; 0: any."""
+        """Handlers by the `id()` of the only action whose events they accept; 0 means any action."""
         self._first = 0
         self._last = 0
 
     def as_deque(self) -> deque[Handler]:
-        """Return all handlers, first asked first; what upstream keeps."""
+        """Return all handlers in the order in which they are asked, as upstream does them."""
         return deque(_in_order(*self._groups.values()))
 
     def add(self, handler: Handler, *, append: bool) -> None:
@@ -61,11 +61,11 @@ class HandlerTable:
             del self._groups[key]
 
     def candidates(self, event: Event) -> list[Handler]:
-        """Return the handlers that could accept the event, first asked first."""
+        """Return the handlers that could accept the event, in the order in which they are asked."""
         return _in_order(*self._groups_for(event))
 
     def matches(self, event: Event) -> bool:
-        """Return whether any handler matches the event; every action that was executed asks."""
+        """Return whether any handler matches the event. Every executed action calls this method."""
         for group in self._groups_for(event):
             for handler in list(group.values()):
                 if handler.matches(event):

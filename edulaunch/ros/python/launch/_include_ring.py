@@ -15,9 +15,9 @@ DEEPEST = 50
 
 
 class Include(NamedTuple):
-    """A launch file that is visited.
+    """A launch file that is being visited.
 
-    :ivar origin: of the action that includes it.
+    :ivar origin: the place of the action that includes it.
     :ivar configurations: as they were before its arguments were set.
     """
 
@@ -29,12 +29,12 @@ class Include(NamedTuple):
 def enter_include(open_includes: list[Include] | None, entered: Include) -> None:
     """Record that a file is visited until the walk leaves the action that includes it.
 
-    A file may include itself if this ends, for
-    example under a condition with an argument that counts down.
+    A file may include itself if this ends, for example under a condition with an argument that counts down.
 
-    :param open_includes: the files that are visited now, the outermost first. None outside a walk, because the end of a file
-        is unknown there.
-    :raises RecursionError: when it never would: the file is inside itself with nothing changed. It names the ring.
+    :param open_includes: the files that are visited now, the outermost first. None outside a walk, because the end of a file is
+        unknown there.
+    :raises RecursionError: when the file would include itself without end, because nothing has changed since it was included. The
+        message names the files of the ring.
     """
     if open_includes is None:
         return

@@ -28,11 +28,11 @@ def late_names(
 
     :param package: name of the package.
     :param names: what it exports, each with the module of the package that defines it.
-    :param modules: modules of the package that are exported themselves.
+    :param modules: modules of the package that it also exports.
     :param attributes: modules that are only attributes.
-    :param eager: what the package has imported already. A function that has the name of its module must be among them: the
-        import of the module would put the module in its place.
-    :param absent: names of ROS 2 that are not here, each with what to use in its place; asked for, they are an ImportError.
+    :param eager: what the package has imported already. A function that has the name of its module must be among them: the import
+        of the module would put the module in its place.
+    :param absent: names of ROS 2 that edulaunch lacks, each with its replacement; importing one raises ImportError.
     """
     exported = [*modules, *eager, *names]
     known = {*modules, *attributes, *names.values()}

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 FACES = os.path.dirname(os.path.dirname(os.path.abspath(__file__))) + os.sep
 Place = tuple[str, int] | tuple[CodeType, int]
-"""File and line; or code, and how far it had run (finding the line takes time that grows with the file)."""
+"""A file and a line; or a code object and the last instruction, because finding the line takes time that grows with the file."""
 
 
 class Inherited(tuple):  # type: ignore[type-arg]
@@ -24,14 +24,13 @@ class Inherited(tuple):  # type: ignore[type-arg]
 
 
 MAKERS: dict[int, CodeType] = {}
-"""Code of ours where the search ends: the frontends' parser, which says itself where its actions come from, and a visit.
-
-By identity: the hash of a code object covers everything in it, so that of a launch file with thousands of nodes takes longer
-than to make an action.
+"""Code of edulaunch at which the search ends: the frontends' parser, which sets the origin of its actions, and a visit. The keys
+are `id()`s, because the hash of a code object covers its whole content. For a launch file with thousands of nodes, that takes
+longer than creating an action.
 """
 _KEPT_TABLES = 64
 _TABLES: dict[int, tuple[CodeType, list[int], list[int]]] = {}
-"""Line tables by the identity of their code, which they keep alive."""
+"""Line tables by the `id()` of their code object, which they keep alive."""
 
 
 def caller_outside_launch(made: object) -> Place | None:
@@ -53,7 +52,7 @@ def caller_outside_launch(made: object) -> Place | None:
 
 
 def _makes(code: CodeType, frame: FrameType, made: object) -> bool:
-    """Return whether the frame is the constructor, in a student's subclass, of the very object."""
+    """Return whether the frame runs a constructor, such as that of a student's subclass, of exactly this object."""
     return bool(code.co_argcount) and frame.f_locals.get(code.co_varnames[0]) is made
 
 

@@ -56,7 +56,7 @@ class Action(LaunchDescriptionEntity):
         self.__origin = (file, line)
 
     parse = ParsedByFrontend('action', _only_a_condition)
-    """Class method: the class, and the keyword arguments that an element of an XML or YAML file stands for."""
+    """Class method: returns the class, and the keyword arguments for an element of an XML or YAML file."""
 
     condition: ReadOnly[Condition | None] = ReadOnly('The condition, or None.')
 
@@ -65,7 +65,7 @@ class Action(LaunchDescriptionEntity):
         return repr(self)
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the entities to which this action leads and that are known without executing it. Subclasses override it."""
+        """Return the entities to which this action leads, if they are known without executing it. Subclasses override it."""
         return []
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:

@@ -23,9 +23,8 @@ class BaseEventHandler(StableRepr):
     """
 
     only_action: Any = None
-    """The only action whose events the matcher can accept, None when it can be any; events that have no action do not count.
-
-    Launch then does not ask about others. (edulaunch only.)
+    """The only action whose events the matcher can accept, or None for any action. Launch does not ask about events of other
+    actions. Events without an action do not count. (edulaunch only.)
     """
 
     def __init__(self, *, matcher: Matcher, handle_once: bool = False) -> None:

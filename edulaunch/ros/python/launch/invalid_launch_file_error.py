@@ -8,8 +8,8 @@ from collections.abc import Sequence
 class InvalidLaunchFileError(Exception):
     """A launch file cannot be loaded.
 
-    :param extension: of the file, without its dot.
-    :param likely_errors: what each loader that was tried said; the first becomes `__cause__`.
+    :param extension: the extension of the file, without its dot.
+    :param likely_errors: the error of each loader that was tried; the first one becomes `__cause__`.
     """
 
     def __init__(self, extension: str = '', *, likely_errors: Sequence[BaseException] = ()) -> None:

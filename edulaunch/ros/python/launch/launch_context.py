@@ -52,7 +52,7 @@ class LaunchContext:
     """The launch configurations, locals, environment, event handlers and waiting events of one launch.
 
     :param argv: the command line arguments, for code that reads `argv`.
-    :param noninteractive: no terminal is attached, so ctrl-c does not reach the processes by itself.
+    :param noninteractive: no terminal is attached, so launch must pass Ctrl-C on to the processes.
     """
 
     def __init__(self, *, argv: Iterable[str] | None = None, noninteractive: bool = False) -> None:
@@ -70,9 +70,9 @@ class LaunchContext:
         self.__launch_configurations: dict[str, Any] = {}
         self.__launch_configurations_stack: list[dict[str, Any]] = []
         self.open_includes: list[Include] | None = None
-        """The launch files that are visited just now, outermost first; None outside any walk."""
+        """The launch files that are being visited, outermost first; None outside any walk."""
         self.observer: Observer | None = None
-        """What the launch service tells of its visits and events. (edulaunch only.)"""
+        """Receives the visits and events of the launch service. (edulaunch only.)"""
         self._names_read = names_read()
         self.process_state = running_process().state
         self.process_counter = process_state('launch.process_counter', lambda: [0])
@@ -80,9 +80,9 @@ class LaunchContext:
         self.__asyncio_loop: asyncio.AbstractEventLoop | None = None
         self.__logger: Logger | None = None
         self.hears_timers = False
-        """Whether the handler is registered by which timers run out."""
+        """Whether the handler for timers that fire is registered."""
         self.starts_are_abandoned = False
-        """Set after an exception: processes that are scheduled but not started yet must not start."""
+        """Set after an exception: processes that are scheduled but have not been started must not start."""
 
     argv: ReadOnly[list[str]] = ReadOnly('The command line arguments.')
 

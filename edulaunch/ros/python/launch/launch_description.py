@@ -84,7 +84,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         return [argument for argument, _ in found]
 
     def get_launch_arguments_with_include_launch_description_actions(self, conditional_inclusion: bool = False) -> FoundArguments:
-        """Do the same as :meth:`get_launch_arguments`, each with the include actions that lead to it (None for none).
+        """Return the arguments of :meth:`get_launch_arguments`, each with the include actions that lead to it (or None).
 
         The first declaration of a name counts. Files whose path is not known before launching, or which cannot be loaded, are
         skipped. Arguments after a `ResetLaunchConfigurations` or inside an `OpaqueFunction` are not found.

@@ -20,8 +20,8 @@ class LaunchDescriptionEntity(StableRepr):
     """An action, a launch description, or anything else with a `visit`."""
 
     _search_role: ClassVar[str] = ''
-    """What the static search for launch arguments does with it: '' look inside, 'argument', 'include' or
-    'reset'.
+    """How the static search for launch arguments handles the entity: '' searches its content; others are 'argument', 'include'
+    and 'reset'.
     """
 
     def describe(self) -> str:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class LaunchDescriptionSource:
     """A launch description, or a launch file from which to load it.
 
-    :param launch_description: when it is known already.
+    :param launch_description: the description, if it is already known.
     :param location: path of the file, as strings or substitutions. Relative paths start at the working directory.
     :param method: how it is loaded, in words.
     """
@@ -65,7 +65,7 @@ class LaunchDescriptionSource:
     def try_get_launch_description_without_context(self) -> LaunchDescription | None:
         """Return the description if its path is known without a running launch and it can be loaded, and otherwise None.
 
-        As upstream, the file is executed for this, but only once within one visit.
+        As in upstream, this executes the file, but only once within one visit.
         """
         if self.__launch_description is not None:
             return self.__launch_description
@@ -85,6 +85,6 @@ class LaunchDescriptionSource:
     def _get_launch_description(self, location: str) -> LaunchDescription:
         """Load the file. Subclasses override it.
 
-        :raises RuntimeError: in this class.
+        :raises RuntimeError: always in this base class.
         """
         raise RuntimeError(f"LaunchDescriptionSource: no launch description, and no way to load one from '{location}'")

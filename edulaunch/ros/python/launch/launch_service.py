@@ -66,7 +66,7 @@ class LaunchService:
     script, it runs its own simulation. In a notebook, both `run()` and `await run_async()` work.
 
     :param argv: for `context.argv`.
-    :param noninteractive: no terminal is attached, so ctrl-c must be passed on to the processes.
+    :param noninteractive: no terminal is attached, so launch must pass Ctrl-C on to the processes.
     :param debug: log at level DEBUG.
     """
 
@@ -111,8 +111,7 @@ class LaunchService:
     def shutdown(self, force_sync: bool = False) -> Awaitable[None] | None:
         """Request the end of the service, or do nothing if it is not running. Any thread may call this method.
 
-        :returns: something to await, or to make a task of, when called in the thread that runs the service (unless
-            `force_sync`), else None.
+        :returns: a coroutine, when called in the thread that runs the service without `force_sync`; otherwise None.
         """
         if self.__loop is None:
             return None
@@ -146,7 +145,7 @@ class LaunchService:
             loop.close()
 
     async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
-        """Run as :meth:`run` does. On a loop without simulated time, such as a notebook's, this call runs the simulation."""
+        """Do the same as :meth:`run`. On a loop without simulated time, such as a notebook's, this call runs the simulation."""
         import asyncio
 
         from edulaunch.engine.sim.aio import SimulatedEventLoop
@@ -219,7 +218,7 @@ class LaunchService:
                 self.__report(error)
 
     def _is_idle(self) -> bool:
-        """Return whether nothing is left to do; tests of launch use this name."""
+        """Return whether nothing is left to do. Upstream's tests of launch call this method."""
         waiting = self.__context._completion_futures
         waiting[:] = [future for future in waiting if not future.done()]
         for future in waiting:
@@ -302,7 +301,7 @@ class LaunchService:
             raise error
 
     def __report(self, error: Exception) -> None:
-        """Report an error, and end the launch; processes that wait for their start are not started."""
+        """Report an error, and end the launch. Processes that have not been started yet are not started."""
         message = f'Caught exception in launch (see debug for traceback): {error}'
         self.__logger.debug(traceback.format_exc())
         note_failure(error, message)

@@ -19,21 +19,23 @@ class Substitution(StableRepr):
     """
 
     parse = ParsedByFrontend('substitution')
-    """Class method of those that are written `$(name ...)`: the class, and its keyword arguments for a list of arguments."""
+    """Class method of substitutions written as `$(name ...)`: returns the class, and its keyword arguments for a list of
+    arguments.
+    """
 
     def describe(self) -> str:
         """Return a description for people, without evaluating anything."""
         return repr(self)
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the evaluated text.
+        """Return the evaluated string.
 
-        :raises NotImplementedError: in this base class, as upstream.
+        :raises NotImplementedError: in this base class, as in upstream.
         """
         raise NotImplementedError('Substitution is an abstract base class')
 
 
 SomeSubstitutionsType = str | Substitution | Iterable[str | Substitution]
-"""A text, a substitution, or several of them, which are joined without a separator."""
+"""A string, a substitution, or several of them, which are joined without a separator."""
 
 SomeSubstitutionsType_types_tuple = (str, Substitution, collections.abc.Iterable)

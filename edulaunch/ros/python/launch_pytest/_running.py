@@ -1,4 +1,4 @@
-"""Run launches up to their `ReadyToTest`, and the parts of tests, in simulated time; report waits that never end."""
+"""Run launches up to their `ReadyToTest`, and the parts of tests, in simulated time; report a wait that never ends."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ TEST_HANGS = 'the test did not come to its end'
 
 
 def run_until_complete(loop: asyncio.AbstractEventLoop, awaitable: Awaitable[Any], problem: str) -> Any:
-    """Run the loop until something is done; gives its result.
+    """Run the loop until an awaitable is done, and return its result.
 
-    :param problem: what to say when it never is: it is waited for ten minutes of simulated time.
-    :raises: what the awaitable raises; pytest's failure when it is still not done then.
+    :param problem: the message of the failure when it is not done after ten minutes of simulated time.
+    :raises: the exception of the awaitable, or pytest's failure when it is not done in time.
     """
     __tracebackhide__ = True
     future = asyncio.ensure_future(awaitable, loop=loop)
@@ -49,7 +49,7 @@ def run_until_complete(loop: asyncio.AbstractEventLoop, awaitable: Awaitable[Any
 
 
 async def _settled(future: asyncio.Future[Any]) -> None:
-    """Wait for a future without raising its exception: asyncio ends the loop for one that is not an `Exception`."""
+    """Wait for a future without raising its exception. An exception that is not an `Exception` would end asyncio's loop."""
     await asyncio.wait([future])
 
 
@@ -81,7 +81,7 @@ def run_beside(loop: asyncio.AbstractEventLoop, body: Callable[[], Any]) -> Any:
 
 
 def advance(loop: asyncio.AbstractEventLoop, test: Any) -> bool:
-    """Run a generator test up to its next `yield`; return False if it has ended."""
+    """Run a test that is a generator up to its next `yield`. Return False if it has ended."""
     __tracebackhide__ = True
     if not inspect.isasyncgen(test):
         end = object()
@@ -98,7 +98,7 @@ def advance(loop: asyncio.AbstractEventLoop, test: Any) -> bool:
 
 
 def finish(loop: asyncio.AbstractEventLoop, test: Any) -> None:
-    """Run what comes behind the `yield`. A second one is a failure."""
+    """Run the part of a test after its `yield`. A second `yield` is a failure."""
     __tracebackhide__ = True
     if not advance(loop, test):
         return
@@ -129,7 +129,7 @@ def launch_until_ready(service: Any, loop: Any, description: LaunchDescription, 
     """Run a description up to its `ReadyToTest`, which is added at its end if missing. A service that already runs for another
     fixture of its scope includes the description.
 
-    :raises: pytest's failure when there are several, or the launch ends before.
+    :raises: pytest's failure when there is more than one `ReadyToTest`, or the launch ends before it.
     """
     found = ready_actions(description)
     if len(found) > 1:

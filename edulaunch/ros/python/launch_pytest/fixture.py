@@ -19,16 +19,16 @@ if TYPE_CHECKING:
 
 SCOPES = ('function', 'class', 'module', 'package', 'session')
 OPTIONS = 'launch_pytest_options'
-"""Attribute of a launch fixture: its name, scope, and how its launch ends."""
+"""An attribute of a launch fixture: its name, its scope, and how its launch ends."""
 SCOPE = 'launch_pytest_scope'
-"""Attribute of the fixtures that it brings with it."""
+"""An attribute of the fixtures that belong to it."""
 
 
 def finalize_launch_service(launch_service: LaunchService, eprefix: str = '', auto_shutdown: bool = True) -> None:
     """Wait until a launch has ended. Do nothing if it has already ended.
 
-    :param eprefix: how the failure's text begins.
-    :param auto_shutdown: ask it to end first.
+    :param eprefix: the beginning of the failure's message.
+    :param auto_shutdown: request the shutdown first.
     :raises AssertionError: when it ended with a return code that is not 0.
     """
     if auto_shutdown:
@@ -44,7 +44,7 @@ def companions(scope: Any) -> dict[str, Any]:
 
     @pytest.fixture(scope=scope)
     def event_loop() -> Iterator[asyncio.AbstractEventLoop]:
-        """The asyncio loop in simulated time, on which launch and coroutines run."""
+        """The asyncio loop in simulated time, on which the launch and coroutines run."""
         from edulaunch.engine.processes.module_views.asyncio_view import ProcessEventLoop
 
         process = current_process()
@@ -82,8 +82,8 @@ def fixture(
     module gets the fixtures `event_loop`, `launch_service` and `launch_context` of the same scope. Existing fixtures of these
     names, or of a wider scope, are not replaced.
 
-    :param shutdown_when_idle: launch ends when nothing is left to do.
-    :param auto_shutdown: after the tests the launch is asked to end; else its end is waited for.
+    :param shutdown_when_idle: end the launch when nothing is left to do.
+    :param auto_shutdown: shut the launch down after the tests; otherwise, wait until it ends.
     :param kwargs: those of `pytest.fixture`.
     """
     scope = kwargs.get('scope', 'function')

@@ -17,9 +17,9 @@ from ._running import TEST_HANGS, advance, finish, launch_description_of, launch
 from .fixture import OPTIONS, finalize_launch_service
 
 SHUTDOWN_ITEM = pytest.StashKey[pytest.Function]()
-"""On a generator test that shares its launch with others: the item that runs its second part."""
+"""An attribute of a generator test that shares its launch with others: the item that runs its second part."""
 RUNNING_TEST = pytest.StashKey[Any]()
-"""On that item: the generator, once its first part is over; None before."""
+"""An attribute of that item: the generator once its first part is over, and None before."""
 NODES: dict[Any, Any] = {'class': pytest.Class, 'module': pytest.Module, 'package': pytest.Package}
 
 
@@ -56,8 +56,8 @@ def pytest_pycollect_makeitem(collector: Any, name: str, obj: object) -> Generat
 
 
 def _options(item: pytest.Item) -> dict[str, Any]:
-    """Return what `launch_pytest.fixture` noted of the fixture that an item's mark names: name, scope, auto_shutdown,
-    shutdown_when_idle. Empty for an item without.
+    """Return the options that `launch_pytest.fixture` stored for the fixture in an item's mark: name, scope, auto_shutdown,
+    shutdown_when_idle. The result is empty for an item without such a fixture.
     """
     mark = item.get_closest_marker('launch')
     options: dict[str, Any] = {} if mark is None else getattr(mark.kwargs.get('fixture'), OPTIONS, {})
@@ -65,18 +65,18 @@ def _options(item: pytest.Item) -> dict[str, Any]:
 
 
 def _is_for_shutdown(item: pytest.Item) -> bool:
-    """Return whether a test is to run after the launch has ended."""
+    """Return whether a test must run after the launch has ended."""
     mark = item.get_closest_marker('launch')
     return mark is not None and bool(mark.kwargs.get('shutdown', False))
 
 
 def _has_two_parts(function: object) -> bool:
-    """Return whether a test function yields: what comes behind that runs after the shutdown."""
+    """Return whether a test function contains `yield`. The part after the `yield` runs after the shutdown."""
     return inspect.isgeneratorfunction(function) or inspect.isasyncgenfunction(function)
 
 
 def _complaint_about(mark: pytest.Mark, function: object) -> str | None:
-    """Return the problem of a mark `launch`, or None."""
+    """Return a message about the problem of a `launch` mark, or None."""
     fixture = mark.kwargs.get('fixture')
     if fixture is None:
         return '"fixture" keyword argument is required in a pytest.mark.launch() decorator'
@@ -101,7 +101,7 @@ def _make_items(collector: Any, name: str, function: Any, options: dict[str, Any
 
 
 def _second_part(first: pytest.Function) -> pytest.Function:
-    """Return the item that runs what comes behind the `yield` of a test."""
+    """Return the item that runs the part of a test after its `yield`."""
     options: dict[str, Any] = {'callspec': first.callspec} if hasattr(first, 'callspec') else {}
     name = f'{first.originalname}[shutdown_test]'
     second: pytest.Function = pytest.Function.from_parent(
@@ -154,7 +154,7 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Generator[None, Any, Any]
 def _run(item: pytest.Function, function: Any, **arguments: Any) -> None:
     """Run the function of an item, beside its launch or after it.
 
-    :raises: any exception of the test, and pytest's failures raised here.
+    :raises: any exception of the test, or pytest's failure for an invalid test.
     """
     __tracebackhide__ = True
     loop: Any = item.funcargs['event_loop']

@@ -36,25 +36,25 @@ class GeneratedFile:
 
     @property
     def text(self) -> str:
-        """Return its content."""
+        """Return the content of the file as text."""
         return self._text
 
     @property
     def content(self) -> Any:
-        """The content as YAML reads it."""
+        """The content as YAML data."""
         import yaml
 
         return yaml.safe_load(self.text)
 
     def entries(self) -> list[Entry]:
-        """Return the parameters in it, as rcl reads them.
+        """Return the parameters in the file, as rcl reads them.
 
-        :raises ParameterFileError: for what rcl refuses.
+        :raises ParameterFileError: for content that rcl rejects.
         """
         return read_parameter_file(self.text)
 
     def write(self) -> None:
-        """Put it on the disk, whole at once, until it is removed or forgotten, at the latest when Python ends."""
+        """Write the file to the disk in one step. It exists until it is removed, this object is deleted, or Python ends."""
         if self._inode is not None:
             return
         import tempfile
@@ -86,13 +86,13 @@ class GeneratedParameters(GeneratedFile):
 
     @property
     def content(self) -> dict[str, Any]:
-        """The content as YAML reads it."""
+        """The content as YAML data."""
         plain = {name: list(value) if isinstance(value, tuple) else value for name, value in self._values.items()}
         return {self._node_key: {PARAMETERS_KEY: plain}}
 
     @property
     def text(self) -> str:
-        """The value as YAML."""
+        """Return the parameters as YAML text."""
         import yaml
 
         dumper: Any = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)
@@ -100,7 +100,7 @@ class GeneratedParameters(GeneratedFile):
         return text
 
     def entries(self) -> list[Entry]:
-        """The parameters in the file. They are written and read as text only if the text could change one of them."""
+        """Return the parameters in the file. They are converted to text and parsed only if that could change one of them."""
         entries: list[Entry] = []
         line = 3
         for name in sorted(self._values):
@@ -115,7 +115,7 @@ class GeneratedParameters(GeneratedFile):
 
 
 def _is_kept(value: Any) -> bool:
-    """Return whether rcl reads this very value in what YAML writes."""
+    """Return whether rcl reads exactly this value from YAML's text for it."""
     kind = type(value)
     if kind is str:
         return _is_word(value)
@@ -129,10 +129,10 @@ def _is_word(text: str) -> bool:
 def temporary_path(key: str, state: dict[str, Any]) -> str:
     """Return the path `launch_params_XXXXXXXX` in the temporary folder.
 
-    The name is made from `key`, so that command lines (which are recorded) repeat from run to run. Two keys of
-    one launch never get the same path.
+    The name depends on `key`, so that command lines, which are recorded, are the same in each run. Two keys of one launch never
+    get the same path.
 
-    :param state: of the process that runs launch.
+    :param state: the state of the process that runs launch.
     """
     import zlib
 
@@ -152,7 +152,7 @@ def _first_paths(state: dict[str, Any]) -> tuple[str, dict[int, str]]:
 
 
 def _remove(path: str, inode: int) -> None:
-    """Remove the file while it is still the one that was written: another run may have put its own there, with equal text."""
+    """Remove the file if it is still the one that was written. Another run may have written its own file with the same name."""
     try:
         if os.stat(path).st_ino == inode:
             os.unlink(path)

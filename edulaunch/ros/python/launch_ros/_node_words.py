@@ -18,9 +18,9 @@ _GOOD_NAMESPACE = re.compile(r'/|(?:/[A-Za-z_][A-Za-z0-9_]{0,39}){1,5}')
 
 
 def validated_name(name: str) -> str:
-    """Return the name.
+    """Return the name if it is valid.
 
-    :raises InvalidNodeNameException: when no node can be called so.
+    :raises InvalidNodeNameException: when it is not a valid node name.
     """
     if _GOOD_NAME.fullmatch(name) is None and node_name_problem(name) is not None:
         from rclpy.validate_node_name import validate_node_name
@@ -30,9 +30,9 @@ def validated_name(name: str) -> str:
 
 
 def validated_namespace(namespace: str) -> str:
-    """Return the namespace.
+    """Return the namespace if it is valid.
 
-    :raises InvalidNamespaceException: when it cannot be one.
+    :raises InvalidNamespaceException: when it is not a valid namespace.
     """
     if _GOOD_NAMESPACE.fullmatch(namespace) is None and namespace_problem(namespace) is not None:
         from rclpy.validate_namespace import validate_namespace

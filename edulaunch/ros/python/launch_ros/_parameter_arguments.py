@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 NO_NAMESPACE = '<node_namespace_unspecified>'
-"""As the node action has it: the program's own namespace, which is nearly always the root."""
+"""The value in a node action for the namespace that the program chooses, which is nearly always the root."""
 
 
 class ParameterArguments:
@@ -31,7 +31,7 @@ class ParameterArguments:
 
     This module only names generated files. The host stores them, and passes their content to simulated programs.
 
-    :param number: of the node's process; it keeps the files of equal nodes apart.
+    :param number: the number of the node's process, which distinguishes the files of equal nodes.
     :param node_name: the node's name as far as it is known.
     :param node_key: the key above the values in generated files: the node's full name, or `/**`.
     :ivar items: (path, True) for a parameter file, (`name:=value`, False) for a single value, in order.
@@ -49,7 +49,7 @@ class ParameterArguments:
         self._origins: ParameterOrigins | None = None
 
     def add_global(self, entries: Iterable[str | tuple[str, Any]]) -> None:
-        """Add the pairs and the paths of files from SetParameter and SetParametersFromFile."""
+        """Add the pairs of SetParameter and the paths of SetParametersFromFile."""
         for entry in entries:
             if isinstance(entry, tuple):
                 name, value = entry
@@ -81,7 +81,7 @@ class ParameterArguments:
                 self._add_rule(context, written)
 
     def write_files(self) -> None:
-        """Write the generated files that :attr:`items` names to the disk for a reader."""
+        """Write the generated files in :attr:`items` to the disk."""
         for file in self._generated:
             file.write()
 
@@ -110,9 +110,9 @@ class ParameterArguments:
         self._add((f'{name}:={yaml.safe_dump(value)}', False), {name: value}, {name: parameter})
 
     def in_force(self, node: Origin | None) -> list[Given]:
-        """Return everything that is given to this node's parameters. The last value for each parameter is the one that counts.
+        """Return all values that are given for this node's parameters. The last value for each parameter counts.
 
-        :param node: where the launch file made the node.
+        :param node: the place in the launch file that created the node.
         """
         found: list[Given] = []
         for (text, is_file), (values, written) in zip(self.items, self._sources, strict=True):
@@ -125,7 +125,7 @@ class ParameterArguments:
     def origins(self, node: Origin | None) -> ParameterOrigins:
         """Return the place of each value by parameter name, for values that do not come from a parameter file.
 
-        :param node: where the launch file made the node.
+        :param node: the place in the launch file that created the node.
         """
         if self._origins is None:  # computed once, although plans and restarted programs need it again
             self._origins = ParameterOrigins(lambda: self.in_force(node))

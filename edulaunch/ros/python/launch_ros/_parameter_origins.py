@@ -1,4 +1,4 @@
-"""Descriptions of the places at which the values of a node's parameters were written."""
+"""Descriptions of the places where the values of a node's parameters were written."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ _TOKEN = re.compile(
     re.DOTALL,
 )
 LONGEST_CALL = 400
-"""Lines; what stands farther below the beginning of a call is not looked at."""
+"""The maximum number of lines that are read from the beginning of a call."""
 SHORT_CALL = 12
-"""Lines; nearly all calls end here, and to read farther for each takes longer than to launch it."""
+"""The number of lines in which nearly all calls end. Reading more lines for each call takes longer than launching it."""
 
 
 def key_lines(file: str, line: int) -> dict[str, int]:
@@ -44,7 +44,7 @@ def key_lines(file: str, line: int) -> dict[str, int]:
 
 
 def _keys_in(text: str, line: int) -> tuple[dict[str, int], bool]:
-    """Return the keys, and whether the call ends in the text, which begins on `line`."""
+    """Return the keys, and whether the call ends within the text. The text begins on `line`."""
     found: dict[str, int] = {}
     depth = 0
     counted, number = 0, line
@@ -66,10 +66,10 @@ def _keys_in(text: str, line: int) -> tuple[dict[str, int], bool]:
 class Given(NamedTuple):
     """One value for one parameter.
 
-    :ivar pattern: of the nodes that it is for.
+    :ivar pattern: the pattern of names of the nodes that receive it.
     :ivar origin: where it was written, in words.
-    :ivar file, line: the same, as far as it is known; '' and 0 when it is not.
-    :ivar is_of_a_file: whether a parameter file says so, rather than the launch file.
+    :ivar file, line: the same place, or '' and 0 if it is unknown.
+    :ivar is_of_a_file: whether a parameter file sets the value, rather than the launch file.
     """
 
     pattern: str
@@ -84,7 +84,7 @@ class Given(NamedTuple):
 def in_force(given: Sequence[Given], full_name: str) -> list[Given]:
     """Return the entries for the node of that name in rcl's order, in which the last entry for a parameter counts.
 
-    Everything below one pattern moves to the first place of that pattern; there, a type counts before the order.
+    All entries for one pattern move to the first place of that pattern.
     """
     ranks: dict[str, int] = {}
     for one in given:
@@ -94,9 +94,9 @@ def in_force(given: Sequence[Given], full_name: str) -> list[Given]:
 
 
 class ParameterOrigins(Mapping[str, str]):
-    """Return parameter name -> origin of the effective values that no parameter file sets; computed on request.
+    """Maps each parameter to the origin of its value, if no parameter file sets the value. It is computed on request.
 
-    :param in_force: gives everything that is given, as :func:`in_force` orders it.
+    :param in_force: returns all given values, in the order of :func:`in_force`.
     """
 
     def __init__(self, in_force: Callable[[], Sequence[Given]]) -> None:
@@ -132,7 +132,7 @@ def place_text(file: str, line: int) -> str:
 
 
 def given_by_global(parameter: tuple[str, Any]) -> list[Given]:
-    """Return the value of a SetParameter action."""
+    """Return the value that a SetParameter action gives."""
     name, value = parameter
     origin = getattr(parameter, 'origin', None)
     if origin is None:
@@ -152,11 +152,11 @@ def given_by_file(path: str, entries_of: Callable[[str], Sequence[Entry]]) -> li
 def given_by_launch_file(
     pattern: str, values: Mapping[str, Any], written: Mapping[Any, Any], node: Origin | None
 ) -> Iterator[Given]:
-    """Return the values of one dict. The origin is the launch argument that decides a value, or else the line that names it, or
-    that of the node.
+    """Return the values of one dict. The origin is the launch argument that determines the value, otherwise the line of the name,
+    and otherwise the line of the node.
 
-    :param values: evaluated.
-    :param written: normalized; in the same order, unless two names came out equal.
+    :param values: the evaluated values.
+    :param written: the normalized values, in the same order unless two evaluated names are equal.
     """
     if len(values) != len(written) or node is None:
         origin = 'launch file' if node is None else place_text(*node)
@@ -174,7 +174,7 @@ def given_by_launch_file(
 
 
 def argument_in(value: Any) -> str | None:
-    """Return 'launch argument x', when a launch configuration decides the value."""
+    """Return 'launch argument x' if a launch configuration determines the value."""
     value = getattr(value, 'written', value)
     for part in value if isinstance(value, (list, tuple)) else (value,):
         if isinstance(part, LaunchConfiguration):

@@ -42,7 +42,7 @@ def parameters_in(entity: Entity, parser: ParserProtocol, tag: str) -> list[Any]
     """Return the argument `parameters` of a node, with one source for each element. The order is that of the file, so that later
     sources replace earlier ones.
 
-    :raises RuntimeError, ValueError: for attributes that do not go together.
+    :raises RuntimeError, ValueError: for attributes that cannot be combined.
     """
     plain = entity.plain_pairs(tag, 'name', 'value', is_typed=True)
     if plain is not None:

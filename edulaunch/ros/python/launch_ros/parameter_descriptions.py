@@ -27,11 +27,11 @@ class ParameterValue:
 
     :param value: a literal, a substitution, or a list.
     :param value_type: int, float, bool, str, `List[...]` of one of these; None means YAML's rules for strings of substitutions.
-    :raises TypeError: when a literal has not the type.
+    :raises TypeError: when a literal does not have the type.
     """
 
     line = 0
-    """The line of the launch file that says so, when a frontend made this."""
+    """The line of the launch file that sets the parameter, if a frontend created this object."""
 
     def __init__(self, value: Any, *, value_type: Any = None) -> None:
         plain = value_type is None and type(value) in _PLAIN
@@ -54,7 +54,7 @@ class ParameterValue:
     def evaluate(self, context: LaunchContext) -> Any:
         """Return the value.
 
-        :raises ValueError: when the text of a substitution cannot be converted.
+        :raises ValueError: when the string of a substitution cannot be converted.
         """
         value = self.__value
         self.__evaluated = value if type(value) in _PLAIN else perform_typed_substitution(context, value, self.__value_type)
@@ -92,11 +92,10 @@ class Parameter:
 
 
 class ParameterFile:
-    """A file of parameters.
+    """A parameter file.
 
     :param param_file: its path.
-    :param allow_substs: the file's text may contain `$(...)` substitutions; the result goes to a temporary
-        file.
+    :param allow_substs: evaluate `$(...)` substitutions in the file, and write the result to a temporary file.
     """
 
     def __init__(self, param_file: Any, *, allow_substs: Any = False) -> None:
@@ -129,7 +128,7 @@ class ParameterFile:
         """Return the path to give to the node. A file with substitutions is stored until :meth:`cleanup`, or until this object is
         deleted.
 
-        :raises SubstitutionFailure: when the substituted text is not YAML any more.
+        :raises SubstitutionFailure: when the result of the substitution is not valid YAML.
         """
         path, file = self.performed(context)
         if file is not None:

@@ -13,15 +13,15 @@ from typing import Any
 from launch.substitution import Substitution
 
 SomeParameterFile = Any
-"""A path: text, substitutions, `pathlib.Path`, bytes, or a ParameterFile."""
+"""A path: a string, substitutions, `pathlib.Path`, bytes, or a ParameterFile."""
 
 
 SomeParameterName = Any
-"""A text, a substitution, or a tuple of both."""
+"""A string, a substitution, or a tuple of both."""
 
 
 SomeParameterValue = Any
-"""See the table in the ROS documentation of `Node`: what each kind of value becomes."""
+"""A value. The ROS documentation of `Node` has a table of the results for each kind."""
 
 
 SomeParametersDict = Mapping[Any, Any]
@@ -44,11 +44,11 @@ ParametersDict = dict[ParameterName, Any]
 
 
 Parameters = Sequence[Any]
-"""Of ParameterFile, ParametersDict and Parameter."""
+"""A sequence of ParameterFile, ParametersDict and Parameter."""
 
 
 EvaluatedParameterValue = str | int | float | bool | bytes | tuple[Any, ...]
 
 
 EvaluatedParameters = tuple[Any, ...]
-"""Of Path, dict of names and plain values, and Parameter."""
+"""A sequence of Path, dict of names and plain values, and Parameter."""

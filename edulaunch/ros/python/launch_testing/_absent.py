@@ -1,5 +1,5 @@
-"""Names of ROS 2's test tools that are missing here, because fewer than five public repositories use them, and their
-alternatives.
+"""Names of ROS 2's test tools that edulaunch lacks, with their alternatives. Fewer than five public repositories use each of
+them.
 """
 
 _RUNNING = 'run the test file with `pytest` or `launch_test`'
@@ -26,4 +26,4 @@ ABSENT = {
         'tools': 'they filter the output of a middleware, which the simulation does not have; use proc_output.assertWaitFor',
     },
 }
-"""Part of the tools -> name -> the advice of the ImportError that asking for it gives."""
+"""Part of the tools -> name -> the advice in the ImportError for that name."""

@@ -24,7 +24,7 @@ def post_shutdown_test() -> Callable[[type], type]:
 def ready_to_test_action_timeout(timeout: float = DEFAULT_TIMEOUT_S) -> Callable[[T], T]:
     """Set the maximum time until `ReadyToTest`, in simulated seconds after the start.
 
-    :param timeout: seconds; without this decorator 15.
+    :param timeout: seconds. Without this decorator, the maximum is 15.
     """
 
     def mark(test_description: T) -> T:

@@ -50,8 +50,8 @@ class ActiveIoHandler(IoHandler):
 
         :param expected_output: a string, a compiled regular expression, or a list of them that must come in this order.
         :param process: an action, or part of a launch name; None means any process.
-        :param cmd_args: narrows a name down, see :func:`launch_testing.util.resolveProcesses`.
-        :param stream: 'stdout' or 'stderr'; as in ROS 2 the default is stderr, where nodes log.
+        :param cmd_args: arguments that the process must have; see :func:`launch_testing.util.resolveProcesses`.
+        :param stream: 'stdout' or 'stderr'; the default is stderr, where nodes log, as in ROS 2.
         :param options: those of :func:`launch_testing.asserts.assertInStream`.
         """
 
@@ -76,7 +76,7 @@ class ActiveIoHandler(IoHandler):
     ) -> None:
         """Assert that output arrives; see :meth:`waitFor`.
 
-        :raises AssertionError: when the output has not come in time.
+        :raises AssertionError: when the output does not arrive in time.
         """
         if not self.waitFor(expected_output, process, cmd_args, timeout=timeout, stream=stream, **options):
             raise AssertionError(f'Waiting for output timed out\n  help: {self._advice(expected_output, stream, timeout)}')

@@ -15,10 +15,10 @@ from .test_result import TestResult, is_pytest_outcome
 class LaunchTest:
     """One run of a test file. Create it anywhere, but call :meth:`run` inside a simulated process.
 
-    :param path: of the test file.
+    :param path: the path of the test file.
     :param arguments: launch arguments, `name:=value`.
-    :ivar results: how each launch went; empty before the run.
-    :ivar error: why the file could not be run at all, or None.
+    :ivar results: the results of each launch; empty before the run.
+    :ivar error: the error that prevented the file from running, or None.
     """
 
     def __init__(self, path: str, arguments: Sequence[str] = (), *, debug: bool = False) -> None:

@@ -20,9 +20,9 @@ class TestRun:
     """One launch with its tests.
 
     :param module: the test file.
-    :param describe: its `generate_test_description`, parameters already filled in.
+    :param describe: its `generate_test_description` with its parameters filled in.
     :param parameters: those parameters.
-    :ivar pre_shutdown_tests, post_shutdown_tests: to run while it is up, and afterwards.
+    :ivar pre_shutdown_tests, post_shutdown_tests: the tests to run while the launch runs, and after its shutdown.
     """
 
     __test__ = False  # pytest must not collect this class as a test case
@@ -93,7 +93,7 @@ def ready_actions(description: LaunchDescription) -> list[ReadyToTest]:
 
 
 def _ready_actions(entities: Sequence[LaunchDescriptionEntity]) -> Iterator[ReadyToTest]:
-    """Yield all of them, also in groups, timers and the lists of event handlers."""
+    """Yield the `ReadyToTest` actions of entities, also those in groups, timers and the lists of event handlers."""
     for entity in entities:
         if isinstance(entity, ReadyToTest):
             yield entity

@@ -19,7 +19,7 @@ def keep_alive(test_description: T) -> T:
 def retry_on_failure(*, times: int, delay: float | None = None) -> Callable[[T], T]:
     """Run a test method again if it fails, at most `times` times in total. The last failure counts.
 
-    :param delay: simulated seconds between two times; None means no pause.
+    :param delay: simulated seconds between two attempts; None means no pause.
     :raises ValueError: for `times` below 1.
     """
     if times < 1:

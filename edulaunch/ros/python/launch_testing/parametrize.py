@@ -18,7 +18,7 @@ def parametrize(argnames: str | Iterable[str], argvalues: Iterable[Any]) -> Call
     The values are arguments of `generate_test_description` and, by the same names, of the test methods.
 
     :param argnames: one name, several with commas between them, or a list of names.
-    :param argvalues: a value for each launch; with several names a tuple of values.
+    :param argvalues: a value for each launch, or a tuple of values if there are several names.
     :raises ValueError: when there are more or fewer values than names.
     """
     names = [name.strip() for name in argnames.split(',') if name.strip()] if isinstance(argnames, str) else list(argnames)

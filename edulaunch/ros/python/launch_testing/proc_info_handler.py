@@ -25,21 +25,23 @@ class ProcInfoHandler(_ByProcess[RunningProcessEvent]):
 
 
 class ActiveProcInfoHandler(ProcInfoHandler):
-    """The events for tests that run at the same time as the processes. Tests can wait for starts and ends in simulated time."""
+    """The process events, for tests that run at the same time as the processes. Tests can wait for starts and ends in simulated
+    time.
+    """
 
     def assertWaitForShutdown(self, process: Any, cmd_args: CmdArgs = None, *, timeout: float = 10) -> None:
         """Wait until a process has ended.
 
         :param process: an action, or part of a launch name.
         :param timeout: simulated seconds.
-        :raises AssertionError: when it has not ended then.
+        :raises AssertionError: when it has not ended after that time.
         """
         self._wait_for_event(ProcessExited, process, cmd_args, timeout)
 
     def assertWaitForStartup(self, process: Any, cmd_args: CmdArgs = None, *, timeout: float = 10) -> None:
         """Wait until a process has started. It may already have ended.
 
-        :raises AssertionError: when it has not started after `timeout` simulated seconds; the text is ROS 2's.
+        :raises AssertionError: when it has not started after `timeout` simulated seconds; the message is that of ROS 2.
         """
         self._wait_for_event(
             RunningProcessEvent,

@@ -67,7 +67,7 @@ class TestResult(unittest.TestResult):
         self._write('FAIL\n')
 
     def addError(self, test: unittest.TestCase, err: ErrorInfo) -> None:
-        """Record another exception. A test whose process is being ended does not continue."""
+        """Record any other exception. A test whose process is being ended does not continue."""
         if issubclass(err[0], TaskKilled):
             raise err[1]
         if is_pytest_outcome(err[1]) and err[0].__name__ == 'Skipped':
@@ -117,8 +117,8 @@ class TestResult(unittest.TestResult):
 
 
 def is_pytest_outcome(error: BaseException) -> bool:
-    """Return whether `pytest.skip()` or `pytest.fail()` raised the exception. Such an exception is not an Exception, and hides
-    its origin.
+    """Return whether `pytest.skip()` or `pytest.fail()` raised the exception. Its class is not derived from Exception, and its
+    repr does not show its origin.
     """
     return any(cls.__name__ == 'OutcomeException' for cls in type(error).__mro__)
 

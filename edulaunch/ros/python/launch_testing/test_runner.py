@@ -29,7 +29,7 @@ def run_all(test_runs: Sequence[TestRun], arguments: Sequence[str], debug: bool)
 
     :param arguments: launch arguments, `name:=value`.
     :param debug: let launch log at level DEBUG.
-    :raises Exception: what generating a description raised.
+    :raises Exception: any exception of `generate_test_description`.
     """
     process, results = current_process(), {}
     for test_run in test_runs:

@@ -1,4 +1,4 @@
-"""ROS 2 launch_testing_ros: what tests of ROS nodes need beside launch_testing."""
+"""ROS 2 launch_testing_ros: additions to launch_testing for tests of ROS nodes."""
 
 from typing import TYPE_CHECKING
 

@@ -42,7 +42,7 @@ class MessagePump:
     def stop(self) -> None:
         """Stop spinning. Wait at most `timeout` simulated seconds for running callbacks.
 
-        :raises RuntimeError: when one does not end in time.
+        :raises RuntimeError: when a callback does not end in time.
         """
         from edulaunch.engine.sim.sync import sleep
 

@@ -16,7 +16,7 @@ class WaitForTopics:
 
     :param topic_tuples: (topic, message class), or (topic, message class, QoS profile).
     :param timeout: simulated seconds to wait.
-    :param messages_received_buffer_length: how many messages of each topic are kept; the newest stay.
+    :param messages_received_buffer_length: the number of newest messages of each topic that are stored.
     :param trigger: called as trigger(node, *args, **kwargs) by :meth:`wait`, before it waits.
     """
 
@@ -56,7 +56,7 @@ class WaitForTopics:
         self.shutdown()
 
     def wait(self, *args: Any, **kwargs: Any) -> bool:
-        """Wait, and return False if a topic had no message in time. The arguments are passed to the trigger."""
+        """Wait for the messages. Return False if a topic had no message in time. The arguments are passed to the trigger."""
         if self.trigger is not None:
             self.trigger(self._node, *args, **kwargs)
         return self._all_here.wait(self.timeout)
@@ -64,16 +64,16 @@ class WaitForTopics:
     def received_messages(self, topic_name: str) -> list[Any]:
         """Return the messages of a topic, oldest first.
 
-        :raises KeyError: for a topic that is not waited for.
+        :raises KeyError: for a topic that was not passed to the constructor.
         """
         return list(self._messages[topic_name])
 
     def topics_received(self) -> set[str]:
-        """Return the topics that had a message."""
+        """Return the topics that have had a message."""
         return {topic for topic, messages in self._messages.items() if messages}
 
     def topics_not_received(self) -> set[str]:
-        """Return the topics that had no message yet."""
+        """Return the topics that have had no message yet."""
         return set(self._messages) - self.topics_received()
 
     def shutdown(self) -> None:

@@ -20,7 +20,7 @@ _WORDS_WITH_A_MEANING = frozenset(('true', 'false', 'yes', 'no', 'on', 'off', 'n
 def typed(value: str | list[str], data_type: Any, can_be_str: bool) -> Any:
     """Return the value of a string for a data type. Without a type, the rules of YAML apply.
 
-    :param can_be_str: give the text itself when it cannot be converted; it may hold a substitution.
+    :param can_be_str: return the string itself if it cannot be converted, because it may contain a substitution.
     :raises ValueError: when it cannot be converted.
     """
     if data_type is None and isinstance(value, str):
@@ -38,8 +38,8 @@ SEPARATOR = '-sep'
 class Entity(BaseEntity):
     """An XML element.
 
-    :param xml_element: has `tag`, `attrib` and its children as items, like `xml.etree.ElementTree.Element`.
-    :param parent: the element around it.
+    :param xml_element: an element with `tag`, `attrib` and its children as items, like `xml.etree.ElementTree.Element`.
+    :param parent: the enclosing element.
     """
 
     __slots__ = ('_element', '_attributes', '_parent', '_children_asked', '_asked_tags')
@@ -109,7 +109,7 @@ class Entity(BaseEntity):
         return found or None
 
     def given(self, attributes: Collection[str], children: Collection[str] = ()) -> list[str]:
-        """Return the existing ones, attributes before child elements, in the order of the file."""
+        """Return the existing attributes, and then the existing child elements, in the order of the file."""
         self.asked.update(attributes)
         found = [name for name in self._attributes if name in attributes]
         if children:

@@ -20,7 +20,7 @@ class Parser(BaseParser):
         """Return the root element of a file (its path, or an open text stream) and a parser for it.
 
         :raises xml.etree.ElementTree.ParseError: when the text is not well-formed XML.
-        :raises ValueError: when it declares entities or is nested too deep.
+        :raises ValueError: when it declares entities or is nested too deeply.
         """
         return cls.load_with(file, lambda text: Entity(read(text)))
 

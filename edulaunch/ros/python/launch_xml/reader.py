@@ -1,7 +1,7 @@
-"""Convert XML text to elements that know their lines.
+"""Convert XML text to elements that store their lines.
 
-Launch files come from strangers. Nothing outside the text is ever read, no entity can be declared (so none can be multiplied),
-and nesting has a limit.
+Launch files can come from strangers. So the reader opens no other file, refuses declarations of entities, which could multiply
+the text, and limits the nesting.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ class Element(list['Element']):
 
 
 MAX_DEPTH = 100
-"""How deep elements may be nested."""
+"""The maximum depth of nested elements."""
 
 
 def read(text: str) -> Element:
@@ -42,7 +42,7 @@ def read(text: str) -> Element:
 
 
 class _Reading:
-    """One run of expat, with the elements that are open, outermost the document itself."""
+    """One run of expat, with the stack of open elements. The outermost one is the document itself."""
 
     def __init__(self) -> None:
         from pyexpat import ParserCreate
@@ -90,7 +90,7 @@ class _Reading:
         raise self.broken(f'undefined entity &{name};: line {line}, column {column}', line, column)
 
     def broken(self, message: str, line: int, column: int) -> ParseError:
-        """Return the standard library's error, with what was still open as a hint."""
+        """Return the standard library's error, with the elements that were still open as a hint."""
         from xml.etree.ElementTree import ParseError
 
         error: Any = ParseError(message)
@@ -104,5 +104,5 @@ class _Reading:
 
 
 def _qualified(name: str) -> str:
-    """Return `{namespace}name`, as the standard library writes it. expat leaves the first brace out."""
+    """Return `{namespace}name`, the form of the standard library. expat omits the first brace."""
     return f'{{{name}' if '}' in name else name

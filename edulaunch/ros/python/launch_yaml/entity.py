@@ -18,8 +18,8 @@ class Entity(BaseEntity):
     """The value below an element's name.
 
     :param element: a mapping of attributes, or directly the list of child elements.
-    :param type_name: the name.
-    :param parent: the element around it.
+    :param type_name: the element's name.
+    :param parent: the enclosing element.
     """
 
     __slots__ = ('_element', '_type_name', '_parent', '_line', '_children_asked')
@@ -77,7 +77,7 @@ class Entity(BaseEntity):
         return Entity(element, type_name, parent=self, line=getattr(item, 'line', 0))
 
     def _no_single_element(self, item: Any) -> RuntimeError:
-        """Return the error for an item of the list of children that is not one element."""
+        """Return the error for an item of the list of children that does not contain exactly one element."""
         error = RuntimeError('Subentities must be a dictionary with only one key, which is the entity type')
         if not isinstance(item, dict) or not item:
             return places.at(error, self, 'launch.yaml-item')
@@ -151,7 +151,7 @@ class Entity(BaseEntity):
     def assert_entity_completely_parsed(self) -> None:
         """Raise ValueError for unread keys, or for an unread list of child elements.
 
-        :raises TypeError: Python's own text, as upstream, when there is nothing at all, not even an empty mapping.
+        :raises TypeError: when the element has no value, not even an empty mapping. As in upstream, Python raises it.
         """
         element = self._element
         if element is None:
@@ -165,7 +165,7 @@ class Entity(BaseEntity):
 
 
 def _as_wanted(value: Any, data_type: Any) -> str | None:
-    """Return how to write a value of the type; None if that is not known."""
+    """Return how to write a value of that type, or None if it is not known."""
     if data_type is str and isinstance(value, (int, float)):
         return f"'{str(value).lower() if isinstance(value, bool) else value}'"
     if data_type is str and isinstance(value, list) and all(isinstance(item, str) for item in value):
@@ -176,5 +176,5 @@ def _as_wanted(value: Any, data_type: Any) -> str | None:
 
 
 def _type_of(value: Any) -> type:
-    """Return the type as people know it: a mapping that remembers its line is a dict to them."""
+    """Return the name of the value's type for users. A mapping that stores its line is a `dict` for them."""
     return dict if isinstance(value, dict) else type(value)

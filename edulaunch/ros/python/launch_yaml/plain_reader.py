@@ -2,8 +2,8 @@
 
 libyaml creates ten objects for each word. Many files need none of that: they have only block mappings and lists, plain words,
 numbers, short quoted strings and one-line `{name: x, value: 1}` mappings. (Reading 1000 nodes takes 42 ms, and 195 ms with
-libyaml. Reading and visiting them must take less than 120 ms.) Everything that is not certainly of this kind is left to libyaml,
-because the two must never differ.
+libyaml. Reading and visiting them must take less than 120 ms.) libyaml reads every file that may contain anything else, because
+the results must never differ.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from launch.utilities._yaml_values import YAML_BOOLEANS
 from launch.utilities.yaml_reader import Mapping
 
 MAX_DEPTH = 40
-"""Deeper texts are left to libyaml, too."""
+"""The maximum depth of nested values. libyaml reads deeper texts."""
 
 _CHARACTERS = re.compile(r'[ -~\n]*')
 _SPECIAL = frozenset(('true', 'false', 'yes', 'no', 'on', 'off', 'y', 'n', 'null'))
@@ -33,7 +33,7 @@ _FLOW = re.compile(rf'\{{({_PAIR}(?:, {_PAIR})*)\}}')
 _FLOW_PAIR = re.compile(rf'({_KEY}): ("[^"\\]*"|\'[^\']*\'|[^,]+)')
 
 _Row = tuple[int, str | None, str, int]
-"""Column; the key, None for the dash of a list, '' for a value alone; the value's text or ''; the line."""
+"""The column; the key, None for the dash of a list, '' for a value alone; the value's text or ''; the line."""
 
 
 class NotPlain(Exception):
@@ -41,9 +41,9 @@ class NotPlain(Exception):
 
 
 def read_plain(text: str) -> Any:
-    """Return the data of the text, as `yaml.safe_load` gives it; dicts are :class:`Mapping`.
+    """Return the data of the text, as `yaml.safe_load` returns it; dicts are :class:`Mapping`.
 
-    :raises NotPlain: when the text is of no plain kind. It may still be YAML.
+    :raises NotPlain: when the text is not simple. It may still be YAML.
     """
     if _CHARACTERS.fullmatch(text) is None:
         raise NotPlain
@@ -76,7 +76,7 @@ def _rows(text: str) -> list[_Row]:
 
 
 def _block(rows: list[_Row], start: int, depth: int) -> tuple[Any, int]:
-    """Return the value that begins with a row, and the row after it."""
+    """Return the value that begins in a row, and the number of the next row."""
     if depth > MAX_DEPTH:
         raise NotPlain
     column, key, text, _ = rows[start]

@@ -40,8 +40,8 @@ NO_STAMP = (
 
 
 def stamp_of(message: Any, allow_headerless: bool, logger_name: str) -> Time | None:
-    """Return the stamp in the header. Without a header, return the current time if that is allowed, and otherwise None after a
-    warning in ROS 2's words.
+    """Return the stamp in the header. Without a header, return the current time if that is allowed, and otherwise log ROS 2's
+    warning and return None.
     """
     stamp = getattr(getattr(message, 'header', None), 'stamp', None)
     if stamp is None:
@@ -85,7 +85,7 @@ class Cache(SimpleFilter):
 
     Its methods take rclpy Times of ROS time.
 
-    :param allow_headerless: messages without a header count as made when they come; else they are dropped.
+    :param allow_headerless: give messages without a header the time of their arrival; otherwise, they are dropped.
     """
 
     def __init__(self, f: SimpleFilter | None = None, cache_size: int = 1, allow_headerless: bool = False) -> None:
@@ -196,8 +196,8 @@ class TimeSynchronizer(SimpleFilter):
 class ApproximateTimeSynchronizer(TimeSynchronizer):
     """Calls its callbacks with one message of each topic if their stamps differ by less than `slop`.
 
-    :param slop: seconds.
-    :param allow_headerless: messages without a header count as made when they come; else they are dropped.
+    :param slop: the largest difference, in seconds.
+    :param allow_headerless: give messages without a header the time of their arrival; otherwise, they are dropped.
     """
 
     def __init__(self, fs: Sequence[SimpleFilter], queue_size: int, slop: float, allow_headerless: bool = False) -> None:

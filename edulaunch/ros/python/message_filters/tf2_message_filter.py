@@ -38,8 +38,8 @@ class MessageFilter(SimpleFilter):
     :param buffer: a `tf2_ros.Buffer` that a listener fills.
     :param target_frame: one frame or several; all must be reachable.
     :param queue_size: the number of messages that wait, the oldest of which is dropped first; 0 means no limit.
-    :param node: whose logger names the dropped messages.
-    :param f: the filter (mostly a Subscriber) whose messages are taken.
+    :param node: the node whose logger reports dropped messages.
+    :param f: the filter (usually a Subscriber) that provides the messages.
     """
 
     def __init__(
@@ -66,7 +66,7 @@ class MessageFilter(SimpleFilter):
         self.target_frames = [target_frame] if isinstance(target_frame, str) else list(target_frame)
 
     def setTolerance(self, tolerance: Duration) -> None:
-        """Require transforms at the stamp, and also this much later."""
+        """Require transforms at the stamp of a message, and also `tolerance` later."""
         self._tolerance_ns = tolerance.nanoseconds
 
     def registerFailureCallback(self, cb: Callable[[Any, FilterFailureReason], Any]) -> None:

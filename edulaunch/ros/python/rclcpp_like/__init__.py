@@ -1,4 +1,4 @@
-"""What sets a C++ node and its program apart from Python ones: our ports of C++ programs behave as the originals do."""
+"""The behaviour of C++ nodes and programs that differs from Python ones, for edulaunch's versions of C++ programs."""
 
 from __future__ import annotations
 
@@ -47,19 +47,19 @@ class CppError(Exception):
 
 
 class InvalidParameterType(CppError):
-    """A parameter has, at start-up, a value of another type than the program declares."""
+    """At start-up, a parameter receives a value of another type than the program declares."""
 
     cpp_name = 'rclcpp::exceptions::InvalidParameterTypeException'
 
 
 class InvalidParameterValue(CppError):
-    """A parameter has, at start-up, a value outside its range."""
+    """At start-up, a parameter receives a value outside its range."""
 
     cpp_name = 'rclcpp::exceptions::InvalidParameterValueException'
 
 
 def cpp_name_of(error: Exception) -> str | None:
-    """Return the C++ class that stands for `error`; None when the error has no counterpart there."""
+    """Return the C++ class that corresponds to `error`, or None if C++ has no such class."""
     if isinstance(error, CppError):
         return error.cpp_name
     for kind, name in _NAMES:
@@ -73,7 +73,7 @@ def _type_name(kind: Parameter.Type) -> str:
 
 
 def type_refusal(name: str, declared: Parameter.Type, given: Parameter.Type) -> str:
-    """Return the reason for refusing a value of another type."""
+    """Return the reason for rejecting a value of another type."""
     return (
         f'Wrong parameter type, parameter {{{name}}} is of type {{{_type_name(declared)}}}, '
         f'setting it to {{{_type_name(given)}}} is not allowed.'
@@ -81,7 +81,7 @@ def type_refusal(name: str, declared: Parameter.Type, given: Parameter.Type) -> 
 
 
 def range_refusal(name: str, value: Any, descriptor: Any) -> str | None:
-    """Return the reason for refusing a number outside the descriptor's range or off its steps, or None."""
+    """Return the reason for rejecting a number outside the descriptor's range or between its steps, or None."""
     for limits in descriptor.integer_range:
         if not _complies(value, limits.from_value, limits.to_value, limits.step, 0):
             return f"Parameter {{{name}}} doesn't comply with integer range."
@@ -103,10 +103,10 @@ _EVENT_QOS = (('depth', 1000), ('durability', 'volatile'), ('history', 'keep_las
 
 
 class CppNode(Node):
-    """A node that others take for a C++ node.
+    """A node that other nodes see as a C++ node.
 
-    It listens to /parameter_events, has the read-only qos_overrides parameters of that topic, and refuses
-    parameter values in rclcpp's words. A bad value given at start-up is an error that ends the program.
+    It subscribes to /parameter_events, has the read-only qos_overrides parameters of that topic, and rejects parameter values
+    with rclcpp's messages. An invalid value that is given at start-up raises an error that ends the program.
     """
 
     def __init__(self, node_name: str, **options: Any) -> None:
@@ -121,13 +121,13 @@ class CppNode(Node):
         self._parameter_events = self.create_subscription(ParameterEvent, '/parameter_events', self.on_parameter_event, qos)
 
     def create_publisher(self, msg_type: Any, topic: str, qos_profile: QoSProfile | int, **options: Any) -> Publisher:
-        """As rclpy's; rclcpp's warnings about it name the topic in full."""
+        """Create a publisher as rclpy does. rclcpp's warnings about it contain the full name of the topic."""
         return super().create_publisher(msg_type, core_of(self).resolve(topic, 'topic', only_expand=True), qos_profile, **options)
 
     def create_subscription(
         self, msg_type: Any, topic: str, callback: Callable[..., Any], qos_profile: QoSProfile | int, **options: Any
     ) -> Subscription:
-        """As rclpy's; rclcpp's warnings about it name the topic in full."""
+        """Create a subscription as rclpy does. rclcpp's warnings about it contain the full name of the topic."""
         name = core_of(self).resolve(topic, 'topic', only_expand=True)
         return super().create_subscription(msg_type, name, callback, qos_profile, **options)
 
@@ -136,13 +136,13 @@ class CppNode(Node):
         return self.create_timer(period_s, callback, clock=self._steady_clock)
 
     def on_parameter_event(self, event: ParameterEvent) -> None:
-        """Called for every parameter event of every node; the plain node has no use for it."""
+        """Handle a parameter event of any node. This base class ignores it."""
 
     def declare_parameter(self, name: str, value: Any = None, descriptor: Any = None, ignore_override: bool = False) -> Parameter:
-        """As rclpy's, with rclcpp's errors.
+        """Declare a parameter as rclpy does, but raise rclcpp's errors.
 
         :raises InvalidParameterType: the value given at start-up is of another type.
-        :raises InvalidParameterValue: it is out of range.
+        :raises InvalidParameterValue: the value is out of range.
         """
         override = None if ignore_override else core_of(self).overrides.get(name)
         descriptor = descriptor or ParameterDescriptor()
@@ -157,11 +157,11 @@ class CppNode(Node):
         return super().declare_parameter(name, value, descriptor, ignore_override)
 
     def set_parameters(self, parameter_list: list[Parameter]) -> list[SetParametersResult]:
-        """Set each parameter by itself; refusals are results, not exceptions."""
+        """Set each parameter separately. A rejected value is reported in the result, not as an exception."""
         return [self.set_parameters_atomically([parameter]) for parameter in parameter_list]
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
-        """Set all of them or none."""
+        """Set all parameters, or none if one is rejected."""
         for parameter in parameter_list:
             refusal = self._refusal(parameter)
             if refusal is not None:
@@ -186,7 +186,7 @@ class CppNode(Node):
 
 
 def run_program(main: Callable[[], int | None]) -> int:
-    """Run `main` between rclpy's init and shutdown, and answer the exit code a C++ program would have.
+    """Run `main` between rclpy's init and shutdown, and return the exit code of the C++ program.
 
     Ctrl-C is logged and ends the program normally. An exception that also exists in C++ is printed as the C++ runtime prints it,
     and aborts the program (signal 6).
@@ -211,7 +211,7 @@ def _run(main: Callable[[], int | None]) -> int:
         if name is None:
             if rclpy.ok():
                 raise
-            raise KeyboardInterrupt from None  # the real rclpy was about to wait or publish, where rclcpp ends normally
+            raise KeyboardInterrupt from None  # the real rclpy raises this when it waits or publishes; rclcpp ends normally
         process = current_process()
         text = f"terminate called after throwing an instance of '{name}'\n  what():  {error}\n"
         process.write('stderr', text)
@@ -219,10 +219,10 @@ def _run(main: Callable[[], int | None]) -> int:
 
 
 def program(main: Callable[[], int | None]) -> Callable[[], None]:
-    """Return the entry point of a C++ program: runs `main` as :func:`run_program` does, and exits with its code."""
+    """Return the entry point of a C++ program, which calls `main` through :func:`run_program` and exits with its code."""
     return lambda: sys.exit(run_program(main))
 
 
 def spinning(make_node: Callable[..., Node], *args: Any, **options: Any) -> Callable[[], None]:
-    """Return the entry point of a C++ program that makes a node, called with these arguments, and spins it."""
+    """Return the entry point of a C++ program that creates a node with `make_node` and spins it."""
     return program(lambda: rclpy.spin(make_node(*args, **options)))

@@ -1,4 +1,4 @@
-"""The ROS 2 client library for Python, over edulaunch's simulation: names, defaults and errors are those of ROS 2 Jazzy."""
+"""The ROS 2 client library for Python in the simulation. Names, defaults and errors are those of ROS 2 Jazzy."""
 
 from __future__ import annotations
 
@@ -53,11 +53,11 @@ def init(
     domain_id: int | None = None,
     signal_handler_options: SignalHandlerOptions | None = None,
 ) -> None:
-    """Begin to use ROS 2.
+    """Initialise ROS 2 for this program or context.
 
-    :param args: the command line; the program's own if None.
-    :param signal_handler_options: which signals shut ROS 2 down; all for the default context, else none.
-    :raises RuntimeError: when the context was initialised before.
+    :param args: the command line; None means that of the program.
+    :param signal_handler_options: the signals that shut ROS 2 down. By default, all for the default context, and none for others.
+    :raises RuntimeError: when the context is already initialised.
     """
     if signal_handler_options is None:
         signal_handler_options = SignalHandlerOptions.ALL if context is None else SignalHandlerOptions.NO
@@ -66,7 +66,7 @@ def init(
 
 
 def get_global_executor() -> Executor:
-    """Return the single-threaded executor of the program, used when none is named; made at first use."""
+    """Return the program's single-threaded executor, which is used when no other is given. It is created on first use."""
     state = process_state()
     executor: Executor | None = state.global_executor
     if executor is None:
@@ -77,10 +77,10 @@ def get_global_executor() -> Executor:
 
 
 def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
-    """End the use of ROS 2.
+    """Shut ROS 2 down.
 
-    :raises RuntimeError: when it was never initialised.
-    :raises RCLError: when Ctrl-C has shut it down already; `try_shutdown()` does not mind.
+    :raises RuntimeError: when ROS 2 was never initialised.
+    :raises RCLError: when Ctrl-C has already shut it down. `try_shutdown()` accepts that.
     """
     _end_global_executor()
     _shutdown(context=context)
@@ -89,7 +89,7 @@ def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None 
 
 
 def try_shutdown(*, context: Context | None = None) -> None:
-    """End the use of ROS 2 if that was not done yet; never raises. In Jazzy signals stay handled."""
+    """Shut ROS 2 down unless that has been done. Never raise an exception. As in Jazzy, signal handlers stay installed."""
     _end_global_executor()
     _try_shutdown(context=context)
 
@@ -148,7 +148,7 @@ def spin(node: Node, executor: Executor | None = None) -> None:
     """Execute the node's callbacks until ROS 2 is shut down.
 
     :raises KeyboardInterrupt: on Ctrl-C.
-    :raises rclpy.executors.ExternalShutdownException: when ROS 2 is shut down by a signal while nothing is executed.
+    :raises rclpy.executors.ExternalShutdownException: when a signal shuts ROS 2 down while no callback is running.
     """
     executor = _spinning_executor(executor, node, 'spin')
     executor.add_node(node)
@@ -161,7 +161,7 @@ def spin(node: Node, executor: Executor | None = None) -> None:
 def spin_until_future_complete(
     node: Node, future: Future, executor: Executor | None = None, timeout_sec: float | None = None
 ) -> None:
-    """Execute the node's callbacks until the future is done or `timeout_sec` is over; look at `future.done()` afterwards."""
+    """Execute the node's callbacks until the future is done or `timeout_sec` is over. Check `future.done()` afterwards."""
     executor = _spinning_executor(executor, node, 'spin_until_future_complete', None if timeout_sec is not None else future)
     added = executor.add_node(node)
     try:
@@ -179,9 +179,10 @@ def spin_until_future_complete(
 
 
 def _spinning_executor(executor: Executor | None, node: Node, function: str, future: Future | None = None) -> Executor:
-    """Return the executor to spin; says so (once) when that happens inside a callback of it, or of another one that has the node.
+    """Return the executor to spin. Record, once, a call inside a callback of that executor, or of another executor that has the
+    node.
 
-    :param future: what is waited for without a timeout.
+    :param future: the future that the caller waits for without a timeout.
     """
     if executor is None:
         executor = get_global_executor()

@@ -1,4 +1,4 @@
-"""The errors of ROS 2's C layer, under the names in tracebacks."""
+"""The errors of ROS 2's C layer, under their names in tracebacks."""
 
 from __future__ import annotations
 

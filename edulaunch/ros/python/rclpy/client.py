@@ -20,11 +20,11 @@ if TYPE_CHECKING:
     from rclpy.qos import QoSProfile
 
 POLL_NS = 250_000_000
-"""How often `wait_for_service` looks, as rclpy: each 0.25 s."""
+"""The period of the checks of `wait_for_service`: 0.25 s, as in rclpy."""
 
 
 class Asker(Entity):
-    """The common part of service and action clients: they wait for a server and for answers, and record waits in vain as
+    """The common part of service and action clients. They wait for a server and for replies, and record waits without a result as
     facts.
     """
 
@@ -35,12 +35,12 @@ class Asker(Entity):
         raise NotImplementedError
 
     def awaited(self) -> dict[str, str]:
-        """Return a description of what it waits for, for a fact."""
+        """Return a description of what the client waits for, to be used in a fact."""
         _, name, kind = self.asked()
         return {'name': name, 'kind': kind}
 
     def node_name(self) -> str:
-        """Return the full name of the node that it belongs to."""
+        """Return the full name of the client's node."""
         return self.asked()[0].node.fully_qualified_name
 
     def note_deadlock(self) -> None:
@@ -131,7 +131,7 @@ class Client(ServiceEnd, Asker):
         return future.result()
 
     def asked(self) -> tuple[ServiceClient, str, str]:
-        """Return its endpoint, the service name, and 'service'."""
+        """Return the client's endpoint, the name of the service, and the word 'service'."""
         return self.endpoint, self.endpoint.service_name, 'service'
 
     def call_async(self, request: Any) -> Future:

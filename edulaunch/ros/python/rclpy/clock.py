@@ -39,7 +39,7 @@ class JumpThreshold:
     :param min_forward: smallest forward jump (a positive Duration), or None.
     :param min_backward: smallest backward jump (a negative Duration), or None.
     :param on_clock_change: whether a change of the time source counts.
-    :raises ValueError: for a duration of the wrong sign, or when nothing is left that counts.
+    :raises ValueError: for a duration of the wrong sign, or when no jump would count.
     """
 
     def __init__(self, *, min_forward: Duration | None, min_backward: Duration | None, on_clock_change: bool = True) -> None:
@@ -235,7 +235,7 @@ class ROSClock(Clock):
         self._jump(change, self._received_ns if enabled else None)
 
     def set_ros_time_override(self, time: Time) -> None:
-        """Set the time to `time`, which counts while /clock controls the clock. Raise TypeError for another type."""
+        """Set the time that the clock shows while /clock controls it. Raise TypeError for another type."""
         if not isinstance(time, Time):
             raise TypeError(f'Time must be specified as rclpy.time.Time. Received type: {type(time)}')
         self._received_ns = time.nanoseconds

@@ -18,4 +18,4 @@ class ClockType(IntEnum):
 
 
 TypeOfTime: Any = CEnum('ClockType', [(kind.name, kind.value) for kind in ClockType])  # type: ignore[call-arg, arg-type]
-"""What `Time.clock_type` returns: it equals a :class:`ClockType`, but is another object and prints as `ClockType.ROS_TIME`."""
+"""The type of `Time.clock_type`: it equals a :class:`ClockType`, but is another object and prints as `ClockType.ROS_TIME`."""

@@ -44,7 +44,7 @@ class Context:
         """Initialize the context with `args` (None: the program's own command line).
 
         :raises RuntimeError: when called a second time.
-        :raises UnknownROSArgsError: for arguments after `--ros-args` that mean nothing.
+        :raises UnknownROSArgsError: for unknown arguments after `--ros-args`.
         """
         if self.used:
             raise RuntimeError('Context.init() must only be called once')
@@ -155,7 +155,7 @@ class Context:
 
 
 def _global_arguments(arguments: list[str]) -> RosArguments:
-    """Return the arguments of a whole program. Raises RCLError, after a line of the log, for what cannot be understood."""
+    """Return the arguments of a whole program. For invalid arguments, log the reason and raise RCLError."""
     if not isinstance(arguments, list):
         raise TypeError(f'incompatible constructor arguments: args must be a list, not {type(arguments).__name__}')
     try:
@@ -180,7 +180,7 @@ def parse_or_raise(arguments: Iterable[str]) -> RosArguments:
     if not all(isinstance(argument, str) for argument in given):
         raise TypeError('bad argument type for built-in operation')
     for argument in given:
-        argument.encode()  # like the C layer, raises a UnicodeEncodeError for half a character (a surrogate)
+        argument.encode()  # like the C layer, this raises a UnicodeEncodeError for half a character (a surrogate)
     try:
         parsed = parse_ros_arguments(given, current_process().host.parameter_entries)
     except RosArgumentsError as error:

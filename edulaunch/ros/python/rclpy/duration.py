@@ -61,7 +61,7 @@ class Duration:
         from builtin_interfaces.msg import Duration as DurationMessage
 
         seconds, nanoseconds = divmod(self._nanoseconds, S_TO_NS)
-        return DurationMessage.from_wire((seconds, nanoseconds))  # without the check: Infinite is too long for the field
+        return DurationMessage.from_wire((seconds, nanoseconds))  # no range check, because Infinite is too long for the field
 
     @classmethod
     def from_msg(cls, msg: Any) -> Duration:

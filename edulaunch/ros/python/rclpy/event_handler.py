@@ -95,7 +95,7 @@ class EventHandler(Waitable):
         self._take_info = take
 
     def get_num_entities(self) -> NumberOfEntities:
-        """Return how many entities of each kind belong to it."""
+        """Return how many entities of each kind belong to this handler."""
         return NumberOfEntities(num_events=1)
 
     def rcl_run_callback(self, executor: ExecutorProtocol) -> Any:
@@ -215,7 +215,7 @@ def _never_called(info: Any) -> None:
 
 
 def _counted(node: Any, entity: Any, group: CallbackGroup, callback: EventCallback, make_info: Callable[..., Any]) -> Count:
-    """Return a count whose changes are passed to the callback, on the executor's turn."""
+    """Return a counter that passes its changes to the callback, on the executor's turn."""
     count = Count(make_info, lambda: handler.rcl_ready_changed())
     handler = _added(node, entity, EventHandler(group, callback, count.take))
     return count
@@ -234,7 +234,7 @@ def _added(node: Any, entity: Any, handler: EventHandler) -> EventHandler:
 
 
 def _incompatible_partners(impl: Any) -> list[str]:
-    """Return the clashing policies of the partners that were there before this endpoint."""
+    """Return the incompatible policies of the partners that existed before this endpoint."""
     if impl.kind == 'publisher':
         pairs = [(impl, other) for other in impl.graph.subscriptions.get(impl.topic_name, ())]
     else:
@@ -250,10 +250,10 @@ def _incompatible_partners(impl: Any) -> list[str]:
 class PublisherEventCallbacks(_EventCallbacks):
     """The event callbacks of a publisher. Each one is called with one of the infos of this module.
 
-    :param deadline: nothing was published for as long as the publisher's deadline.
-    :param liveliness: a publisher that must show itself (MANUAL_BY_TOPIC) did not do so for its lease.
-    :param incompatible_qos: a subscription wants more; by default a warning is logged.
-    :param matched: a subscription came or went.
+    :param deadline: the publisher published nothing for the time of its deadline.
+    :param liveliness: a publisher with MANUAL_BY_TOPIC did not assert its liveliness during its lease.
+    :param incompatible_qos: a subscription requires more than the publisher offers; by default, a warning is logged.
+    :param matched: a matching subscription was created or destroyed.
     """
 
     _warning = (
@@ -268,11 +268,12 @@ class PublisherEventCallbacks(_EventCallbacks):
 class SubscriptionEventCallbacks(_EventCallbacks):
     """The event callbacks of a subscription. Each one is called with one of the infos of this module.
 
-    :param deadline: nothing was heard for as long as the subscription's deadline, counted from the first message on.
-    :param liveliness: a publisher came to life or ended, or did not show itself for the lease; never without a lease.
-    :param incompatible_qos: a publisher offers less; by default a warning is logged.
-    :param message_lost: never called, since nothing gets lost here.
-    :param matched: a publisher came or went.
+    :param deadline: no message arrived for the time of the subscription's deadline, counted from the first message.
+    :param liveliness: a publisher became alive, ended, or did not assert its liveliness during its lease. Without a lease, it is
+        never called.
+    :param incompatible_qos: a publisher offers less than the subscription requires; by default, a warning is logged.
+    :param message_lost: never called, because the simulation loses no messages.
+    :param matched: a matching publisher was created or destroyed.
     """
 
     _warning = (

@@ -10,14 +10,14 @@ from rclpy._rclpy_pybind11 import InvalidHandle as InvalidHandle
 
 
 class NotInitializedException(Exception):
-    """ROS 2 is used before `rclpy.init()`."""
+    """A program uses ROS 2 before `rclpy.init()`."""
 
     def __init__(self, message: str | None = None) -> None:
         super().__init__('rclpy.init() has not been called.' + (f' msg:{message}' if message else ''))
 
 
 class NoTypeSupportImportedException(Exception):
-    """An interface class without type support is used."""
+    """A program uses an interface class without type support."""
 
     def __init__(self) -> None:
         super().__init__('no type_support imported')
@@ -73,7 +73,7 @@ class ParameterNotDeclaredException(ParameterException):
 
 
 class ParameterAlreadyDeclaredException(ParameterException):
-    """A parameter is declared twice."""
+    """A program declares a parameter twice."""
 
     def __init__(self, parameters: Any) -> None:
         super().__init__('Parameter(s) already declared', parameters)
@@ -87,7 +87,7 @@ class InvalidParameterException(ParameterException):
 
 
 class InvalidParameterTypeException(ParameterException):
-    """A value has another type than the parameter was declared with."""
+    """A value has another type than the declared one."""
 
     def __init__(self, desired_parameter: Any, expected_type: str) -> None:
         super().__init__(
@@ -106,21 +106,21 @@ class InvalidParameterTypeException(ParameterException):
 
 
 class InvalidParameterValueException(ParameterException):
-    """A value is refused by the parameter's range or by a callback."""
+    """The parameter's range or a callback rejects a value."""
 
     def __init__(self, parameter: Any, value: Any, reason: str) -> None:
         super().__init__(f'Invalid parameter value ({value}) for parameter. Reason: {reason}', parameter)
 
 
 class ParameterImmutableException(ParameterException):
-    """A read-only parameter is changed."""
+    """A program changes a read-only parameter."""
 
     def __init__(self, parameter_name: Any) -> None:
         super().__init__('Attempted to modify read-only parameter', parameter_name)
 
 
 class ParameterUninitializedException(ParameterException):
-    """A parameter that was declared with a type only is read before it has a value."""
+    """A program reads a parameter that was declared with only a type, before it has a value."""
 
     def __init__(self, parameter_name: str) -> None:
         super().__init__(f"The parameter '{parameter_name}' is not initialized", parameter_name)

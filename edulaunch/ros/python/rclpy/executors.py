@@ -32,7 +32,7 @@ __all__ = [
 ]
 
 DEFAULT_THREADS = 8
-"""Fixed, not the machine's number of processors, so that a program behaves the same everywhere."""
+"""The number of threads. It does not depend on the computer's processors, so that a program behaves the same everywhere."""
 
 
 class SingleThreadedExecutor(Executor):
@@ -44,7 +44,7 @@ class SingleThreadedExecutor(Executor):
 class MultiThreadedExecutor(Executor):
     """Executes callbacks in up to `num_threads` threads. While one of them blocks, callbacks of other groups continue.
 
-    Threads are simulated: nothing is preempted, and the order is the same in every run.
+    The threads are simulated, so no callback is preempted, and the order is the same in every run.
     """
 
     _spins = True
@@ -67,8 +67,8 @@ class MultiThreadedExecutor(Executor):
     def _execute(self, item: Item) -> None:
         """Give an item to a thread, and let the thread run until it blocks.
 
-        It raises an exception of the callback up to then. As in rclpy, an exception after the callback has blocked is raised at
-        the next item.
+        An exception that the callback raises before it blocks is raised here. As in rclpy, an exception after the callback has
+        blocked is raised at the next item.
         """
         if isinstance(item, Task):
             self._submit(item)
@@ -108,8 +108,8 @@ class MultiThreadedExecutor(Executor):
             self._ending.park()
 
     def _work_off(self) -> None:
-        """Run the loop of a thread: take jobs, and park without one. A real thread, which checks again by itself, ends with the
-        executor.
+        """Run the loop of a thread: execute jobs, and park when no job waits. A real thread, which checks again by itself, ends
+        with the executor.
         """
         thread = current_task()
         while True:

@@ -8,7 +8,7 @@ from edulaunch.engine.graph.names import expand_name, namespace_problem, node_na
 def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
     """Return the absolute form of a topic or service name of a node, without remapping.
 
-    :raises ValueError: when one of the three breaks its rules.
+    :raises ValueError: when the topic name, node name or namespace is invalid.
     """
     for what, name, problem in (
         ('topic name', topic_name, topic_name_problem),

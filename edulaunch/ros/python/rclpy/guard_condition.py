@@ -1,4 +1,4 @@
-"""A callback that a program triggers by itself."""
+"""A callback that a program itself triggers."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ def initialize() -> None:
 
 
 def shutdown() -> None:
-    """Shut logging down. Nothing was buffered."""
+    """Shut logging down. There is no buffer to flush."""
 
 
 def clear_config() -> None:

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 __all__ = ['HIDDEN_NODE_PREFIX', 'Node', 'NodeNameNonExistentError', 'PARAMETER_SEPARATOR_STRING']
 
 HIDDEN_NODE_PREFIX = '_'
-"""Nodes whose name begins with it are not listed by `ros2 node list`."""
+"""The prefix of the names of nodes that `ros2 node list` does not show."""
 
 _PRIVATE = {
     '_logger': lambda core: core.logger,
@@ -44,20 +44,20 @@ _PRIVATE = {
     '_default_callback_group': lambda core: core.default_callback_group,
     '_parameters': lambda core: core.parameters.values,
 }
-"""What programs use of a node though it is not meant for them, where they have nothing of that name themselves."""
+"""Private attributes of a node that programs use, if they have no attribute of that name themselves."""
 
 
 class Node(NodeEntities, NodeParameters, NodeGraphQueries):
     """A node of the ROS graph.
 
-    :param node_name: its own name; remap rules may change it.
-    :param context: the context it lives in; the default one if None.
-    :param cli_args: arguments for this node only, `--ros-args` first; they come before those of the program.
-    :param namespace: where its relative names begin.
-    :param use_global_arguments: whether the program's own `--ros-args` count.
-    :param parameter_overrides: Parameters whose values take the place of declared defaults.
+    :param node_name: the node's name, which remap rules may change.
+    :param context: the node's context; None means the default context.
+    :param cli_args: arguments for this node only, beginning with `--ros-args`. They take precedence over those of the program.
+    :param namespace: the namespace of the node and of its relative names.
+    :param use_global_arguments: whether the program's own `--ros-args` apply.
+    :param parameter_overrides: Parameters whose values replace declared defaults.
     :param allow_undeclared_parameters: whether parameters may be set without being declared.
-    :param automatically_declare_parameters_from_overrides: whether every parameter given from outside is declared at once.
+    :param automatically_declare_parameters_from_overrides: whether every parameter given from outside is declared immediately.
     :raises NotInitializedException: before `rclpy.init()`.
     :raises InvalidNodeNameException, InvalidNamespaceException: for names that break the rules.
     """
@@ -197,7 +197,7 @@ def _refuse_setting(name: str, made: property) -> property:
 
 
 def _finish_node_class() -> None:
-    """Let Python's errors name the class Node, whatever file defines a method, and explain `self.timers = []`."""
+    """Make Python's errors name the class Node, whichever file defines a method, and explain `self.timers = []`."""
     for part in (NodeEntities, NodeParameters, NodeGraphQueries, Node):
         for name, member in list(vars(part).items()):
             if isinstance(member, FunctionType):
@@ -210,7 +210,7 @@ _finish_node_class()
 
 
 def _odd_facts(node: Node) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Yield facts about the node when it is destroyed, or at the end of the recording."""
+    """Yield facts about unusual behaviour of the node, when it is destroyed or at the end of the recording."""
     yield from odd_facts(node._rclpy)
     yield from private_names(node)
 

@@ -45,7 +45,7 @@ class ParameterType(Enum):
 
     @classmethod
     def from_parameter_value(cls, parameter_value: Any) -> ParameterType:
-        """Return the type of a value. A bool counts before an int, and an empty list is a BYTE_ARRAY.
+        """Return the type of a value. A bool is not an int, and an empty list is a BYTE_ARRAY.
 
         :raises TypeError: when no parameter can hold the value.
         """
@@ -62,8 +62,8 @@ ParameterType.__name__, ParameterType.__qualname__ = 'Type', 'Parameter.Type'  #
 class Parameter:
     """A parameter with its name, type and value.
 
-    :param name: its name.
-    :param type_: its type; taken from the value when None.
+    :param name: the parameter's name.
+    :param type_: the parameter's type; None means the type of the value.
     :raises TypeError: when no parameter can have the value, or `type_` is not a `Parameter.Type`.
     :raises ValueError: when type and value do not agree.
     """
@@ -132,7 +132,7 @@ def get_parameter_value(string_value: str) -> ParameterValue:
 
     An empty list is a list of bools. A value that YAML cannot parse, or that no parameter can have, is a string.
 
-    :raises yaml.scanner.ScannerError: when the text has no YAML tokens (`@`), as in ROS 2.
+    :raises yaml.scanner.ScannerError: when the string is not a valid YAML token, such as `@`. ROS 2 raises it, too.
     """
     import yaml
 
@@ -160,7 +160,7 @@ def parameter_dict_from_yaml_file(
     If several nodes have a parameter, its last value counts. As in ROS 2, a parameter without a value becomes the string 'None'.
 
     :param use_wildcard: whether entries under `/**` count.
-    :param target_nodes: the full names of the nodes that count; None for all of the file.
+    :param target_nodes: the full names of the nodes that count; None means all nodes in the file.
     :raises RuntimeError: when the file lacks one of them, or is not a parameter file.
     :raises AttributeError: when it is not a mapping.
     """

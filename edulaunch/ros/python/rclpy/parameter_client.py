@@ -82,7 +82,7 @@ class AsyncParameterClient:
         return self._call(self._get, callback, names=names)
 
     def set_parameters(self, parameters: Sequence[Any], callback: Done | None = None) -> Future:
-        """Set Parameters, or messages of them, each separately."""
+        """Set parameters, each separately. They are Parameters or messages of them."""
         return self._call(self._set, callback, parameters=_messages(parameters))
 
     def describe_parameters(self, names: list[str], callback: Done | None = None) -> Future:
@@ -126,7 +126,9 @@ class AsyncParameterClient:
         )
 
     def load_parameter_file(self, parameter_file: str, use_wildcard: bool = False, callback: Done | None = None) -> Future:
-        """Set all parameters of a file on the other node, for whichever node they are (`/**` only with `use_wildcard`)."""
+        """Set all parameters of a file on the other node, whichever node names the file contains. `/**` counts only with
+        `use_wildcard`.
+        """
         found = parameter_dict_from_yaml_file(parameter_file, use_wildcard)
         return self.set_parameters(list(found.values()), callback)
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class ParameterService:
-    """Makes the services `<node>/describe_parameters`, `get_parameters`, `get_parameter_types`, `list_parameters`,
+    """Creates the services `<node>/describe_parameters`, `get_parameters`, `get_parameter_types`, `list_parameters`,
     `set_parameters` and `set_parameters_atomically`.
     """
 

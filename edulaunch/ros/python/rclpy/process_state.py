@@ -17,7 +17,7 @@ class ProcessState:
     """The state of rclpy in one running program.
 
     :ivar contexts: all initialised contexts, in order; signals shut them down.
-    :ivar previous_handlers: signal number -> (our handler, the one before it), while signals are handled.
+    :ivar previous_handlers: (our handler, the previous one) by signal number, while signals are handled.
     :ivar goal_ids: the random generator of action goal ids.
     """
 

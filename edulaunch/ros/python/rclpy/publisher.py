@@ -46,7 +46,7 @@ class Publisher(TopicEnd):
             self.send_wire = send_at_present_time
 
     def publish(self, msg: Any) -> None:
-        """Send a message, or the bytes of a serialized one, to all current subscriptions.
+        """Send a message, or the bytes of a serialized message, to all current subscriptions.
 
         :raises TypeError: for a message of another class.
         :raises RCLError: after shutdown.
@@ -90,7 +90,7 @@ class Publisher(TopicEnd):
         """Return True, because delivery takes no time and all messages have arrived.
 
         :param timeout: how long to wait; a negative value means forever.
-        :raises AttributeError: when it is not a Duration.
+        :raises AttributeError: when `timeout` is not a Duration.
         :raises RCLError: after shutdown.
         """
         check_endpoint(self.endpoint, self.context, 'Failed to wait for all acknowledgements: publisher')

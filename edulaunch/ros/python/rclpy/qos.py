@@ -48,7 +48,7 @@ class QoSPolicyEnum(IntEnum):
 
 
 class HistoryPolicy(QoSPolicyEnum):
-    """How many messages a queue stores."""
+    """The limit of the number of messages in a queue."""
 
     SYSTEM_DEFAULT = 0
     KEEP_LAST = 1
@@ -77,7 +77,7 @@ class DurabilityPolicy(QoSPolicyEnum):
 
 
 class LivelinessPolicy(QoSPolicyEnum):
-    """How a publisher asserts that it is alive."""
+    """The ways in which a publisher asserts that it is alive."""
 
     SYSTEM_DEFAULT = 0
     AUTOMATIC = 1
@@ -249,7 +249,7 @@ def validate_qos(qos: QoSProfile | int) -> QoSProfile:
     """Return the profile of a `qos_profile` argument. An int is the depth.
 
     :raises ValueError: for a negative depth.
-    :raises TypeError: for anything that is neither int nor QoSProfile.
+    :raises TypeError: for anything but an int or a QoSProfile.
     """
     if isinstance(qos, QoSProfile):
         return qos

@@ -45,8 +45,8 @@ class QoSCompatibility(CEnum):
     ERROR = 2
 
 
-# For each policy: its name in sentences about both sides (with ROS 2's own spelling), the strictest value of a subscription, the
-# most lenient value of a publisher, and the sentences for the case that only one side sets the policy.
+# For each policy: its name in messages about both sides (with ROS 2's own spelling), the strictest value of a subscription, the
+# most lenient value of a publisher, and the messages for the case that only one side sets the policy.
 _OPEN_POLICIES = (
     (
         'reliability',
@@ -79,7 +79,7 @@ _OPEN = ('SYSTEM_DEFAULT', 'UNKNOWN')
 def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> tuple[QoSCompatibility, str]:
     """Return whether a publisher and a subscription with these profiles can communicate, and the reasons if not.
 
-    A policy that one side leaves open (system default, unknown) causes a warning if the choice matters.
+    A policy that one side does not determine (system default, unknown) causes a warning if its value matters.
     """
     errors = _clashes(publisher_qos, subscription_qos)
     if errors:

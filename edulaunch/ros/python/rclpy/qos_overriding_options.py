@@ -21,14 +21,14 @@ QosCallbackType = Callable[[QoSProfile], 'SetParametersResult']
 
 
 class InvalidQosOverridesError(Exception):
-    """The callback of the options refused the profile."""
+    """The callback of the options has rejected the profile."""
 
 
 class QoSOverridingOptions:
     """The policies that parameters may override.
 
-    :param policy_kinds: the policies.
-    :param callback: may refuse the resulting profile.
+    :param policy_kinds: the policies that may be overridden.
+    :param callback: called with the resulting profile, which it may reject.
     :param entity_id: distinguishes several endpoints of one topic in one node.
     """
 
@@ -59,7 +59,7 @@ def declare_qos_parameters(node: Any, side: str, topic_name: str, qos: QoSProfil
     """Declare the read-only parameters `qos_overrides.<topic>.<side>[_<id>].<policy>`. Return the profile with their values.
 
     :param side: 'publisher' or 'subscription'.
-    :raises InvalidQosOverridesError: when the callback of the options refuses the profile.
+    :raises InvalidQosOverridesError: when the callback of the options rejects the profile.
     :raises RuntimeError: when a parameter names a value that its policy does not have.
     """
     from rcl_interfaces.msg import ParameterDescriptor

@@ -23,7 +23,7 @@ def serialize_message(message: Any) -> bytes:
 def deserialize_message(serialized_message: bytes, message_type: Any) -> Any:
     """Return the message of type `message_type` from its CDR bytes.
 
-    :raises RMWError: when they hold none of that type.
+    :raises RMWError: when the bytes are not a message of that type.
     """
     check_is_valid_msg_type(message_type)
     if not isinstance(serialized_message, bytes):

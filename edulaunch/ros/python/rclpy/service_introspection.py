@@ -15,7 +15,7 @@ REQUEST_SENT, REQUEST_RECEIVED, RESPONSE_SENT, RESPONSE_RECEIVED = range(4)
 
 
 class ServiceIntrospectionState(CEnum):
-    """How much of a call is published."""
+    """The parts of a call that are published."""
 
     OFF = 0
     METADATA = 1

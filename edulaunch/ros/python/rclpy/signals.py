@@ -39,7 +39,7 @@ class SignalHandlerOptions(Enum, metaclass=_Pybind11Type):
 def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
     """Handle signals from now on: SIGINT shuts all contexts down and raises KeyboardInterrupt, and SIGTERM only shuts them down.
 
-    A handler that the program has set before is called after that (in place of the KeyboardInterrupt).
+    A handler that the program set earlier is called afterwards, in place of the KeyboardInterrupt.
     """
     state = process_state()
     if options in (SignalHandlerOptions.ALL, SignalHandlerOptions.SIGINT):

@@ -86,10 +86,10 @@ class Subscription(TopicEnd, Entity):
         return self._callback(self._from_wire(taken[0]), self._info(taken))
 
     def rcl_take_wires(self, callback: Callable[[Any], object]) -> None:
-        """Call `callback` with the wire tuple of each message in place of the current callback, which must do the same with
-        messages.
+        """Call `callback` with the wire tuple of each message, in place of the current callback.
 
-        Built-in programs that only copy values use it, because it creates no message. A new callback ends it.
+        Both callbacks must do the same. Built-in programs that only copy values use this method, because it creates no message.
+        Setting another callback ends it.
         """
         self._wire_callback = callback
         self._simple = False
@@ -123,7 +123,7 @@ class Subscription(TopicEnd, Entity):
 def callback_type(callback: Any) -> Subscription.CallbackType:
     """Return whether a callback accepts only the message, or the message and its info.
 
-    :raises RuntimeError: when it takes neither.
+    :raises RuntimeError: when it accepts neither.
     """
     if _accepts(callback, 1):
         return Subscription.CallbackType.MessageOnly

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class _UnfetchedException:
-    """Exists as long as a future whose exception was never read, and then reports the exception.
+    """Reports an exception that was never read, when the future of the exception is deleted.
 
     It is a separate object, because few futures need it, and an object with `__del__` takes longer to create and delete.
     """
@@ -34,9 +34,9 @@ class _UnfetchedException:
 
 
 class Future:
-    """The result of running work: a service call, a goal, a task.
+    """The later result of a service call, a goal or a task.
 
-    Callbacks are run by the executor that the future belongs to; a future without an executor calls them itself, immediately.
+    The executor of the future runs the callbacks. A future without an executor calls them itself, immediately.
     """
 
     # Programs create thousands of futures and tasks, so values that rarely change are class attributes.
@@ -63,7 +63,9 @@ class Future:
         return self.result()
 
     _asyncio_future_blocking = False
-    """What asyncio's tasks ask of a thing that they await: so a coroutine of an asyncio loop may await this, too."""
+    """An attribute that asyncio's tasks require of an awaited object, so that a coroutine of an asyncio loop may await this
+    one.
+    """
 
     def get_loop(self) -> Any:
         """Return the running asyncio loop whose task awaits this future."""
@@ -174,7 +176,7 @@ class Future:
     def add_done_callback(self, callback: Callable[[Any], object], *, context: Any = None) -> None:
         """Call `callback(future)` when the future is done or cancelled, or soon if it already is.
 
-        :param context: given by an asyncio task that awaits this; its loop is notified then.
+        :param context: passed by an asyncio task that awaits this future. The loop of the task is notified.
         """
         if context is not None:
             loop, function = self.get_loop(), callback
@@ -187,7 +189,7 @@ class Future:
             callback(self)
 
     def remove_done_callback(self, callback: Callable[[Any], object]) -> bool:
-        """Remove `callback` once, if it was added. Return whether it was there."""
+        """Remove `callback` once, if it was added. Return whether it was removed."""
         if callback not in self._callbacks:
             return False
         self._callbacks.remove(callback)
@@ -199,7 +201,7 @@ class Task(Future):
 
     Calling the task runs it until it waits or ends; its result is the result of the future.
 
-    :param entity: the one whose callback it is.
+    :param entity: the entity whose callback the task runs.
     """
 
     _executing = False
@@ -275,7 +277,7 @@ class Task(Future):
 
 
 def future_answer(source: Any) -> Future:
-    """Return a future for what a client waits for.
+    """Return a future for the reply that a client waits for.
 
     :param source: the client.
     """

@@ -25,11 +25,11 @@ _DIFFERENT = "Can't compare times with different clock types"
 class Time:
     """A point in time of one kind of clock, in nanoseconds.
 
-    The default clock type is SYSTEM_TIME while `node.get_clock().now()` is ROS_TIME, as in rclpy. Times of these two types cannot
-    be compared.
+    The default clock type is SYSTEM_TIME while `node.get_clock().now()` has ROS_TIME, as in rclpy. Times of these two types
+    cannot be compared.
 
     :raises ValueError: for negative seconds or nanoseconds.
-    :raises OverflowError: from 2**63 nanoseconds on.
+    :raises OverflowError: for 2**63 nanoseconds or more.
     """
 
     __slots__ = ('_nanoseconds', '_clock_type')

@@ -24,7 +24,7 @@ NOT_BOOL = f'{USE_SIM_TIME_NAME} parameter set to something besides a bool'
 class TimeSource:
     """Passes /clock on to the attached clocks while it is active. A node's parameter use_sim_time activates it.
 
-    :param node: whose parameter it watches and which subscribes to /clock; it may be attached later.
+    :param node: the node that subscribes to /clock and whose parameter counts; it may be attached later.
     """
 
     def __init__(self, *, node: NodeProtocol | None = None) -> None:
@@ -56,7 +56,7 @@ class TimeSource:
     def attach_node(self, node: NodeProtocol) -> None:
         """Subscribe to /clock through this node, and follow its parameter use_sim_time, which is declared if necessary.
 
-        :raises TypeError: when it is not a node.
+        :raises TypeError: when `node` is not a node.
         """
         if not is_node(node):
             raise TypeError('Node must be of type rclpy.node.Node')
@@ -82,7 +82,7 @@ class TimeSource:
         self._node = None
 
     def attach_clock(self, clock: Any) -> None:
-        """Control this clock too, starting at the last time of /clock. Raise ValueError unless it is a ROS clock."""
+        """Control this clock, too, starting at the last time of /clock. Raise ValueError unless it is a ROS clock."""
         if not isinstance(clock, ROSClock):
             raise ValueError('Only clocks with type ROS_TIME can be attached.')
         if self._last_time is not None:

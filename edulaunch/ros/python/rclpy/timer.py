@@ -26,7 +26,7 @@ class Timer(TimedEntity):
     A grid point that has passed when the executor checks the timer is skipped. `Node.create_timer` creates timers.
 
     :ivar _next_ns: the next grid point, in the clock's own time.
-    :ivar due_ns: the same in simulated time; `NEVER_NS` while cancelled, or while only /clock knows it.
+    :ivar due_ns: the same point in simulated time; `NEVER_NS` while the timer is cancelled, or while the point depends on /clock.
     """
 
     rcl_category = TIMER
@@ -153,7 +153,7 @@ class Timer(TimedEntity):
         return not self._canceled and self._next_ns <= self._clock.now_ns()
 
     def is_canceled(self) -> bool:
-        """Return whether it was cancelled."""
+        """Return whether the timer was cancelled."""
         self._check()
         return self._canceled
 
@@ -205,10 +205,10 @@ class Rate:
         self.timer.destroy()
 
     def sleep(self) -> None:
-        """Wait for a call of the timer; a call before the wait ends it immediately, as in ROS 2.
+        """Wait for a call of the timer. As in ROS 2, a call before the wait ends it immediately.
 
-        :raises ROSInterruptException: when ROS 2 is shut down before that.
-        :raises RuntimeError: when the rate was destroyed before; one that is destroyed meanwhile only wakes.
+        :raises ROSInterruptException: when ROS 2 is shut down during the wait.
+        :raises RuntimeError: when the rate was destroyed before the call. If it is destroyed during the wait, the wait only ends.
         """
         self._check()
         executor = self.timer.ready_list.executor

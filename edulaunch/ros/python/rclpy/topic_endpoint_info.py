@@ -60,7 +60,7 @@ _FIELDS: dict[str, tuple[Callable[[], Any], Callable[[Any], Any]]] = {
     'endpoint_gid': (list, _bytes),
     'qos_profile': (lambda: qos_profile_unknown, _profile),
 }
-"""What there is to know of an endpoint: how a value comes about that is not given, and how one is checked."""
+"""The fields of an endpoint: the default of each, and the check of its value."""
 
 
 class TopicEndpointInfo:
@@ -156,7 +156,7 @@ def endpoint_info(endpoint: Any) -> TopicEndpointInfo:
 
 
 def _hash_of(type_name: str) -> TypeHash:
-    """Return the hash of a type; none for a type that only another program's workspace has."""
+    """Return the hash of a type, or an empty hash for a type that only another program's workspace contains."""
     from edulaunch.ros.serialization.type_description import type_hash
 
     try:

@@ -19,7 +19,7 @@ class TypeHash:
 
     @property
     def version(self) -> int:
-        """The version of the hash algorithm; -1 for none."""
+        """The version of the hash algorithm, or -1 without one."""
         return self._version
 
     @version.setter

@@ -48,7 +48,7 @@ def get_available_rmw_implementations() -> set[str]:
 def remove_ros_args(args: list[str] | None = None) -> list[str]:
     """Return a command line (None: the program's own) without its `--ros-args` sections and remapping rules.
 
-    :raises RCLInvalidROSArgsError, UnknownROSArgsError: for arguments after `--ros-args` that cannot be understood.
+    :raises RCLInvalidROSArgsError, UnknownROSArgsError: for invalid or unknown arguments after `--ros-args`.
     """
     return parse_or_raise(process_state().process.argv if args is None else args).others
 

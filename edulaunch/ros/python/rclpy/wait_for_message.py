@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 def wait_for_message(
     msg_type: Any, node: Node, topic: str, *, qos_profile: QoSProfile | int = 1, time_to_wait: float = -1
 ) -> tuple[bool, Any]:
-    """Wait for the next message of a topic; the node need not be spun.
+    """Wait for the next message of a topic. The caller need not spin the node.
 
     :param time_to_wait: simulated seconds, or -1 for no limit.
-    :returns: (True, the message), or (False, None) when the time is over or ROS 2 was shut down meanwhile.
-    :raises RCLError: when ROS 2 was shut down before.
+    :returns: (True, the message), or (False, None) when the time is over or ROS 2 is shut down during the wait.
+    :raises RCLError: when ROS 2 was shut down before the call.
     """
     core = core_of(node)
     check_is_valid_msg_type(msg_type)

@@ -79,7 +79,7 @@ class Waitable(Entity):
         raise NotImplementedError('Must be implemented by subclass')
 
     def get_num_entities(self) -> NumberOfEntities:
-        """Return how many entities of each kind belong to it."""
+        """Return how many entities of each kind belong to this waitable."""
         raise NotImplementedError('Must be implemented by subclass')
 
     def add_to_wait_set(self, wait_set: Any) -> None:

@@ -12,9 +12,9 @@ from edulaunch.engine.tf.quaternions import multiply
 from edulaunch.errors import MissingExtra
 
 MOVING = ('revolute', 'continuous', 'prismatic')
-"""Other kinds are treated as fixed, as the original does with those of more than one degree of freedom."""
+"""Kinds of joints that move. As in the original, others count as fixed, such as those with several degrees of freedom."""
 LIMITED = ('revolute', 'prismatic')
-"""Kinds that the original refuses without <limit>."""
+"""Kinds of joints that the original rejects without <limit>."""
 Quaternion = tuple[float, float, float, float]
 
 
@@ -29,8 +29,9 @@ class Mimic(NamedTuple):
 class Joint(NamedTuple):
     """One joint of a robot.
 
-    :param origin: from the parent link to the child link at position 0: metres x, y, z and the rotation (x, y, z, w).
-    :param axis: unit vector that the child turns round, or slides along.
+    :param origin: the transform from the parent link to the child link at position 0. It has x, y, z in metres and the rotation
+        (x, y, z, w).
+    :param axis: unit vector of the axis around which the child turns, or along which it slides.
     :param lower: lowest position (radians or metres); with `upper` 0 when the description has no limit.
     """
 
@@ -47,11 +48,14 @@ class Joint(NamedTuple):
 
     @property
     def is_moving(self) -> bool:
-        """Whether it has a position."""
+        """Whether the joint has a position."""
         return self.kind in MOVING
 
     def transform(self, position: float) -> tuple[tuple[float, float, float], Quaternion]:
-        """Return the translation and rotation from the parent link to the child link."""
+        """Return the translation (metres) and rotation (x, y, z, w) from the parent link to the child link.
+
+        :param position: in radians or metres, by the type of the joint.
+        """
         if self.kind == 'prismatic':
             slid = rotated(self.turn, tuple(position * part for part in self.axis))
             x, y, z = (start + part for start, part in zip(self.origin, slid, strict=True))
@@ -64,13 +68,13 @@ class Joint(NamedTuple):
 
 
 _TRANSMISSIONS = re.compile(r'<transmission\b[^>]*/>|<transmission\b.*?</transmission\s*>', re.DOTALL)
-"""The original's parser does not read them; urdf_parser_py refuses those of ros2_control."""
+"""Elements that the original's parser does not read. urdf_parser_py rejects those of ros2_control."""
 
 
 def read_joints(description: str) -> list[Joint]:
     """Return the joints of a URDF text, in its order.
 
-    :raises ValueError: it is not a robot description; with the parser's message.
+    :raises ValueError: the text is not a robot description. The message is the parser's.
     :raises SystemExit: when the parser is not installed, which ends the program with a message.
     """
     if find_spec('urdf_parser_py') is None:
@@ -97,7 +101,7 @@ def read_joints(description: str) -> list[Joint]:
 def _check_tree(links: list[str], joints: list[Joint]) -> None:
     """Check that all links exist and that they form a tree with one root.
 
-    :raises ValueError: as the original's parser refuses the whole description.
+    :raises ValueError: when they do not, because the original's parser rejects such a description.
     """
     if not links:
         raise ValueError('No link elements found in urdf file')
@@ -142,7 +146,7 @@ def _joint(found: Any) -> Joint:
 
 
 def of_rpy(roll: float, pitch: float, yaw: float) -> Quaternion:
-    """Return the rotation of a URDF's rpy: about the fixed axes x, y, z in this order."""
+    """Return the rotation (x, y, z, w) of a URDF's rpy in radians: about the fixed axes x, y, z in this order."""
     about_x = (sin(roll / 2), 0.0, 0.0, cos(roll / 2))
     about_y = (0.0, sin(pitch / 2), 0.0, cos(pitch / 2))
     about_z = (0.0, 0.0, sin(yaw / 2), cos(yaw / 2))
@@ -150,7 +154,7 @@ def of_rpy(roll: float, pitch: float, yaw: float) -> Quaternion:
 
 
 def rotated(turn: Quaternion, vector: Any) -> tuple[float, float, float]:
-    """Return a vector after a rotation."""
+    """Return a vector after the rotation `turn` (x, y, z, w)."""
     x, y, z, w = turn
     rx, ry, rz, _ = multiply(multiply(turn, (*vector, 0.0)), (-x, -y, -z, w))
     return rx, ry, rz

@@ -25,7 +25,7 @@ from robot_state_publisher._joints import Joint, read_joints
 
 
 class RobotStatePublisher(CppNode):
-    """Fixed joints go to /tf_static once, moving ones to /tf whenever /joint_states names them.
+    """Publishes fixed joints on /tf_static once, and moving ones on /tf whenever /joint_states contains them.
 
     Parameters: `robot_description` (URDF text), `publish_frequency` (Hz at most, 20.0), `ignore_timestamp` (false),
     `frame_prefix` ('').
@@ -132,7 +132,7 @@ main = program(_work)
 
 
 BANNER = 4
-"""The library puts this many comments before a description."""
+"""The number of comments that the library puts before a description."""
 
 
 def _from_here(path: str) -> str:
@@ -141,7 +141,7 @@ def _from_here(path: str) -> str:
 
 
 def run_xacro() -> int:
-    """Run the program xacro: print a robot description after the library of that name has expanded its macros.
+    """Run the program xacro: let the library of that name expand the macros of a robot description, and print the result.
 
     `xacro FILE name:=value ... [-o OUT]` returns 2 for a file that the library cannot expand.
     """

@@ -1,1 +1,1 @@
-"""What the command `ros2 launch` does."""
+"""The work of the command `ros2 launch`."""

@@ -1,1 +1,1 @@
-"""The types that message definitions are made of."""
+"""The types in message definitions."""

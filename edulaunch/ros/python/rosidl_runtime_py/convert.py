@@ -13,8 +13,8 @@ def message_to_ordereddict(
 ) -> OrderedDict[str, Any]:
     """Return the message as dictionaries, lists, numbers and strings, with its fields in order.
 
-    :param truncate_length: how many items of an array and characters of a string are kept; the rest becomes `...`.
-    :param no_arr: whether arrays are replaced by their type and length; `no_str` does the same for strings.
+    :param truncate_length: the maximum number of items of an array and characters of a string; the rest becomes `...`.
+    :param no_arr: replace arrays by their type and length; `no_str` does the same for strings.
     """
     ordered: OrderedDict[str, Any] = _ordered(message_dict(msg, Shortening(truncate_length, no_arr, no_str)))
     return ordered
@@ -25,7 +25,7 @@ def message_to_yaml(
 ) -> str:
     """Return the message as YAML, as `ros2 topic echo` prints it. The arguments are those of :func:`message_to_ordereddict`.
 
-    :param flow_style: whether it is one line in braces.
+    :param flow_style: write the message on one line in braces.
     """
     return message_yaml(msg, Shortening(truncate_length, no_arr, no_str), flow_style=flow_style)
 

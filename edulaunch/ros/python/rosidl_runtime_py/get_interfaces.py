@@ -16,8 +16,8 @@ def get_interface_packages() -> list[str]:
 def get_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
     """Return the interfaces of each package as 'msg/Name', 'srv/Name' ...
 
-    :param package_names: which packages; all of them by default.
-    :raises LookupError: for a package that has none.
+    :param package_names: the packages; by default, all packages with interfaces.
+    :raises LookupError: for a package without interfaces.
     """
     return _of_kinds(package_names, ('action', 'msg', 'srv'))
 
@@ -40,7 +40,8 @@ def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[s
 def get_interface_path(interface_name: str) -> str:
     """Return the path of the file of 'pkg/msg/Name'.
 
-    :raises ValueError: when the name has another form; LookupError for an unknown interface.
+    :raises ValueError: when the name has another form.
+    :raises LookupError: for an unknown interface.
     """
     parts = interface_name.removesuffix('.msg').removesuffix('.srv').removesuffix('.action').split('/')
     if len(parts) != 3 or not all(parts):

@@ -17,9 +17,9 @@ def set_message_fields(
 
     :param msg: the message, changed in place.
     :param values: field name -> value; dictionaries for nested messages, lists for arrays.
-    :param expand_header_auto: whether 'auto' for a header means a header that is stamped later; `expand_time_now` does the same
-        for 'now' as a time.
-    :returns: what is to be stamped, as functions that take a Time.
+    :param expand_header_auto: let 'auto' for a header mean a header that is stamped later; `expand_time_now` does the same for
+        'now' as a time.
+    :returns: a function for each stamp to set later; it takes a Time.
     :raises TypeError: when `values` is not a dictionary.
     :raises AttributeError: when the message has no field of that name.
     :raises ValueError: when a value cannot be converted.
@@ -48,7 +48,7 @@ def _setter(message: Any, name: str) -> Any:
 
 
 def _set_nested(msg: Any, name: str, field_type: Any, value: Any, expand: tuple[bool, bool]) -> list[Any]:
-    """Return a field that holds messages: given as such, or as dictionaries."""
+    """Set a field that contains messages. The value contains messages, or dictionaries of their fields."""
     cls = rules_of(msg)[name].message
     if not field_type.array:
         if isinstance(value, cls):

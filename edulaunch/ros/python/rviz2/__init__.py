@@ -1,1 +1,1 @@
-"""rviz2 without a window: it reads its config, joins tf as RViz does, and leaves pictures to a recording."""
+"""rviz2 without a window: it reads its config and receives tf as RViz does. Recordings draw the pictures."""

@@ -48,7 +48,7 @@ def read_view(path: str) -> View:
 
 
 def _flat(displays: Any) -> list[dict[str, Any]]:
-    """Return the displays, those inside groups too."""
+    """Return the displays, including those inside groups."""
     found: list[dict[str, Any]] = []
     for display in displays if isinstance(displays, list) else []:
         if isinstance(display, dict):

@@ -1,1 +1,1 @@
-"""Reading and making sensor messages in Python; see `point_cloud2`."""
+"""Functions that read and create sensor messages; see `point_cloud2`."""

@@ -33,10 +33,10 @@ def read_points(
 ) -> Any:
     """Return the points as a structured array with one entry for each field.
 
-    :param field_names: which fields; None for all of them, in the order of the message.
+    :param field_names: the fields to read; None means all fields in the order of the message.
     :param skip_nans: leave out points with a NaN in one of these fields.
-    :param uvs: only these points: indices, or (column, row) pairs of an organized cloud.
-    :param reshape_organized_cloud: give rows and columns (height, width); not together with `uvs`.
+    :param uvs: the points to read: indices, or (column, row) pairs of an organized cloud. None means all points.
+    :param reshape_organized_cloud: return rows and columns (height, width). This cannot be combined with `uvs`.
     :raises AssertionError: for names that the cloud does not have.
     """
     points = np.ndarray((cloud.width * cloud.height,), dtype_from_fields(cloud.fields, cloud.point_step), bytes(cloud.data))
@@ -70,7 +70,9 @@ def read_points_numpy(
     uvs: Iterable[Any] | None = None,
     reshape_organized_cloud: bool = False,
 ) -> Any:
-    """Return the points as a plain array with one column for each field. All fields must have the same type."""
+    """Return the points as a plain array with one column for each field. All fields must have the same type. The parameters are
+    those of :func:`read_points`.
+    """
     assert all(
         field.datatype == cloud.fields[0].datatype for field in cloud.fields if field_names is None or field.name in field_names
     ), 'All fields need to have the same datatype. Use `read_points()` otherwise.'
@@ -82,7 +84,7 @@ def read_points_numpy(
 def read_points_list(
     cloud: Any, field_names: list[str] | None = None, skip_nans: bool = False, uvs: Iterable[Any] | None = None
 ) -> list[Any]:
-    """Return the points as named tuples."""
+    """Return the points as named tuples. The parameters are those of :func:`read_points`."""
     points = read_points(cloud, field_names, skip_nans, uvs)
     kind = namedtuple('Point', points.dtype.names)  # type: ignore[misc]
     return [kind._make(point) for point in points]
@@ -108,7 +110,7 @@ def create_cloud(header: Any, fields: Iterable[Any], points: Any, step: int | No
 
     A structured array with two dimensions, or a plain array with three, makes an organized cloud.
 
-    :param step: bytes of one point, padding included.
+    :param step: the size of one point in bytes, including padding.
     """
     fields = list(fields)
     kind = dtype_from_fields(fields, step)

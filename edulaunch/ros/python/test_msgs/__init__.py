@@ -1,1 +1,1 @@
-"""Messages of all kinds of fields, for tests; the classes come from the interface files."""
+"""Messages with all kinds of fields, for tests. The classes come from the interface files."""

@@ -13,7 +13,7 @@ _TEXTS = ('', 'Hello world!', 'Hellö wörld!', 'ハローワールド')
 _REALS = {'float': (0.0, 1.125, 2.0**100, -(2.0**100)), 'double': (0.0, 1.125, 1.7e308, -1.7e308)}
 _COUNTS = {'UnboundedSequences': (0, 1, 3, 8, 100), 'BoundedSequences': (0, 3), 'BoundedPlainSequences': (0, 3)}
 _ALIKE = ('Empty', 'Constants', 'Defaults')
-"""Messages whose fields are left at their defaults."""
+"""Messages whose fields keep their defaults."""
 _OF_EACH_CORNER = ('BasicTypes', 'Strings', 'WStrings', 'Nested')
 _NAMES = (*_ALIKE, *_OF_EACH_CORNER, *_COUNTS, 'Arrays', 'Builtins', 'MultiNested')
 
@@ -21,7 +21,7 @@ _NAMES = (*_ALIKE, *_OF_EACH_CORNER, *_COUNTS, 'Arrays', 'Builtins', 'MultiNeste
 def get_test_msg(message_name: str) -> list[Any]:
     """Return some messages of a type of `test_msgs`: empty, small, largest and smallest values.
 
-    :raises NotImplementedError: for a type that there is not.
+    :raises NotImplementedError: for an unknown type.
     """
     if message_name not in _NAMES:
         raise NotImplementedError

@@ -1,4 +1,6 @@
-"""Importing this package teaches `Buffer.transform` the stamped types of geometry_msgs. They are names of this package too."""
+"""Importing this package lets `Buffer.transform` accept the stamped types of geometry_msgs. The types are names of this package,
+too.
+"""
 
 from __future__ import annotations
 

@@ -42,7 +42,7 @@ def do_transform_point(point: PointStamped, transform: TransformStamped) -> Poin
 def do_transform_vector3(vector3: Vector3Stamped, transform: TransformStamped) -> Vector3Stamped:
     """Return the vector, rotated into the transform's frame. A vector has no position, so the translation is not added.
 
-    As upstream, it sets the translation of the transform that was passed in to zero.
+    As in upstream, the function sets the translation of the argument `transform` to zero.
     """
     transform.transform.translation.x = transform.transform.translation.y = transform.transform.translation.z = 0.0
     result = Vector3Stamped(header=transform.header)
@@ -91,7 +91,9 @@ def do_transform_polygon_stamped(polygon: PolygonStamped, transform: TransformSt
 
 
 def transform_covariance(cov_in: Sequence[float], transform: TransformStamped) -> list[float]:
-    """Return a 6x6 covariance (36 numbers, row by row) in the transform's frame: each 3x3 block B becomes R B R^T."""
+    """Return a 6x6 covariance (36 numbers, row by row) in the transform's frame. With the rotation R, each 3x3 block B becomes R
+    B R^T.
+    """
     r = quaternions.to_matrix(_rotation(transform.transform.rotation))
     result = [0.0] * 36
     for row in (0, 3):
@@ -108,7 +110,7 @@ def _turned(r: Matrix, block: list[list[float]], i: int, j: int) -> float:
 
 
 def _rotation(q: Any) -> Quaternion:
-    """Return the rotation of a message at unit length; all zeros stand for no rotation."""
+    """Return the rotation of a message, normalized to unit length. All zeros mean no rotation."""
     if q.x == q.y == q.z == q.w == 0.0:
         return quaternions.IDENTITY
     return quaternions.canonical((q.x, q.y, q.z, q.w))

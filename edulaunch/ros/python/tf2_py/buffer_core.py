@@ -93,8 +93,7 @@ def exception_of(failure: TransformFailure) -> TransformException:
 def wire_of(transform: Any) -> tuple[Any, ...]:
     """Return (sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw) of a TransformStamped or a similar object.
 
-    :raises TypeError: the translation is not a Vector3; a rotation that is not a Quaternion is a warning
-        only.
+    :raises TypeError: the translation is not a Vector3. A rotation that is not a Quaternion only causes a warning.
     """
     from geometry_msgs.msg import Quaternion, Vector3
 
@@ -132,7 +131,7 @@ from_wire = TransformStamped.from_wire
 class BufferCore:
     """Stores transforms and looks them up, without a node or a topic. It mirrors tf2_py's class of the same name.
 
-    :param cache_time: how long each frame is remembered (a Duration); 10 s when left out.
+    :param cache_time: how long samples of each frame are stored (a Duration); 10 s by default.
     """
 
     def __init__(self, cache_time: Any = None) -> None:
@@ -140,7 +139,7 @@ class BufferCore:
         self._tf = TransformBuffer(cache_ns)
 
     def set_transform(self, transform: TransformStamped, authority: str) -> None:
-        """Add a transform. A transform that tf2 refuses is logged, and no exception is raised.
+        """Add a transform. If tf2 rejects the transform, log the reason without raising an exception.
 
         :raises TypeError: the translation is not a Vector3.
         """
@@ -159,7 +158,7 @@ class BufferCore:
     def lookup_transform_core(self, target_frame: str, source_frame: str, time: Any) -> TransformStamped:
         """Return the transform that maps coordinates in the source frame to the target frame.
 
-        :raises TransformException: one of its subclasses, with tf2's text.
+        :raises TransformException: one of its subclasses, with tf2's message.
         """
         try:
             stamp_ns, pose = self._tf.lookup(target_frame, source_frame, nanoseconds(time))
@@ -172,7 +171,7 @@ class BufferCore:
     ) -> TransformStamped:
         """Return the transform from the source frame at one time to the target frame at another time, through a fixed frame.
 
-        :raises TransformException: one of its subclasses, with tf2's text.
+        :raises TransformException: one of its subclasses, with tf2's message.
         """
         try:
             stamp_ns, pose = self._tf.lookup_full(
@@ -197,7 +196,8 @@ class BufferCore:
         return int(possible), reason
 
     def get_latest_common_time(self, target_frame: str, source_frame: str) -> Any:
-        """Return the newest time for which the transform is known, as rclpy Time (system clock); 0 if all transforms are static.
+        """Return the newest time for which the transform is known, as an rclpy Time (system clock); 0 if all transforms are
+        static.
 
         :raises TransformException: the frames are unknown or not connected.
         """
@@ -218,7 +218,7 @@ class BufferCore:
     ) -> tuple[tuple[float, ...], tuple[float, ...]]:
         """Return the linear (m/s) and angular (rad/s) velocity of the tracking frame seen from the observation frame.
 
-        :raises TransformException: one of its subclasses, with tf2's text.
+        :raises TransformException: one of its subclasses, with tf2's message.
         """
         try:
             return lookup_velocity(
@@ -240,13 +240,13 @@ class BufferCore:
         self._tf.clear()
 
     def _allFramesAsDot(self, time: Any = None) -> str:  # noqa: N802
-        """Return a graphviz graph of all frames; with a time it shows ages."""
+        """Return a graphviz graph of all frames. If a time is given, the graph shows the ages of the transforms."""
         return self._tf.all_frames_as_dot(0 if time is None else nanoseconds(time))
 
     def _chain(self, *, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str) -> list[str]:
         """Return the frames between source and target.
 
-        :raises TransformException: one of its subclasses, with tf2's text.
+        :raises TransformException: one of its subclasses, with tf2's message.
         """
         try:
             return self._tf.chain(target_frame, nanoseconds(target_time), source_frame, nanoseconds(source_time), fixed_frame)

@@ -1,4 +1,4 @@
-"""tf2 for nodes: buffer, listener, broadcasters. All names of upstream's package, loaded when they are first used."""
+"""tf2 for nodes: buffer, listener and broadcasters. All names of upstream's package are loaded when they are first used."""
 
 from __future__ import annotations
 

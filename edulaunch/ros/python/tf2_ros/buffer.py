@@ -32,7 +32,7 @@ MOST_FRAMES = 40
 class FailedLookups:
     """The failed lookups of one buffer, by target and source frame.
 
-    :param number: which one it is of its program's buffers.
+    :param number: the number of the buffer in its program.
     """
 
     def __init__(self, number: int) -> None:
@@ -59,7 +59,7 @@ class FailedLookups:
         process.fact(KIND, (self._number, target, source), {**data, **student_line()})
 
     def found(self, target: str, source: str) -> None:
-        """Remove the failure, because the lookup has succeeded."""
+        """Forget a failed lookup, because the lookup has now succeeded."""
         if (target, source) in self.pairs:
             self.pairs.remove((target, source))
             current_process().fact_over(KIND, (self._number, target, source))
@@ -78,7 +78,7 @@ POLL_S = 0.02
 class Buffer(BufferCore, BufferInterface):
     """Stores transforms and looks them up, with an optional timeout. It mirrors `tf2_ros.buffer.Buffer` of Jazzy.
 
-    :param cache_time: how long each frame is remembered (a Duration); 10 s when left out.
+    :param cache_time: how long samples of each frame are stored (a Duration); 10 s by default.
     :param node: if a node is passed, it offers the service `tf2_frames`, and its clock reports jumps back in time.
     """
 
@@ -115,10 +115,7 @@ class Buffer(BufferCore, BufferInterface):
             self._call_new_data_callbacks()
 
     def _set_wire(self, wire: tuple[Any, ...], authority: str) -> None:
-        """Add the wire tuple of a transform; see :meth:`set_transform`.
-
-        :meth:`set_transform` with the wire tuple of a transform.
-        """
+        """Add the wire tuple of a transform. Otherwise, this method is equal to :meth:`set_transform`."""
         rejections = self._tf.set(wire[2], wire[3], wire[0] * NS_PER_S + wire[1], wire[4:], authority)
         if rejections:
             report(rejections)
@@ -138,11 +135,10 @@ class Buffer(BufferCore, BufferInterface):
     def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> TransformStamped:
         """Return the transform that maps coordinates in the source frame to the target frame.
 
-        :param time: anything with nanoseconds, or sec and nanosec; 0 is the latest time at which all frames
-            have data.
-        :param timeout: how long to wait for it; the node's executor stands still meanwhile, as in ROS 2.
-        :raises tf2.TransformException: LookupException, ConnectivityException, ExtrapolationException,
-            InvalidArgumentException.
+        :param time: a time with `nanoseconds`, or with `sec` and `nanosec`; 0 means the latest time at which all frames have
+            data.
+        :param timeout: how long to wait for the transform. As in ROS 2, the node's executor is blocked meanwhile.
+        :raises tf2.TransformException: LookupException, ConnectivityException, ExtrapolationException, InvalidArgumentException.
         """
         if timeout is not NO_WAIT:
             self.can_transform(target_frame, source_frame, time, timeout)

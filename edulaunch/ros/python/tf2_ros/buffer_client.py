@@ -40,8 +40,8 @@ class BufferClient(BufferInterface):
     """Sends lookups to a buffer server instead of storing transforms. Another thread must spin the node.
 
     :param ns: name of the server's action.
-    :param check_frequency: how often (Hz) it is looked whether the answer has come.
-    :param timeout_padding: how much longer than the lookup's own timeout to wait for the answer.
+    :param check_frequency: how often to check for the reply, in Hz.
+    :param timeout_padding: how long to wait for the reply after the timeout of the lookup.
     """
 
     def __init__(self, node: Node, ns: str, *, check_frequency: float = 10.0, timeout_padding: Duration = PADDING) -> None:
@@ -52,13 +52,13 @@ class BufferClient(BufferInterface):
         self.timeout_padding = timeout_padding
 
     def destroy(self) -> None:
-        """Destroy the action client; no lookup is possible afterwards."""
+        """Destroy the action client. No lookup is possible afterwards."""
         self.action_client.destroy()
 
     def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> Any:
         """Return a transform; see :meth:`tf2_ros.Buffer.lookup_transform`.
 
-        :raises TimeoutException: there is no server, or it did not answer in time.
+        :raises TimeoutException: there is no server, or it did not reply in time.
         """
         goal = LookupTransform.Goal(
             target_frame=target_frame,

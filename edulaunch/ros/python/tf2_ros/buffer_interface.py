@@ -1,8 +1,8 @@
 """The common part of all sources of transforms. It transforms stamped objects with functions that packages register for their
 types.
 
-Packages that come with edulaunch (`tf2_geometry_msgs`) are imported once for all processes. What they register holds for each
-process that imports them, as in ROS 2; what a program registers itself belongs to its process alone.
+Packages that come with edulaunch (`tf2_geometry_msgs`) are imported once for all processes. As in ROS 2, their functions are
+valid in each process that imports them. A function that a program registers is valid only in its process.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ class TransformRegistration:
     def get(self, key: Key) -> Callable[..., Any]:
         """Return the function for a type.
 
-        :raises TypeException: the object has no such conversion.
+        :raises TypeException: no function is registered for the type.
         """
         return _find('transform', key)
 
@@ -125,7 +125,7 @@ class BufferInterface:
         """Return the object in another frame, at the time of its own stamp (0: the latest).
 
         :raises TypeException: the object's type is not registered.
-        :raises tf2.TransformException: no such transform; one of its subclasses.
+        :raises tf2.TransformException: one of its subclasses, when there is no transform.
         """
         do_transform = self.registration.get(type(object_stamped))
         header = object_stamped.header
@@ -196,7 +196,7 @@ def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:  # noqa: N802
 def convert(a: Any, b_type: Any) -> Any:
     """Convert an object to another type, directly if such a function is registered, and otherwise through a message.
 
-    :raises TypeException: no way is registered.
+    :raises TypeException: no conversion is registered.
     """
     registration = ConvertRegistration()
     try:

@@ -25,7 +25,7 @@ CHECK_S = 0.01
 
 
 class BufferServer(CppNode):
-    """Answers lookups. It checks waiting ones again every 10 ms until they succeed or time out."""
+    """Serves lookups. It checks waiting lookups again every 10 ms, until they succeed or time out."""
 
     def __init__(self) -> None:
         super().__init__('tf_buffer')

@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 
 
 class StaticTransformBroadcaster:
-    """Publishes transforms on /tf_static, also for late subscriptions. Each message repeats all frames sent so far.
+    """Publishes transforms on /tf_static. Late subscriptions receive them, too. Each message repeats all frames sent so far.
 
     As in Jazzy's Python version, sending a child frame again does not change its first transform.
 
-    :param qos: of the publisher; depth 1 and transient local when left out.
+    :param qos: the profile of the publisher; by default, depth 1 and transient local.
     """
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:

@@ -126,7 +126,7 @@ def _checked(frame_id: str, child_frame_id: str, transform: Transform, old_style
 
 
 def _number(option: str, text: str) -> float:
-    """Return a float as C++ reads it: what follows the number is ignored."""
+    """Return a float as C++ reads it. Characters after the number are ignored."""
     match = _NUMBER.match(text)
     if match is None:
         raise ArgumentError(f'Failed to parse {option} argument as float')

@@ -39,7 +39,7 @@ class Echo(CppNode):
         self.create_timer(1.0 / rate_hz, self.look)
 
     def look(self) -> None:
-        """Print one cycle: the pose, or the reason why it is not available."""
+        """Print the results of one cycle: the pose, or the reason why it is not available."""
         if not self.found:
             possible, reason = self.buffer.can_transform(self.source, self.target, Time(), return_debug_tuple=True)
             if not possible:
@@ -59,7 +59,7 @@ class Echo(CppNode):
 
 
 def pose_text(found: TransformStamped) -> str:
-    """Return the ten lines about one transform. As in ROS 2, nanoseconds are not padded."""
+    """Return the ten lines about one transform. As in ROS 2, nanoseconds are printed without leading zeros."""
     at, q = found.transform.translation, found.transform.rotation
     rotation = (q.x, q.y, q.z, q.w)
     angles = to_euler(rotation)

@@ -43,7 +43,7 @@ class Delays:
 class Monitor(CppNode):
     """Monitors /tf and /tf_static, and reports every 10.5 s.
 
-    :param frames: two frames to watch the chain between, or nothing for all frames.
+    :param frames: the two ends of the chain to monitor, or an empty list for all frames.
     """
 
     def __init__(self, frames: tuple[str, str] | None) -> None:

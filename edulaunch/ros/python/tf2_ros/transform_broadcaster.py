@@ -20,7 +20,7 @@ _to_wire = TransformStamped.to_wire
 class TransformBroadcaster:
     """Publishes transforms on /tf.
 
-    :param qos: of the publisher; depth 100 when left out.
+    :param qos: the profile of the publisher; by default, depth 100.
     """
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:

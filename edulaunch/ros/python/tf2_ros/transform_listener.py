@@ -27,10 +27,9 @@ AUTHORITY = 'default_authority'
 class TransformListener:
     """Fills a buffer from /tf and /tf_static. Store it (`self.tf_listener = ...`), because it stops when Python deletes it.
 
-    :param spin_thread: spin the whole node in a thread of its own, so that lookups with a timeout get data
-        meanwhile.
-    :param qos: of /tf; depth 100 when left out.
-    :param static_qos: of /tf_static; depth 100 and transient local when left out.
+    :param spin_thread: spin the whole node in a separate thread, so that transforms arrive during a lookup with a timeout.
+    :param qos: the profile for /tf; by default, depth 100.
+    :param static_qos: the profile for /tf_static; by default, depth 100 and transient local.
     """
 
     def __init__(
@@ -125,7 +124,7 @@ def _note_dropped(node: Node, line: dict[str, Any]) -> None:
 
 
 def _nowhere(message: TFMessage) -> None:
-    """Do nothing. This is the callback before there is a buffer."""
+    """Do nothing. This is the callback until there is a buffer."""
 
 
 def _receiver(set_transform: Any) -> Any:

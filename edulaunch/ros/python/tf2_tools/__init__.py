@@ -1,1 +1,1 @@
-"""Tools that look at tf2 from outside."""
+"""Tools that show the frames of tf2."""

@@ -1,4 +1,4 @@
-"""The program view_frames: it listens to tf2 for a while and draws the tree of frames."""
+"""The program view_frames: it receives transforms for a while and draws the tree of frames."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from tf2_ros.transform_listener import TransformListener
 COLUMN, ROW = 3.6, 2.2
 
 
-"""Inches that a frame takes, with the facts on the arrow above it."""
+"""The size of a frame in inches, including the facts on the arrow above it."""
 
 
 def prepare() -> None:
@@ -32,7 +32,7 @@ def prepare() -> None:
 def draw_pdf(data: dict[Any, dict[str, Any]], recorded_time: float, path: str) -> None:
     """Draw parents above their children. Each arrow shows broadcaster, rate, buffer length and the age of transforms.
 
-    :param data: by child frame, as `all_frames_as_yaml` describes them.
+    :param data: the transforms by child frame, in the form of `all_frames_as_yaml`.
     """
     from matplotlib.backends.backend_pdf import FigureCanvasPdf
     from matplotlib.figure import Figure
@@ -70,7 +70,9 @@ def _facts(facts: dict[str, Any]) -> str:
 
 
 def _places(data: dict[Any, dict[str, Any]]) -> tuple[dict[Any, tuple[float, float]], int]:
-    """Return column and height of each frame (leaves side by side, a parent over the middle of its children), and the levels."""
+    """Return the column and the height of each frame, and the number of levels. Leaves are side by side, and a parent is above
+    the middle of its children.
+    """
     children: dict[Any, list[Any]] = {}
     for child, facts in data.items():
         children.setdefault(facts['parent'], []).append(child)
@@ -89,7 +91,7 @@ def _places(data: dict[Any, dict[str, Any]]) -> tuple[dict[Any, tuple[float, flo
 
 
 def generate_dot(data: dict[Any, dict[str, Any]], recorded_time: float) -> str:
-    """Return the graphviz text of a tree of frames as `all_frames_as_yaml` describes it."""
+    """Return the graphviz text of a tree of frames. `data` has the form of `all_frames_as_yaml`."""
     if not data:
         return 'digraph G { "No tf data received" }'
     lines = ['digraph G {']
@@ -115,7 +117,7 @@ def generate_dot(data: dict[Any, dict[str, Any]], recorded_time: float) -> str:
 
 
 def listen(node: Node, seconds: float) -> None:
-    """Spin the node for that long."""
+    """Spin the node for `seconds` of simulated time."""
     start = time.time()
     while time.time() - start < seconds:
         rclpy.spin_once(node, timeout_sec=0.1)

@@ -1,8 +1,9 @@
-"""Rotations and homogeneous matrices under the names of the ROS package tf_transformations, over transforms3d as that one.
+"""Rotations and homogeneous matrices under the names of the ROS package tf_transformations. Like that package, it uses
+transforms3d.
 
 Quaternions are (x, y, z, w), as in ROS messages (transforms3d has w first). Angles are radians, and matrices are 4x4 numpy
 arrays. `axes` is 's' (fixed axes) or 'r' (turning axes) and three letters, such as 'sxyz'. It may also be four numbers: first
-axis, odd order, repeated, turning. Impossible computations raise `ValueError`, unknown axes `KeyError`.
+axis, odd order, repeated, turning. Impossible computations raise `ValueError`, and unknown axes raise `KeyError`.
 """
 
 from __future__ import annotations
@@ -92,7 +93,9 @@ SHEAR_IDENTITY = TRANSLATION_IDENTITY
 
 
 def _of_arrays(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return the function with its sequences as arrays of floats: others it copies with numpy 1, and refuses with numpy 2."""
+    """Return the function with its sequences converted to arrays of floats. It copies other sequences with numpy 1, and rejects
+    them with numpy 2.
+    """
 
     @functools.wraps(function)
     def call(*args: Any, **options: Any) -> Any:
@@ -139,7 +142,7 @@ def quaternion_from_euler(ai: float, aj: float, ak: float, axes: Axes = 'sxyz') 
 
 
 def quaternion_about_axis(angle: float, axis: Sequence[float]) -> Quaternion:
-    """Return a turn by an angle about an axis of any length."""
+    """Return the rotation by an angle about an axis of any length."""
     return _w_last(_matrices.quaternion_about_axis(angle, axis))
 
 
@@ -151,7 +154,7 @@ def quaternion_matrix(quaternion: Sequence[float]) -> Any:
 def quaternion_from_matrix(matrix: Any, isprecise: bool = False) -> Quaternion:
     """Return the rotation of a 4x4 or 3x3 matrix, with w >= 0.
 
-    :param isprecise: whether the matrix is a rotation without any error, which is quicker.
+    :param isprecise: assume that the matrix is exactly a rotation, which is faster.
     """
     return _w_last(_matrices.quaternion_from_matrix(_as_array(matrix), isprecise))
 
@@ -174,18 +177,19 @@ def quaternion_inverse(quaternion: Sequence[float]) -> Quaternion:
 def quaternion_slerp(
     quat0: Sequence[float], quat1: Sequence[float], fraction: float, spin: int = 0, shortestpath: bool = True
 ) -> Quaternion:
-    """Return the rotation a fraction (0 to 1) of the way from one to the other.
+    """Return the rotation at `fraction` (0 to 1) of the way from `quat0` to `quat1`.
 
     :param spin: the number of additional half turns on the way.
-    :param shortestpath: go the shorter way round.
+    :param shortestpath: use the shorter of both ways.
     """
     return _w_last(_matrices.quaternion_slerp(_w_first(quat0), _w_first(quat1), fraction, spin, shortestpath))
 
 
 def random_quaternion(rand: Sequence[float] | None = None) -> Quaternion:
-    """Return a rotation, all being equally likely.
+    """Return a random rotation. All rotations are equally likely.
 
-    :param rand: three numbers from 0 to 1 that decide which (default: random numbers, equal in every run with the same seed).
+    :param rand: three numbers from 0 to 1 that determine the rotation. By default, they are random, but equal in every run with
+        the same seed.
     """
     return _w_last(_matrices.random_quaternion(_by_chance(3) if rand is None else rand))
 
@@ -196,14 +200,14 @@ def random_rotation_matrix(rand: Sequence[float] | None = None) -> Any:
 
 
 def random_vector(size: int) -> Any:
-    """Return this many numbers from 0 to 1, as an array; equal in every run with the same seed."""
+    """Return `size` random numbers from 0 to 1 as an array. They are equal in every run with the same seed."""
     return _by_chance(size)
 
 
 class Arcball(_matrices.Arcball):  # type: ignore[misc]
     """The rotation of a ball that is pushed down at one place of the screen and dragged to another.
 
-    :param initial: where it starts: a quaternion (x, y, z, w) or a matrix.
+    :param initial: the initial rotation: a quaternion (x, y, z, w) or a matrix.
     """
 
     def __init__(self, initial: Any = None) -> None:
@@ -211,12 +215,12 @@ class Arcball(_matrices.Arcball):  # type: ignore[misc]
         super().__init__(_w_first(initial) if is_quaternion else initial)
 
     def setaxes(self, *axes: Sequence[float] | None) -> None:
-        """The axes from which a constrained turn may choose, or None for no axes."""
+        """Set the axes to which a rotation may be limited, or None for no axes."""
         given: list[Sequence[float] | None] = [axis for axis in axes if axis is not None]
         super().setaxes(*given or [None])
 
     def setconstrain(self, constrain: bool) -> None:
-        """Turn about the nearest of the axes only."""
+        """Limit rotations to the nearest of the axes, or stop doing so."""
         self.constrain = bool(constrain)
 
     def getconstrain(self) -> bool:

@@ -1,1 +1,1 @@
-"""turtle_tf2_py: turtles as tf frames, and a turtle that follows one."""
+"""turtle_tf2_py: turtles as tf frames, and a turtle that follows a frame."""

@@ -20,7 +20,7 @@ class SpawningNode(Node):
         self._timer = self.create_timer(1.0, self._on_timer)
 
     def on_step(self) -> None:
-        """Do the work of the node; called every second once the turtle exists."""
+        """Do the work of the node. It is called every second once the turtle exists."""
 
     def _on_timer(self) -> None:
         if self._spawned:

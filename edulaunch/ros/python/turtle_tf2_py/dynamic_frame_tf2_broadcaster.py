@@ -9,7 +9,7 @@ from turtle_tf2_py.fixed_frame_tf2_broadcaster import CarrotPublisher
 
 
 class DynamicFramePublisher(CarrotPublisher):
-    """Broadcasts a frame at a distance of ten metres. As upstream, its angle is pi times *whole* seconds, so it changes sides
+    """Broadcasts a frame at a distance of ten metres. As in upstream, its angle is pi times *whole* seconds, so it changes sides
     each second.
     """
 

@@ -29,7 +29,7 @@ USAGE = (
 
 
 class StaticFramePublisher(Node):
-    """Broadcasts world -> child once, also for late subscriptions."""
+    """Broadcasts world -> child once. Late subscriptions receive it, too."""
 
     def __init__(self, child: str, numbers: list[float]) -> None:
         super().__init__('static_turtle_tf2_broadcaster')
@@ -45,7 +45,7 @@ class StaticFramePublisher(Node):
 
 
 def main() -> None:
-    """Run the program. Exits with 1 for a wrong number of arguments and 2 for the child name 'world'."""
+    """Run the program. Exit with 1 for a wrong number of arguments, and with 2 for the child name 'world'."""
     arguments = remove_ros_args(sys.argv)[1:]
     if len(arguments) != 7:
         get_logger('static_turtle_tf2_broadcaster').info(USAGE)

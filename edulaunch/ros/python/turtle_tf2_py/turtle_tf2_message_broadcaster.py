@@ -12,9 +12,9 @@ from turtle_tf2_py._spawning import SpawningNode
 
 
 class PointPublisher(SpawningNode):
-    """For each pose of turtle3, publish a command to continue the circle, and the place as a PointStamped in `world`.
+    """For each pose of turtle3, publishes a command to continue the circle, and the position as a PointStamped in `world`.
 
-    As upstream, it creates another set of publishers and a subscription every second.
+    As in upstream, it creates another set of publishers and a subscription every second.
     """
 
     def __init__(self) -> None:

@@ -17,7 +17,7 @@ ODOMETRY_HZ = 30.0
 
 
 class WaffleSimulator(CppNode):
-    """A Waffle that starts at the parameters x_pose, y_pose (metres) and yaw (radians).
+    """A Waffle. The parameters x_pose, y_pose (metres) and yaw (radians) set its initial pose.
 
     TurtleBot3 takes TwistStamped since Jazzy and took Twist before; `enable_stamped_cmd_vel` sets a real robot to one of them.
     This robot accepts both, so that old and new programs can drive it. With the parameter true (the default), a plain Twist works

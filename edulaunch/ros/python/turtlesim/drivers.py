@@ -38,7 +38,7 @@ class DrawSquare(CppNode):
         self._timer = self.create_wall_timer(0.016, self._on_timer)
 
     def _ask_for_a_reset(self) -> bool:
-        """Send the request when the server exists: as with a real middleware, a request before the start of turtlesim is not
+        """Send the request when the server exists. As with a real middleware, a request before the start of turtlesim is not
         lost.
 
         Return whether the reset is complete.
@@ -134,7 +134,7 @@ WELCOME = (
 class TeleopTurtle(CppNode):
     """Publishes one Twist for each arrow key. Letters send and cancel rotation goals.
 
-    :param keyboard: a terminal, in which each key counts when it is pressed, or a string.
+    :param keyboard: a terminal that passes on each key when it is pressed, or a string.
     """
 
     def __init__(self, keyboard: Any) -> None:

@@ -137,7 +137,7 @@ class TurtlePorts:
     def update(self, now_ns: int) -> None:
         """Update the turtle and publish the results in this order: goal progress, wall, pose, colour.
 
-        Both messages are flat, so their wire tuples are made directly: this runs 62.5 times a second for each turtle.
+        Both messages are flat, so their wire tuples are created directly, because this runs 62.5 times a second for each turtle.
         """
         turtle = self.turtle
         rotation = self._rotation
@@ -162,7 +162,7 @@ class TurtlePorts:
             self._log.debug(f'[{self._node.get_namespace()}]: pos_x: {turtle.x:f} pos_y: {turtle.down:f} theta: {turtle.theta:f}')
 
     def _on_command(self, twist: tuple[float, ...]) -> None:
-        """Follow a command, given as the wire tuple of a Twist, because only its numbers are needed."""
+        """Follow a command. It is the wire tuple of a Twist, because only its numbers are needed."""
         forward, left, _, _, _, turning = twist
         turtle = self.turtle
         holonomic = (left or turtle.sideways) and self._node.get_parameter('holonomic').value
@@ -185,7 +185,7 @@ class TurtlePorts:
 
 
 def _pose_of(turtle: Turtle) -> tuple[float, ...]:
-    """Return the wire of a Pose: five fields, rounded to 32 bits."""
+    """Return the wire tuple of a Pose: five fields, rounded to 32 bits."""
     speed = turtle.linear_velocity if turtle.sideways else abs(turtle.speed)
     try:
         return _POSE.unpack(_POSE.pack(turtle.x, SIDE - turtle.down, turtle.theta, speed, turtle.turning))

@@ -105,7 +105,7 @@ TICK_NS = 16_000_000
 
 
 def run() -> None:
-    """Run the ROS callbacks that are ready, without waiting, and then update all turtles; called in each tick."""
+    """Process ROS callbacks that are ready, without waiting, and then update all turtles; repeat this in each tick."""
     frame = TurtleFrame()
     executor = SingleThreadedExecutor()
     executor.add_node(frame.node)

@@ -31,7 +31,7 @@ class Entry(NamedTuple):
 
     :ivar path: its path relative to the directory of all submissions. An archive counts as a directory.
     :ivar student: the student who submitted it; `id` is the student's number or name on a learning platform.
-    :ivar file: the path of its file, unpacked if necessary, or '' for a refused submission. `refused` and `help` explain why.
+    :ivar file: the path of its file, unpacked if necessary, or '' for a rejected submission. `refused` and `help` explain why.
     :ivar origin: repository and commit of a cloned submission.
     :ivar root: the folder with everything that the student submitted, perhaps unpacked.
     """
@@ -47,9 +47,9 @@ class Entry(NamedTuple):
 
 
 def refuse_nothing(given: str) -> None:
-    """Refuse a path that is not a directory, an archive or a table, before a directory for the results is created.
+    """Reject a path that is not a directory, an archive or a table, before a directory for the results is created.
 
-    :raises UnusableInput: naming it.
+    :raises UnusableInput: with the path.
     """
     if not os.path.isdir(given) and not (given.lower().endswith(('.csv', *ARCHIVES)) and os.path.isfile(given)):
         raise UnusableInput(
@@ -198,5 +198,7 @@ def _sorted(folder: str) -> list[os.DirEntry[str]]:
         with os.scandir(folder) as found:
             return sorted((item for item in found if not item.name.startswith('.')), key=lambda item: item.name)
     except OSError as error:
-        raise_fault(error)  # else a student whose folder cannot be read for a moment would have sent nothing
+        raise_fault(
+            error
+        )  # otherwise, a student whose folder is unreadable for a moment would count as a student without a submission
         return []

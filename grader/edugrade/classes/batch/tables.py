@@ -33,7 +33,7 @@ COLUMNS = (
 FORMULA = ('=', '+', '-', '@', '\t', '\r')
 BEHIND_A_SEPARATOR = re.compile(r'([;|\t\n][ "]*)(?=[=+@-])')
 BEHIND_A_COMMA = re.compile(r'(,[ "]*)(?=[=+@-])')
-"""The places where a spreadsheet with other separators would begin a cell with a formula."""
+"""The places at which a spreadsheet with other separators would begin a cell with a formula."""
 
 
 NUMBER = re.compile(r'^(\d+)\.(\d+)$')

@@ -1,4 +1,4 @@
-"""Made by `edulaunch course template jupyterhub`. Each student gets a container from the image of the template docker:
+"""Created by `edulaunch course template jupyterhub`. Each student gets a container from the image of the template docker:
 
 docker build -t @COURSE@-hub --build-arg ALSO=jupyterhub .
 python -m pip install jupyterhub dockerspawner

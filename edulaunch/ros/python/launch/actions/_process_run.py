@@ -101,8 +101,8 @@ DEFAULT_OUTPUT_FORMAT = '[{this.process_description.final_name}] {line}'
 
 
 class ProcessOptions(NamedTuple):
-    """See :class:`launch.actions.ExecuteLocal`. Only `respawn` may be substitutions before the action is prepared. As upstream,
-    the other arguments are used unchanged.
+    """See :class:`launch.actions.ExecuteLocal`. Only `respawn` may be substitutions before the action is prepared. As in
+    upstream, the other arguments are used unchanged.
     """
 
     shell: Any = False
@@ -117,7 +117,7 @@ class ProcessOptions(NamedTuple):
     def wants_respawn(self, retries: int) -> bool:
         """Return whether a process that has ended should be started again.
 
-        :param retries: how often it was already.
+        :param retries: how often it has been started again already.
         :raises TypeError: when the number of retries is invalid.
         """
         return bool(self.respawn) and (self.respawn_max_retries < 0 or retries < self.respawn_max_retries)

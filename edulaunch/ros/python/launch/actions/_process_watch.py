@@ -99,7 +99,7 @@ class ProcessWatch(BaseEventHandler):
     # -- running
 
     def begin(self, context: LaunchContext) -> None:
-        """Start the program, unless launch has given up meanwhile. Called on launch's loop.
+        """Start the program, unless launch has cancelled all waiting starts. Launch's loop calls this method.
 
         An error here ends the action, and the launch service reports it.
         """
@@ -134,7 +134,7 @@ class ProcessWatch(BaseEventHandler):
     def _end(self, context: LaunchContext, returncode: int, patience: int = PATIENCE) -> None:
         """Log the end of the program if its output goes to the screen, and start it again if requested.
 
-        :param patience: how many more rounds of the loop to wait for events of output (after its end launch handles none).
+        :param patience: how many more rounds of the loop to wait for output events, because launch handles none after the end.
         """
         if self._unshown and patience:
             self._loop.call_soon(self._end, context, returncode, patience - 1)
@@ -226,7 +226,7 @@ class ProcessWatch(BaseEventHandler):
         return isinstance(event, Shutdown) or (isinstance(event, RunningProcessEvent) and event.action is self._action)
 
     def handle(self, event: Event, context: LaunchContext) -> Entities | None:
-        """Handle an event of this process or for this process."""
+        """Handle an event that this process emitted, or that targets this process."""
         super().handle(event, context)
         if isinstance(event, ProcessIO):
             self._unshown -= 1
@@ -286,7 +286,7 @@ class ProcessWatch(BaseEventHandler):
 
 
 def _wants_terminal(context: LaunchContext, options: ProcessOptions) -> bool:
-    """Return what the action says, unless there is a launch configuration `emulate_tty`, which must be a condition."""
+    """Return the action's setting, unless a launch configuration `emulate_tty` exists. Its value must be a boolean."""
     wanted = context.launch_configurations.get('emulate_tty')
     if wanted is None:
         return bool(options.emulate_tty)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class AppendEnvironmentVariable(Action):
     """Append a value to an environment variable that is a list, or prepend it. Create the variable if it does not exist.
 
-    :param prepend: add at the beginning; a boolean, or substitutions that give one.
+    :param prepend: add at the beginning; a boolean, or substitutions for one.
     :param separator: between the values, by default that of search paths.
     """
 

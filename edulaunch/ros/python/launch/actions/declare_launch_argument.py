@@ -16,11 +16,11 @@ if TYPE_CHECKING:
 
 
 class DeclareLaunchArgument(Action):
-    """Declare a launch argument, which users set with `ros2 launch ... name:=value`, and includes with `launch_arguments`.
+    """Declare a launch argument. Users set it with `ros2 launch ... name:=value`, and includes set it with `launch_arguments`.
 
     Its value is the launch configuration of that name. If it is already set, it does not change; otherwise, it gets the default.
 
-    :param name: a plain text.
+    :param name: a plain string.
     :param default_value: a string or substitutions (so '3', not 3). Without a default, the argument is required.
     :param description: for `ros2 launch -s`.
     :param choices: the only values allowed.

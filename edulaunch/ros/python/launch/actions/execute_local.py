@@ -31,19 +31,18 @@ SIGKILL_TIMEOUT = LaunchConfiguration('sigkill_timeout', default=5)
 class ExecuteLocal(Action):
     """Run a program. Its output and its end become events and log lines.
 
-    :param process_description: the command line and what belongs to it.
+    :param process_description: the command line, working directory and environment.
     :param shell: let a shell run the joined command line.
-    :param sigterm_timeout, sigkill_timeout: seconds between SIGINT and SIGTERM, and then SIGKILL, at
-        shutdown.
+    :param sigterm_timeout, sigkill_timeout: seconds between SIGINT and SIGTERM, and then SIGKILL, at shutdown.
     :param emulate_tty: run in a terminal; simulated programs print as if in one anyway.
-    :param output: 'log', 'screen', 'both', 'own_log', 'full', or a dictionary; see
-        `launch.logging.get_output_loggers`. OVERRIDE_LAUNCH_PROCESS_OUTPUT in the environment comes first.
+    :param output: 'log', 'screen', 'both', 'own_log', 'full', or a dictionary; see `launch.logging.get_output_loggers`.
+        OVERRIDE_LAUNCH_PROCESS_OUTPUT in the environment comes first.
     :param output_format: of lines on the screen; may use `line` and `this` (this action).
     :param cached_output: keep what is printed, for :meth:`get_stdout` and :meth:`get_stderr`.
     :param log_cmd: log the command line.
-    :param on_exit: an entity, several, or a callable (event, context), for when the process has ended.
-    :param respawn: start it again whenever it ends, `respawn_delay` seconds later, at most
-        `respawn_max_retries` times (negative: without limit), until the launch is shut down.
+    :param on_exit: an entity, several, or a callable (event, context), visited or called when the process has ended.
+    :param respawn: start it again whenever it ends, `respawn_delay` seconds later, at most `respawn_max_retries` times (negative:
+        without limit), until the launch is shut down.
     """
 
     def __init__(

@@ -18,13 +18,13 @@ Pairs = list[tuple[Substitutions, Substitutions]]
 class ExecuteProcess(ExecuteLocal):
     """Run a command. `ros2 ...` and programs of known packages run in the simulation, and any other command runs on the computer.
 
-    :param cmd: the words, each a string or substitutions. In a plain string instead of a list, each letter would be one word.
+    :param cmd: the words, each a string or substitutions. With a plain string instead of a list, each letter would be a word.
     :param prefix: put in front of the command, such as 'xterm -e' (default: the launch configuration `launch-prefix`).
     :param name: name of the process in the log, without its number (default: the program's file name).
     :param cwd: working directory.
     :param env: the whole environment.
     :param additional_env: added to the environment.
-    :param kwargs: those of :class:`ExecuteLocal`, but for `process_description`.
+    :param kwargs: those of :class:`ExecuteLocal`, except `process_description`.
     """
 
     def __init__(

@@ -23,10 +23,11 @@ if TYPE_CHECKING:
 class GroupAction(Action):
     """Visit several actions together, with one condition for all.
 
-    :param scoped: launch configurations (so also the pushed namespace) and environment variables changed
-        inside are as before afterwards.
-    :param forwarding: the actions see what was set outside; without it only `launch_configurations`.
-    :param launch_configurations: set at the beginning.
+    :param scoped: restore the launch configurations, which include the pushed namespace, and the environment variables at the
+        end.
+    :param forwarding: let the actions see the configurations and variables set outside. Without it, they see only
+        `launch_configurations`.
+    :param launch_configurations: the configurations to set at the beginning.
     """
 
     def __init__(

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class OpaqueCoroutine(Action):
-    """Run `coroutine(context, *args, **kwargs)` as a task of launch's loop. Launch is not idle before the task ends.
+    """Run `coroutine(context, *args, **kwargs)` as a task of launch's loop. Launch is not idle until the task has ended.
 
     It is cancelled when the launch is shut down. `asyncio.sleep` in it takes simulated time.
 

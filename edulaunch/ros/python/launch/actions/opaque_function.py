@@ -18,7 +18,7 @@ class OpaqueFunction(Action):
     """Call `function(context, *args, **kwargs)` when launch visits it. Launch then visits the returned entities.
 
     The function can read launch configurations, so it can build actions from plain Python values. Its result is unknown before
-    (opaque), so `ros2 launch -s` does not list launch arguments that it declares.
+    the call (opaque), so `ros2 launch -s` does not list launch arguments that it declares.
 
     :raises TypeError: when `function` is not callable, or `args` or `kwargs` have the wrong type.
     """
@@ -44,5 +44,7 @@ class OpaqueFunction(Action):
         """Call the function."""
         entities = self.__function(context, *self.__args, **self.__kwargs)
         if entities is not None:
-            iter(entities)  # A single entity is a common mistake. Checked here, the error has the line of this action.
+            iter(
+                entities
+            )  # A single entity is a common mistake. Because the check is here, the error has the line of this action.
         return entities

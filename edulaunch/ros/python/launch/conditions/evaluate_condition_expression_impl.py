@@ -22,7 +22,7 @@ def evaluate_condition_expression(context: LaunchContext, expression: Iterable[S
     """Join the substitutions and return their boolean value: `true` and `1`, or `false` and `0`, in upper or lower case, with
     spaces around them.
 
-    :raises InvalidConditionExpressionError: for any other text, 'yes' and 'on' included.
+    :raises InvalidConditionExpressionError: for any other string, including 'yes' and 'on'.
     """
     expression = list(expression)
     text = perform_substitutions(context, expression).strip().lower()

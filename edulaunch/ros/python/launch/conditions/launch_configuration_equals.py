@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class LaunchConfigurationEquals(Condition):
-    """True if the launch configuration equals the expected string. The expected value None means "not set".
+    """True if the launch configuration equals the expected string. With None instead of a string, true if it is not set.
 
     Upstream has deprecated it in favour of `IfCondition(EqualsSubstitution(...))`. Creating one logs a warning.
     """

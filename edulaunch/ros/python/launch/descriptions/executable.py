@@ -40,9 +40,9 @@ class Executable:
     :param cmd: the words of the command line, each a string or substitutions.
     :param prefix: put in front of the command, split as in a shell. The default is the launch configuration `launch-prefix`, for
         programs whose name matches the regular expression in `launch-prefix-filter`.
-    :param name: of the process, without its number; without one, the program's file name.
-    :param cwd: working directory, without one that of launch.
-    :param env: the whole environment, without one that of launch.
+    :param name: the name of the process without its number. The default is the program's file name.
+    :param cwd: the working directory. The default is that of launch.
+    :param env: the whole environment. The default is that of launch.
     :param additional_env: added to the environment.
     :param arguments: further words of the command line.
     """
@@ -147,7 +147,7 @@ class Executable:
             self.__final_env.update(_perform_variables(context, self.__additional_env))
 
     def __prefix_words(self, context: LaunchContext, program: str) -> list[str]:
-        """Return the prefix of this program; one that was given is not subject to the filter."""
+        """Return the prefix of this program. The filter does not apply to the argument `prefix`."""
         if self.__given_prefix is not None:
             return shlex.split(perform_substitutions(context, self.__given_prefix))
         if 'launch-prefix' not in context.launch_configurations:

@@ -21,10 +21,8 @@ if TYPE_CHECKING:
 class OnActionEventBase(BaseEventHandler):
     """The base class of handlers for events that have an `action`.
 
-    :param action_matcher: an action (that very object), a callable that gets the action, or None for every
-        action.
-    :param on_event: an entity, several, or a callable that gets the event and the context and may return
-        entities.
+    :param action_matcher: an action (exactly that object), a callable that gets the action, or None for every action.
+    :param on_event: an entity, several, or a callable that gets the event and the context and may return entities.
     :param target_event_cls: the type of events.
     :param target_action_cls: the type that the action must have.
     :raises TypeError: for an `action_matcher` or an item of `on_event` of another type.

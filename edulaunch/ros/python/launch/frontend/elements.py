@@ -22,8 +22,8 @@ def words_of(text: str, parser: ParserProtocol) -> list[Word]:
     """Return the words of a command line; each is a list of substitutions.
 
     Substitutions are found first, then the literal parts between them are split as in a shell. Text next to a substitution stays
-    in one word with it, and the value of a substitution is never split. As upstream, an empty string, and blanks before the first
-    substitution, are one empty word.
+    in one word with it, and the value of a substitution is never split. As in upstream, an empty string, and blanks before the
+    first substitution, are one empty word.
 
     :raises ValueError: when a quote is not closed within one literal piece.
     """
@@ -66,7 +66,7 @@ Parsed = tuple[type, dict[str, Any]]
 Substitutions = list[Substitution]
 Reader = Callable[[Entity, ParserProtocol, str], Any]
 Attributes = dict[str, tuple[str, Reader]]
-"""Name of an attribute or child -> (keyword argument, how it is read)."""
+"""Name of an attribute or child -> (keyword argument, function that reads it)."""
 NOTHING: Attributes = {}
 
 
@@ -137,7 +137,7 @@ def typed(data_type: type) -> Reader:
 
 
 def as_given(data_type: type, *, can_be_str: bool = True) -> Reader:
-    """Return an attribute of that type. As upstream, substitutions in a string are not evaluated."""
+    """Return an attribute of that type. As in upstream, substitutions in a string are not evaluated."""
     return lambda entity, parser, name: entity.get_attr(name, data_type=data_type, can_be_str=can_be_str)
 
 
@@ -192,7 +192,7 @@ def _on_exit(entity: Entity, parser: ParserProtocol, name: str) -> list[Any]:
 
 
 def _seconds(entity: Entity, parser: ParserProtocol, name: str) -> float:
-    """Return a number of seconds: no text, so no substitution."""
+    """Return an attribute that is a number of seconds. A string is not allowed, so a substitution is not possible."""
     value: Any = entity.get_attr(name, data_type=float)
     if isinstance(value, str):
         error = TypeError("'<' not supported between instances of 'str' and 'float'")
@@ -220,13 +220,13 @@ PROCESS: Attributes = {
     'respawn_delay': ('respawn_delay', _seconds),
     'respawn_max_retries': ('respawn_max_retries', as_given(int)),
 }
-"""What every element that starts a program may have."""
+"""The attributes that every element that starts a program may have."""
 PROCESS_CHILDREN: Attributes = {'env': ('additional_env', mapping)}
 TIMER: tuple[Attributes, Attributes] = (
     {'period': ('period', typed(float))},
     {'cancel_on_shutdown': ('cancel_on_shutdown', typed(bool))},
 )
-"""What every kind of timer must, and may, have."""
+"""The attributes that every kind of timer must or may have."""
 _NAME: Attributes = {'name': ('name', text)}
 _NAME_AND_VALUE: Attributes = {**_NAME, 'value': ('value', text)}
 _KEEP: Attributes = {'keep': ('launch_configurations', mapping)}

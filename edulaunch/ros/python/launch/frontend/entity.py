@@ -24,7 +24,7 @@ class Entity(ABC):
     __slots__ = ('asked',)
 
     asked: set[str]
-    """The names that a parse function asked for so far; in XML those of attributes only."""
+    """The names that a parse function has requested so far. In XML, these are only names of attributes."""
 
     @property
     @abstractmethod
@@ -56,7 +56,7 @@ class Entity(ABC):
         """Return the attribute `name`.
 
         :param data_type: one of launch's allowed types, None for any of them, or `List[Entity]` for children.
-        :param optional: give None when it is missing.
+        :param optional: return None when it is missing.
         :param can_be_str: a string is also allowed (it may contain a substitution).
         :raises AttributeError: when it is missing.
         :raises TypeError: when it is of another type.
@@ -116,8 +116,8 @@ class Entity(ABC):
         return ()
 
 
-Entities = typing.List[Entity]  # noqa: UP006 (this very type is named in error texts)
-"""The data type with which a parse function asks for child elements."""
+Entities = typing.List[Entity]  # noqa: UP006 (error messages name exactly this type)
+"""The data type with which a parse function requests child elements."""
 
 
 def check_is_list_entity(data_type: Any) -> bool:

@@ -11,7 +11,7 @@ from .elements import ELEMENTS
 from .substitution_parsers import BUILT_IN_SUBSTITUTIONS
 
 ParseMethod = Callable[..., tuple[type, dict[str, Any]]]
-"""Gives what to make: a class (or function) and its keyword arguments."""
+"""Returns a class (or function), and its keyword arguments."""
 
 action_parse_methods: dict[str, ParseMethod] = {}
 """Element name -> function (entity, parser) -> (class, keyword arguments)."""
@@ -23,7 +23,7 @@ __all__ = ['action_parse_methods', 'expose_action', 'expose_substitution', 'subs
 Exposed = TypeVar('Exposed')
 
 SIBLINGS = ('launch_ros',)
-"""Packages that always extend launch, by their module `launch_extension`; all others are found by entry points, when needed."""
+"""Packages that always extend launch, by their module `launch_extension`. Entry points find all others on request."""
 
 action_parse_methods.update(ELEMENTS)
 substitution_parse_methods.update(BUILT_IN_SUBSTITUTIONS)

@@ -1,4 +1,4 @@
-"""Convert the text of an attribute to substitutions."""
+"""Convert the string of an attribute to substitutions."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ Template = tuple[str | Call, ...]
 _NAME = re.compile(r'[A-Za-z][A-Za-z0-9_-]*')
 _OUTSIDE = re.compile(r'(?:[^\\$]+|\$(?!\())+')
 _BARE = {'': re.compile(r'[^ \'"\\$()]+'), "'": re.compile(r"[^ '\\$()]+"), '"': re.compile(r'[^ "\\$()]+')}
-"""By the quotes around the call."""
+"""Patterns of unquoted text, by the quotation marks around the call."""
 _QUOTED = {"'": re.compile(r"(?:[^\\$']+|\$(?!\())+"), '"': re.compile(r'(?:[^\\$"]+|\$(?!\())+')}
 
 
@@ -50,7 +50,7 @@ def parse_template(text: str) -> Template:
 
 
 class _Reader:
-    """A recursive-descent parser over one text."""
+    """A recursive-descent parser of one string."""
 
     __slots__ = ('text', 'position', 'depth', 'quote')
 
@@ -61,7 +61,7 @@ class _Reader:
         self.quote = ''
 
     def pieces(self, literal: re.Pattern[str]) -> Template:
-        """Calls, escapes and runs of `literal`, up to the first character that is neither."""
+        """Yield calls, escapes and runs of `literal`, up to the first other character."""
         text = self.text
         pieces: list[str | Call] = []
         run: list[str] = []
@@ -122,7 +122,7 @@ class _Reader:
         return pieces
 
     def unexpected(self, expected: str) -> SubstitutionSyntaxError:
-        """Return the error for the character (or its absence) at the position."""
+        """Return the error for an unexpected character, or for the unexpected end of the string, at the position."""
         if self.position >= len(self.text):
             return UnexpectedEOF(self.text, self.position, expected)
         return UnexpectedCharacters(self.text, self.position, expected)
@@ -140,7 +140,7 @@ class UnexpectedInput(SubstitutionSyntaxError):
     """The text does not follow the grammar.
 
     :param position: index of the offending character.
-    :param expected: what would have been allowed there, in words.
+    :param expected: a description of the allowed characters.
     :ivar line: line of that character within the text, from 1.
     :ivar column: its column, from 1.
     """
@@ -216,7 +216,7 @@ def parse_if_substitutions(value: Any) -> Any:
 
     Other scalars are returned unchanged, and each item of a list is parsed.
 
-    :raises ValueError: when the items of a list, but for those with substitutions, are not all of one type.
+    :raises ValueError: when the items of a list, except those with substitutions, have different types.
     """
     if isinstance(value, str):
         if '$(' not in value and '\\' not in value:

@@ -39,8 +39,8 @@ def __getattr__(name: str) -> Any:
 class Parser:
     """Makes a launch description from the elements of a file. Each format has a subclass that reads the text.
 
-    :cvar extensions_loaded: whether launch extensions of installed packages were looked for.
-    :cvar frontend_parsers: all formats found so far, by name; None before the first look.
+    :cvar extensions_loaded: whether the parser has searched installed packages for launch extensions.
+    :cvar frontend_parsers: all formats found so far, by name; None before the first search.
     :ivar file: name of the file, or '' without a file. (edulaunch only.)
     """
 
@@ -48,7 +48,7 @@ class Parser:
     frontend_parsers: dict[str, type[Parser]] | None = None
     file = ''
 
-    # The description
+    # -- the description
 
     def parse_description(self, entity: Entity) -> LaunchDescription:
         """Return the launch description of a root element.
@@ -107,7 +107,7 @@ class Parser:
     parse_if_substitutions = staticmethod(parse_if_substitutions)
     escape_characters = staticmethod(replace_escaped_characters)
 
-    # The file
+    # -- the file
 
     @classmethod
     def load(cls, file: str | os.PathLike[str] | TextIO) -> tuple[Entity, Parser]:
@@ -170,7 +170,7 @@ class Parser:
                 setattr(error, f'edulaunch_{attribute}', value)
         return error
 
-    # The formats
+    # -- the formats
 
     @classmethod
     def get_file_extensions(cls) -> set[str]:

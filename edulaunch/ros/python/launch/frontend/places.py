@@ -1,7 +1,7 @@
 """Places and facts that edulaunch attaches to errors of ROS in XML and YAML launch files.
 
-Attributes of the error: `edulaunch_file`, `edulaunch_line`, and its facts (`edulaunch.engine.facts`), which `edulaunch.advice`
-turns into sentences.
+The attributes of the error are `edulaunch_file`, `edulaunch_line`, and its facts (`edulaunch.engine.facts`). `edulaunch.advice`
+turns the facts into messages.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ def complete_unreadable(error: Any, file: str) -> None:
 
 
 def _first_or_bad_line(error: Exception) -> int:
-    """Return the place of a byte that is not UTF-8. Any other problem concerns the whole text, so its place is line 1."""
+    """Return the place of a byte that is not UTF-8. Any other problem concerns the whole file, so its place is line 1."""
     return error.object.count(b'\n', 0, error.start) + 1 if isinstance(error, UnicodeDecodeError) else 1
 
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 class FrontendLaunchDescriptionSource(LaunchDescriptionSource):
     """A launch file written in XML, YAML or another format.
 
-    :param parser: of the format; without one all are tried.
+    :param parser: the parser for the format. By default, all parsers are tried.
     """
 
     def __init__(

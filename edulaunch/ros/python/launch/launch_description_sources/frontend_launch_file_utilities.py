@@ -16,7 +16,7 @@ def get_launch_description_from_frontend_launch_file(
 ) -> LaunchDescription:
     """Return the description in the file.
 
-    :param parser: of its format; without one all are tried, those first that know the file's extension.
+    :param parser: the parser for its format. By default, all are tried, and those for the file's extension come first.
     :raises InvalidFrontendLaunchFileError: when no parser can read it.
     """
     from ..frontend.parser import Parser

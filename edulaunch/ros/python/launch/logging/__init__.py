@@ -1,16 +1,16 @@
-"""launch's log lines: on the screen, and in files on request.
+"""Launch's log lines, on the screen and, on request, in files.
 
-As upstream, `launch_config` decides formats, level and places. `get_logger(name)` and `get_output_loggers(process, output)`
+As in upstream, `launch_config` decides formats, level and places. `get_logger(name)` and `get_output_loggers(process, output)`
 return loggers with these settings. Differences from upstream:
 
 * Loggers, handlers and `launch_config` belong to the running process (`LoggingState`), not to the
-  interpreter, so two simulations do not share them. `launch_config` stands for that of the process that is
-  running.
+  interpreter, so two simulations do not share them. `launch_config` represents that of the running
+  process.
 * The screen is the process's own standard output.
 * **Log files are written only when asked for**: when ROS_LOG_DIR or ROS_HOME is set in the process's
   environment, or `launch_config.log_dir` or `launch_config.log_handler_factory` was set. A command in a
-  terminal always has ROS_HOME. Else nothing appears below `~/.ros`, and the line "All log files can be found
-  below ..." is not printed. Reading `launch_config.log_dir` makes the folder.
+  terminal always has ROS_HOME. Otherwise, no file appears below `~/.ros`, and the line "All log files can be found
+  below ..." is not printed. Reading `launch_config.log_dir` creates the folder.
 * Times in log lines are simulated.
 """
 

@@ -14,7 +14,7 @@ from . import handlers
 
 
 def _get_logging_directory() -> str:
-    """Return the folder below which each launch makes its own: $ROS_LOG_DIR, else $ROS_HOME/log, else ~/.ros/log."""
+    """Return the folder in which each launch creates its own folder: $ROS_LOG_DIR, else $ROS_HOME/log, else ~/.ros/log."""
     env = environment()
     log_dir = env.get('ROS_LOG_DIR')
     if not log_dir:
@@ -23,8 +23,8 @@ def _get_logging_directory() -> str:
 
 
 def _make_unique_log_dir(*, base_path: str) -> str:
-    """Make `base_path/YYYY-MM-DD-HH-MM-SS-microseconds-HOST-PID`, of the simulated time; `-2`, `-3` ... when
-    that exists.
+    """Create `base_path/YYYY-MM-DD-HH-MM-SS-microseconds-HOST-PID` with the simulated time, and append `-2`, `-3` ... if it
+    already exists.
     """
     from socket import gethostname
 
@@ -80,18 +80,17 @@ ALIASES = {'default': '[{levelname}] [{name}]: {msg}', 'default_with_timestamp':
 class LaunchConfig:
     """The logging configuration of one process.
 
-    :ivar log_handler_factory: called with the path of a log file to make its handler; None for the usual file
-        handler.
+    :ivar log_handler_factory: called with the path of a log file; returns its handler. None means the usual file handler.
     """
 
     def __init__(self, root: logging.Logger) -> None:
         self._root = root
         self.dry = False
-        """Whether nothing is to be left behind: a plan writes no log files."""
+        """Whether nothing may be written: a plan creates no log files."""
         self.reset()
 
     def reset(self) -> None:
-        """Restore the formats, level and places of the start. Loggers keep their handlers."""
+        """Restore the formats, level and folders that were set at the start. Loggers keep their handlers."""
         self._log_dir: str | None = None
         self.file_handlers: dict[str, Any] = {}
         self.screen_handler: Any = None

@@ -1,6 +1,6 @@
 """Python's log handlers, with a format for each logger.
 
-`Handler`, `StreamHandler`, `FileHandler`, `NullHandler`, and under their own names all handlers of `logging.handlers`.
+The handlers are `Handler`, `StreamHandler`, `FileHandler`, `NullHandler` and all handlers of `logging.handlers`.
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class AnonName(Substitution):
-    """The name with host, process number and a random number. Equal names give equal results within one launch.
+    """The name, followed by the host, the process number and a random number. Equal names give equal results within one launch.
 
     The host is called `edulaunch` and the number comes from the simulation's seed, so that runs repeat.
     """

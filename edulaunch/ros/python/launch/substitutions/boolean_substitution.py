@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 def truth(context: LaunchContext, substitutions: Iterable[Substitution]) -> bool:
     """Return the value of a boolean of YAML (true, yes, on ...), 1 or 0.
 
-    :raises SubstitutionFailure: for any other text.
+    :raises SubstitutionFailure: for any other string.
     """
     try:
         return bool(coerce_to_type(perform_substitutions(context, substitutions), bool))
@@ -45,7 +45,7 @@ class NotSubstitution(Substitution):
 
 
 class _Combined(Substitution):
-    """Several operands, which `_combine` combines to one value."""
+    """Several operands, which `_combine` combines into one value."""
 
     _combine: ClassVar[Callable[[Iterable[bool]], bool]]
 

@@ -20,10 +20,8 @@ if TYPE_CHECKING:
 class Command(Substitution):
     """The output of a command, including its last newline. The command line is split as in a shell, but no shell runs.
 
-    :param on_stderr: what output on standard error means: 'fail', 'ignore', 'warn', or 'capture' (part of the
-        text).
-    :raises SubstitutionFailure: on evaluation, when the command is missing, fails, or prints errors and may
-        not.
+    :param on_stderr: how to treat output on standard error: 'fail', 'ignore', 'warn', or 'capture' (add it to the output).
+    :raises SubstitutionFailure: on evaluation, when the command is missing, fails, or prints to standard error with 'fail'.
     """
 
     def __init__(self, command: SomeSubstitutionsType, *, on_stderr: SomeSubstitutionsType = 'fail') -> None:

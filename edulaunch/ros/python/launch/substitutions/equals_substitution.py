@@ -22,8 +22,7 @@ class EqualsSubstitution(Substitution):
     """'true' if two values are equal. True, False, 1 and 0 compare as booleans, numbers as numbers (nearly equal counts as
     equal), and other values as strings.
 
-    :param left, right: substitutions, or plain values: None is the empty text, booleans are 'true' and
-        'false'.
+    :param left, right: substitutions, or plain values: None is the empty string, booleans are 'true' and 'false'.
     """
 
     def __init__(self, left: Any | None, right: Any | None) -> None:

@@ -31,7 +31,7 @@ class FileContent(Substitution):
         return f'FileContent({describe_all(self.__path)})'
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the text."""
+        """Return the content of the file."""
         path = perform_substitutions(context, self.__path)
         try:
             with open(inside(path), encoding='utf-8') as file:

@@ -39,5 +39,5 @@ class IfElseSubstitution(Substitution):
         return f'IfElseSubstitution({", ".join(describe_all(part) for part in parts)})'
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the chosen text."""
+        """Return the chosen string."""
         return perform_substitutions(context, self.__if_value if truth(context, self.__condition) else self.__else_value)

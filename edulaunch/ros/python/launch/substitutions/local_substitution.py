@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 class LocalSubstitution(Substitution):
     """The value of `context.locals.<expression>`, such as `event.<something>` inside an event handler.
 
-    :param expression: a name, and what may follow it in Python: `.attribute`, `['key']`.
+    :param expression: a name, optionally followed by `.attribute` or `['key']` as in Python.
     :param description: for people, instead of the expression.
     :raises AttributeError: on evaluation, when there is no such local.
     """

@@ -18,6 +18,6 @@ class PathSubstitution(PathJoinSubstitution):
         super().__init__([path] if isinstance(path, (str, Substitution)) else path)
 
     def __truediv__(self, part: SomeSubstitutionsType) -> PathSubstitution:
-        """Return the path with one more part. The items of a list are joined to one part first."""
+        """Return the path with one more part. The items of a list are joined into one part first."""
         whole = part if isinstance(part, (str, Substitution)) else StringJoinSubstitution(part)
         return PathSubstitution([*self.substitutions, whole])

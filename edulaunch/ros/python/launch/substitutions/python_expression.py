@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class PythonExpression(Substitution):
-    """`str(eval(text))` of the joined text.
+    """The result of `str(eval(text))`, where `text` is the joined expression.
 
     Names of the `math` module need no prefix; other modules are used by their names. Put values of launch configurations in
     quotation marks inside the expression; otherwise, Python reads them as names.

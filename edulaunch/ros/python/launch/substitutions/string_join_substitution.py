@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class StringJoinSubstitution(Substitution):
-    """The parts joined with `delimiter` between them. Newer than Jazzy's first release."""
+    """The parts joined with `delimiter` between them. The class is newer than Jazzy's first release."""
 
     def __init__(self, substitutions: Iterable[SomeSubstitutionsType], delimiter: SomeSubstitutionsType = '') -> None:
         self.__substitutions = [normalize_to_list_of_substitutions(part) for part in substitutions]
@@ -29,6 +29,6 @@ class StringJoinSubstitution(Substitution):
         return f'StringJoin({" + ".join(describe_all(part) for part in self.__substitutions)})'
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the joined text."""
+        """Return the joined string."""
         delimiter = perform_substitutions(context, self.__delimiter)
         return delimiter.join(perform_substitutions(context, part) for part in self.__substitutions)

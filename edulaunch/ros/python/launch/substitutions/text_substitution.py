@@ -36,5 +36,5 @@ class TextSubstitution(Substitution):
 
 
 def describe_all(substitutions: Iterable[Substitution]) -> str:
-    """Return several substitutions that are joined: `'a' + LaunchConfig('b')`."""
+    """Return the description of several joined substitutions, such as `'a' + LaunchConfig('b')`."""
     return ' + '.join([substitution.describe() for substitution in substitutions])

@@ -15,7 +15,7 @@ _WORD = re.compile(r'[A-Za-z_/][A-Za-z0-9_/.]*\Z')
 _INTEGER = re.compile(r'-?(?:0|[1-9][0-9]*)\Z')
 _DECIMAL = re.compile(r'-?[0-9]+\.[0-9]+\Z')
 _SHORT = 200
-"""The length of a string that, without aliases, is neither too deep nor too large."""
+"""The maximum length of a string that, without aliases, can be neither nested too deeply nor too large."""
 _NULLS = ('null', 'Null', 'NULL')
 
 
@@ -24,7 +24,7 @@ def load_yaml_value(text: str) -> Any:
     (50 us each).
 
     :raises yaml.YAMLError: when the text is not YAML.
-    :raises ValueError: when it is nested too deep, or its aliases multiply it too much.
+    :raises ValueError: when it is nested too deeply, or its aliases make it too large.
     """
     if _WORD.match(text):
         if text in YAML_BOOLEANS:

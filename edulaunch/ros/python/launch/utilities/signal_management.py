@@ -21,9 +21,9 @@ SignalHandler = Callable[[int], object]
 class AsyncSafeSignalManager:
     """Handles signals of the running process as callbacks of an asyncio loop.
 
-    It does so in a `with` block, which restores everything at its end. A plain script receives real signals, if Python has a
-    handler for them, as upstream. That handler is called as well, unless it raises KeyboardInterrupt. Such a handler is called
-    only if the signal comes again before the loop has handled it.
+    It does so inside a `with` block, whose end restores the previous handlers. As in upstream, a plain script receives the real
+    signals for which Python has a handler. That handler is called as well. If it raises KeyboardInterrupt, it is called only when
+    the signal comes again before the loop has handled it.
     """
 
     def __init__(self, loop: asyncio.AbstractEventLoop) -> None:

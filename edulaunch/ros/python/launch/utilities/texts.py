@@ -13,9 +13,9 @@ if TYPE_CHECKING:
 
 
 def plain_text(value: Any) -> str | None:
-    """Return the text of a `str`, or of a list or tuple that contains exactly one literal string; None for anything else.
+    """Return the string of a `str`, or of a list or tuple with exactly one literal string; otherwise, return None.
 
-    Launch files contain hardly anything else, and the general evaluation takes ten times as long.
+    Nearly all values in launch files have this form, and the general evaluation takes ten times as long.
     """
     kind = type(value)
     if kind is str:

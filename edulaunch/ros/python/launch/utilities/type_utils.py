@@ -26,9 +26,9 @@ AllowedTypesType = Any
 """One of :data:`AllowedTypesTuple`."""
 AllowedValueType = int | float | bool | str | list[int] | list[float] | list[bool] | list[str]
 SomeValueType = Any
-"""An allowed value, something that contains substitutions, or a list of such."""
+"""An allowed value, an object that contains substitutions, or a list of such objects."""
 NormalizedValueType = Any
-"""What :func:`normalize_typed_substitution` returns."""
+"""The result of :func:`normalize_typed_substitution`."""
 StrSomeValueType = Any
 
 
@@ -68,7 +68,7 @@ def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
 
 
 def is_instance_of(value: Any, data_type: AllowedTypesType, can_be_str: bool = False) -> bool:
-    """Return whether the value has the type. None means any allowed type, and True counts as an int, as in Python.
+    """Return whether the value has the type. The type None means any allowed type. As in Python, True counts as an int.
 
     :param can_be_str: a string (or, in a list, strings) is also accepted.
     :raises ValueError: for a type that is not allowed.
@@ -85,7 +85,7 @@ def is_instance_of(value: Any, data_type: AllowedTypesType, can_be_str: bool = F
 def coerce_to_type(value: str, data_type: AllowedTypesType = None, can_be_str: bool = False) -> AllowedValueType:
     """Convert a string.
 
-    :param data_type: None means: by YAML's rules, whatever comes out.
+    :param data_type: None means any type, by YAML's rules.
     :param can_be_str: return the string itself if it cannot be converted; a list may contain strings besides its type.
     :raises TypeError: when `value` is not a string.
     :raises ValueError: when it cannot be converted.
@@ -149,9 +149,9 @@ def _load(value: str, message: str) -> Any:
 def coerce_list(value: list[str], data_type: AllowedTypesType = None, can_be_str: bool = False) -> list[Any]:
     """Convert each string of a list.
 
-    :param data_type: of the items.
+    :param data_type: the type of the items, or None for YAML's rules.
     :raises TypeError: when `value` is not a list of strings.
-    :raises ValueError: when one cannot be converted, or with no type given, when the results differ in type.
+    :raises ValueError: when an item cannot be converted, or when the results differ in type without a `data_type`.
     """
     if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
         raise TypeError(f"value='{value}' is not a list of strings")
@@ -164,7 +164,7 @@ def coerce_list(value: list[str], data_type: AllowedTypesType = None, can_be_str
 def get_typed_value(value: str | list[str], data_type: AllowedTypesType, can_be_str: bool = True) -> Any:
     """Convert a string or a list of strings; see :func:`coerce_to_type` and :func:`coerce_list`.
 
-    :raises TypeError: for a list when the type is that of a single value, and for what is neither text nor list.
+    :raises TypeError: for a list when the type is that of a single value, and for a value that is neither a string nor a list.
     """
     if not isinstance(value, list):
         return coerce_to_type(value, data_type, can_be_str)
@@ -193,9 +193,9 @@ def normalize_typed_substitution(value: SomeValueType, data_type: AllowedTypesTy
     """Check a value as far as possible before launch time, and convert it to one form.
 
     A scalar does not change. A substitution, or a list of strings and substitutions, is one value: a list of substitutions. Any
-    other list is a list value, whose items are treated one by one.
+    other list is a list value, and each of its items is normalized separately.
 
-    :raises TypeError: when a literal has not the type.
+    :raises TypeError: when a literal does not have the type.
     """
     if type(value) is data_type:
         return value
@@ -218,8 +218,8 @@ def perform_typed_substitution(
 ) -> AllowedValueType:
     """Evaluate the result of :func:`normalize_typed_substitution`.
 
-    :raises TypeError: when a literal has not the type.
-    :raises ValueError: when the text of a substitution cannot be converted, or a list differs in type.
+    :raises TypeError: when a literal does not have the type.
+    :raises ValueError: when the string of a substitution cannot be converted, or the items of a list differ in type.
     """
     if type(value) is data_type:
         return value  # type: ignore[no-any-return]
@@ -251,7 +251,7 @@ def ensure_argument_type(argument: Any, types: type | Iterable[type], argument_n
     """Check that `argument` is an instance of one of `types`.
 
     :param caller: the function or class named in the message.
-    :raises TypeError: naming the caller, the argument, the expected types, and what came.
+    :raises TypeError: with the caller, the argument, the expected types and the actual type in its message.
     """
     expected = types if isinstance(types, tuple) else (types,) if isinstance(types, type) else tuple(types)
     if isinstance(argument, expected):

@@ -1,6 +1,6 @@
-"""Convert YAML text to plain data whose mappings know their lines.
+"""Convert YAML text to plain data whose mappings store their lines.
 
-Launch files come from strangers: aliases must not multiply the text, and nesting has a limit.
+Launch files can come from strangers, so the size of expanded aliases and the depth of nesting are limited.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from edulaunch.engine.facts import with_facts
 
 
 class Mapping(dict):  # type: ignore[type-arg]
-    """A mapping of the file with its line.
+    """A mapping in the file, with its line.
 
     :ivar line: the line of its first key, from 1.
     """
@@ -31,16 +31,16 @@ MAX_GROWTH = 10
 SMALL = 1_000
 """The number of values that is always allowed."""
 LONGEST_READ_TWICE = 100_000
-"""So many characters, of which PyYAML's own reader reads about a million in ten seconds."""
+"""The maximum number of characters to read a second time. PyYAML's own reader reads about a million characters in ten seconds."""
 SAFE_DEPTH = 1_000
 """libyaml's composer uses the machine's stack, half a kilobyte per level; this is safe even in a thread."""
 
 
 def read(text: str) -> Any:
-    """Return the data of the single document in `text`, as `yaml.safe_load` gives it; dicts are :class:`Mapping`.
+    """Return the data of the single document in `text`, as `yaml.safe_load` returns it; dicts are :class:`Mapping`.
 
     :raises yaml.YAMLError: when the text is not (plain, single-document) YAML.
-    :raises ValueError: when it is nested too deep, its aliases multiply it too much, or a date is impossible.
+    :raises ValueError: when it is nested too deeply, its aliases make it too large, or a date is impossible.
     """
     loader_class: Any = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
     depth = _possible_depth(text)
@@ -69,7 +69,9 @@ def read_file(text: str, name: str) -> Any:
 
 
 def _error_in_full(text: str, name: str) -> yaml.YAMLError | None:
-    """Return what upstream's users see: libyaml reads several times as fast, but PyYAML's own reader says more."""
+    """Return the error that users of upstream see. libyaml reads several times as fast, but the errors of PyYAML's own reader
+    contain more.
+    """
     if len(text) > LONGEST_READ_TWICE:
         return None
     stream = StringIO(text)
@@ -86,7 +88,7 @@ def _error_in_full(text: str, name: str) -> yaml.YAMLError | None:
 
 
 def _data_of(node: Any, loader: Any) -> Any:
-    """Return what PyYAML's constructor makes of a node, for the usual tags several times as fast."""
+    """Return the data that PyYAML's constructor makes of a node. For the usual tags, this function is several times as fast."""
     tag = node.tag
     if tag == 'tag:yaml.org,2002:str' and isinstance(node, yaml.ScalarNode):
         return node.value
@@ -150,7 +152,7 @@ def _refused(text: str, line: int) -> ValueError:
 
 
 class _Size:
-    """Counts the values below a node. Nodes that aliases share count each time, but are visited once."""
+    """Counts the values below a node. A node to which several aliases refer counts each time, but is visited once."""
 
     def __init__(self, limit: int) -> None:
         self.limit = limit

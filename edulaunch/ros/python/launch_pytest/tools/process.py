@@ -1,7 +1,7 @@
 """Wait until a process has started, has ended, or has written something.
 
-Each has two forms: a coroutine, and a `..._sync` one for tests that are plain functions. Timeouts are in simulated seconds; None
-waits without a limit. Actions whose output is checked need `cached_output=True`.
+Each function has two forms: a coroutine, and one ending in `_sync` for tests that are plain functions. Timeouts are in simulated
+seconds; None waits without a limit. Actions whose output is checked need `cached_output=True`.
 """
 
 from __future__ import annotations
@@ -81,14 +81,15 @@ def _complain(action: ExecuteLocal, validate: Validate, stream: str) -> None:
 
 
 def _for_output(stream: str) -> tuple[Any, Any, Any, Any]:
-    """Return the four functions that look at what a process wrote to 'stdout' or 'stderr'."""
+    """Return the four functions that check the output of a process on 'stdout' or 'stderr'."""
 
     async def wait(
         launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
     ) -> bool:
-        """Wait until all that a process wrote is as it should be; False when it is not in time.
+        """Wait until the output of a process is as expected. Return False if it is not before the timeout.
 
-        :param validate_output: called with the text; it returns whether it is right, or makes assertions and returns nothing.
+        :param validate_output: called with the output. It returns whether the output is as expected, or makes assertions and
+            returns None.
         """
         return await _wait(launch_context, *_look(process_action, validate_output, stream), timeout)
 
@@ -101,7 +102,7 @@ def _for_output(stream: str) -> tuple[Any, Any, Any, Any]:
     async def check(
         launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
     ) -> None:
-        """Wait as `wait_for_...` does. Raise AssertionError after the timeout: the one of `validate_output`, if it raises one."""
+        """Wait as `wait_for_...` does. After the timeout, raise AssertionError: that of `validate_output`, if it raises one."""
         if not await wait(launch_context, process_action, validate_output, timeout):
             _complain(process_action, validate_output, stream)
 
@@ -122,7 +123,9 @@ def _for_event(handler: Callable[..., Any], argument: str, has_come: Callable[[E
         return lambda tell: handler(target_action=action, **{argument: tell}), lambda: has_come(action)
 
     async def wait(launch_context: LaunchContext, process_action: ExecuteLocal, timeout: float | None = None) -> bool:
-        """Wait until it has come (a process that started may have ended since); False when it has not in time."""
+        """Wait until the process has started or ended. Return False if it has not before the timeout. A started process may
+        already have ended.
+        """
         return await _wait(launch_context, *look(process_action), timeout)
 
     def wait_sync(launch_context: LaunchContext, process_action: ExecuteLocal, timeout: float | None = None) -> bool:

@@ -1,4 +1,4 @@
-"""Actions that know ROS: nodes, containers, and settings for the nodes that follow."""
+"""Actions for ROS: nodes, containers, and settings for the nodes that follow."""
 
 from typing import TYPE_CHECKING
 

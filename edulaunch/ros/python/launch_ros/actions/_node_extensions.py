@@ -37,7 +37,7 @@ class NodeActionExtension:
 
 
 def get_extensions(logger: Any) -> dict[str, NodeActionExtension]:
-    """Return one extension of each installed class, by name; one that cannot be made gives a warning."""
+    """Return one extension of each installed class, by name. An extension that cannot be created causes a warning."""
     extensions: dict[str, NodeActionExtension] = {}
     if not _are_announced(tuple(sys.path)):
         return extensions
@@ -62,9 +62,9 @@ def instantiate_extension(
     *,
     unique_instance: bool = False,
 ) -> NodeActionExtension | None:
-    """Make an extension and keep it in `extensions`; None, and a warning, when that fails.
+    """Create an extension and store it in `extensions`. If that fails, log a warning and return None.
 
-    :param unique_instance: do not keep it, and do not take one that was kept.
+    :param unique_instance: always create a new extension, and do not store it.
     """
     if not unique_instance and extension_name in extensions:
         return extensions[extension_name]
@@ -81,7 +81,7 @@ def instantiate_extension(
 
 @lru_cache(maxsize=8)
 def _are_announced(folders: tuple[str, ...]) -> bool:
-    """Return whether any installed package names the group; asking `importlib.metadata` takes thirty times as long."""
+    """Return whether any installed package declares the group. A query of `importlib.metadata` takes thirty times as long."""
     return any(
         GROUP.encode() in _entry_points_text(os.path.join(folder, name)) for folder in folders for name in _packages(folder)
     )

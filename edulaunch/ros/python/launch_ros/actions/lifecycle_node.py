@@ -24,10 +24,10 @@ class LifecycleNode(Node):
     """A Node whose state launch can observe and change.
 
     Its transitions arrive as :class:`launch_ros.events.lifecycle.StateTransition`; a
-    :class:`launch_ros.events.lifecycle.ChangeState` event makes it change. Both work through the node's topic
-    `transition_event` and service `change_state`.
+    :class:`launch_ros.events.lifecycle.ChangeState` event requests a transition. Both work through the node's topic
+        `transition_event` and service `change_state`.
 
-    :raises RuntimeError: on execution, when name or namespace are not known to the launch file.
+    :raises RuntimeError: on execution, when the launch file does not set the name or the namespace.
     """
 
     def __init__(self, *, name: SomeSubstitutionsType, namespace: SomeSubstitutionsType, **kwargs: Any) -> None:
@@ -64,7 +64,7 @@ class LifecycleNode(Node):
 
 
 def _change_state_action(node: LifecycleNode) -> LaunchDescriptionEntity:
-    """Return an action that sends the ChangeState event that is handled just now."""
+    """Return an action that sends the request of the ChangeState event that is being handled."""
     from launch.actions.opaque_function import OpaqueFunction
 
     def send(context: LaunchContext) -> None:

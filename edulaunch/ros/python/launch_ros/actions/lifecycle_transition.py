@@ -29,7 +29,7 @@ _STEPS = {
     4: ('deactivating', 'inactive'),
     **dict.fromkeys((5, 6, 7), ('shuttingdown', 'finalized')),
 }
-"""The state during a transition, and that after its success."""
+"""The state during a transition, and the state after its success."""
 
 
 class LifecycleTransition(Action):
@@ -78,9 +78,9 @@ def _number(text: str) -> int:
 class _Sequence:
     """The transitions of one node.
 
-    :ivar asking: the action that asks for each transition.
-    :ivar handlers: what is done when each has succeeded: the next one is asked for, and after the last one nothing is left.
-    :ivar on_error: forgets the handlers when the node processes an error.
+    :ivar asking: the action that requests each transition.
+    :ivar handlers: the handler for the success of each transition, which requests the next one.
+    :ivar on_error: unregisters the handlers when the node processes an error.
     """
 
     def __init__(self, name: str, numbers: list[int]) -> None:

@@ -38,18 +38,17 @@ Words = list[str | Substitution]
 class Node(ExecuteProcess):
     """Start a node.
 
-    :param executable: name of the executable in `package`, or without a package a command.
-    :param package: the package that has it.
-    :param name: the node's name; without one the program's own is kept.
-    :param namespace: put the node there; relative to the namespaces pushed around it.
+    :param executable: the name of the executable in `package`. Without a package, it is a command.
+    :param package: the package that contains it.
+    :param name: the node's name. The default is the name in the program.
+    :param namespace: the node's namespace, relative to the namespaces pushed around it.
     :param exec_name: the name of the process in the log.
-    :param parameters: a list of parameter files, dicts, and
-        :class:`~launch_ros.parameter_descriptions.Parameter`.
+    :param parameters: a list of parameter files, dicts, and :class:`~launch_ros.parameter_descriptions.Parameter`.
     :param remappings: (from, to) pairs for topics and services.
     :param ros_arguments: further arguments after `--ros-args`.
     :param arguments: the program's own arguments.
-    :param kwargs: those of :class:`launch.actions.ExecuteProcess`, but for `cmd`.
-    :raises TypeError: when `parameters` or `remappings` are not of the right kind.
+    :param kwargs: those of :class:`launch.actions.ExecuteProcess`, except `cmd`.
+    :raises TypeError: when `parameters` or `remappings` have the wrong type.
 
     Its execution can raise PackageNotFoundError, SubstitutionFailure (no such executable), and rclpy's InvalidNodeNameException
     and InvalidNamespaceException.
@@ -176,7 +175,7 @@ class Node(ExecuteProcess):
         }
 
     def _perform_substitutions(self, context: LaunchContext) -> None:
-        """Complete the command line. The parts of the process itself are left for :meth:`execute`."""
+        """Complete the command line. :meth:`execute` evaluates the parts that belong to the process."""
         if self.__substitutions_performed:
             return
         self.__substitutions_performed = True
@@ -225,7 +224,7 @@ class Node(ExecuteProcess):
 
     @property
     def written_remappings(self) -> list[RemapRule]:
-        """Its own remappings as they are in the launch file, for code that inspects the file without running it."""
+        """The node's own remappings as the launch file contains them, for code that inspects the file without running it."""
         return self.__remappings
 
     def __expand_remappings(self, context: LaunchContext, words: Words) -> None:

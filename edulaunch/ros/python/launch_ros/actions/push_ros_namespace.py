@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 class PushROSNamespace(Action):
     """Put later nodes into a namespace, inside the namespace that was pushed before. The end of a GroupAction removes it.
 
-    :raises SubstitutionFailure: on execution, when the result is not a namespace.
+    :raises SubstitutionFailure: on execution, when the result is not a valid namespace.
     """
 
     def __init__(self, namespace: SomeSubstitutionsType, **kwargs: Any) -> None:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class SetParameter(Action):
-    """Set a parameter for every node that starts later in this scope. A node's own parameters replace it.
+    """Set a parameter for every node that starts later in this scope. A node's own parameters override it.
 
     As in ROS, a list of values is passed on in a form that the node reads as a string.
     """

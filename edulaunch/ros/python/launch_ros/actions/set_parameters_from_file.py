@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 class SetParametersFromFile(Action):
     """Pass a parameter file to every node that starts later in this scope.
 
-    :raises AssertionError: when such a node is executed and the path is not a file, as upstream.
+    :raises AssertionError: when such a node is executed and the path is not a file, as in upstream.
     """
 
     def __init__(self, filename: SomeSubstitutionsType, **kwargs: Any) -> None:

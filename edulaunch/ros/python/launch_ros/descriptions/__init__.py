@@ -1,4 +1,4 @@
-"""What a container is made of."""
+"""Descriptions of the nodes in a container."""
 
 from ..parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from .composable_node import ComposableNode

@@ -20,8 +20,8 @@ class ComposableNode:
 
     :param package: the package with the plugin.
     :param plugin: its class name, such as 'composition::Talker'.
-    :param extra_arguments: like parameters, for the container (`use_intra_process_comms`).
-    :param condition: without one the node is always loaded.
+    :param extra_arguments: arguments for the container, in the form of parameters (`use_intra_process_comms`).
+    :param condition: by default, the node is always loaded.
     """
 
     def __init__(
@@ -54,5 +54,5 @@ class ComposableNode:
     extra_arguments: ReadOnly[Any | None] = ReadOnly('Normalized arguments for the container, or None.')
 
     def condition(self) -> Condition | None:
-        """Return the condition, or None. This is a method, as upstream."""
+        """Return the condition, or None. As in upstream, this is a method."""
         return self.__condition

@@ -1,4 +1,4 @@
-"""Handlers for events that know ROS."""
+"""Handlers for events of ROS nodes."""
 
 from .on_state_transition import OnStateTransition
 

@@ -24,8 +24,8 @@ class OnStateTransition(EventHandler):
     :param target_lifecycle_node: only this node's transitions; None means any node.
     :param transition, start_state, goal_state: only transitions with these labels ('configure', 'inactive' ...); None means any
         label.
-    :param matcher: instead of all of these.
-    :raises RuntimeError: when the target is not a LifecycleNode, or `matcher` is combined with them.
+    :param matcher: a matcher in place of all other parameters.
+    :raises RuntimeError: when the target is not a LifecycleNode, or `matcher` is combined with other parameters.
     """
 
     def __init__(

@@ -1,4 +1,4 @@
-"""Events that know ROS."""
+"""Events of ROS nodes."""
 
 from . import lifecycle
 from .matchers import matches_node_name

@@ -1,4 +1,4 @@
-"""Substitutions that know ROS packages and parameters."""
+"""Substitutions for ROS packages and parameters."""
 
 from .executable_in_package import ExecutableInPackage
 from .find_package import FindPackage, FindPackagePrefix, FindPackageShare

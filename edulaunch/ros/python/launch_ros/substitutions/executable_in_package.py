@@ -55,7 +55,7 @@ class ExecutableInPackage(FindPackagePrefix):
         from edulaunch.engine.processes import current_process
 
         index = current_process().index
-        if absent_package(package) is not None:  # a real ROS 2 has it; here, the program reports why it cannot run
+        if absent_package(package) is not None:  # it exists in a real ROS 2; here, the program reports why it cannot run
             return os.path.join(index.absent_prefix, 'lib', package, executable)
         prefix = super().perform(context)
         folder = os.path.join(prefix, 'lib', package)
@@ -73,7 +73,7 @@ class ExecutableInPackage(FindPackagePrefix):
 
 
 def _failure(message: str, index: Any, package: str, executable: str) -> SubstitutionFailure:
-    """Return ROS's own error, with facts about such an executable."""
+    """Return ROS's own error, with facts about the missing executable."""
     from edulaunch.ros.sources.missing import missing_executable
 
     return with_facts(SubstitutionFailure(message), **missing_executable(index, package, executable))

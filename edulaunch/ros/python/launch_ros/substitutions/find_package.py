@@ -32,7 +32,7 @@ class FindPackage(Substitution):
     def find(self, package_name: str) -> str:
         """Return the path of the package.
 
-        :raises NotImplementedError: in this base class, as upstream.
+        :raises NotImplementedError: in this base class, as in upstream.
         """
         raise NotImplementedError('find() is for subclasses of FindPackage')
 

@@ -17,7 +17,7 @@ class Parameter(Substitution):
     """The value that the nearest :class:`~launch_ros.actions.SetParameter` has set for a parameter, as a string.
 
     :param default: used if the parameter is not set.
-    :raises SubstitutionFailure: on evaluation, when there is neither.
+    :raises SubstitutionFailure: on evaluation, when there is neither a value nor a default.
     """
 
     def __init__(self, name: SomeSubstitutionsType, *, default: SomeSubstitutionsType | None = None) -> None:

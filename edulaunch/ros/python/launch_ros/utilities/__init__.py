@@ -1,4 +1,4 @@
-"""What the actions here are built with."""
+"""Functions that the actions of launch_ros use."""
 
 from .evaluate_parameters import evaluate_parameter_dict, evaluate_parameters
 from .namespace_utils import is_namespace_absolute, is_root_namespace, make_namespace_absolute, prefix_namespace

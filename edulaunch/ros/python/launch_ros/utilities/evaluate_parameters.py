@@ -31,7 +31,7 @@ _WRAP = (
 def evaluate_parameters(context: LaunchContext, parameters: Parameters) -> EvaluatedParameters:
     """Return paths, dicts of plain values (with tuples for lists, except those of a ParameterValue), and Parameters, in order.
 
-    :param parameters: what :func:`~launch_ros.utilities.normalize_parameters` returned.
+    :param parameters: the result of :func:`~launch_ros.utilities.normalize_parameters`.
     :raises TypeError: for a value that no ROS parameter can have; it names the parameter.
     """
     return tuple([_evaluate(context, item) for item in parameters])

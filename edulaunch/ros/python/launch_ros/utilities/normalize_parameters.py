@@ -21,7 +21,7 @@ _ITEM_TYPES = (float, int, str, bool, *SomeSubstitutionsType_types_tuple)
 def normalize_parameters(parameters: SomeParameters) -> Parameters:
     """Return a list of parameter files, dicts and Parameters.
 
-    :raises TypeError: when it is not a list, or an item or value is of no kind that can be used.
+    :raises TypeError: when it is not a list, or an item or a value has an unsupported type.
     """
     if isinstance(parameters, str) or not isinstance(parameters, Sequence):
         raise TypeError(f'Expecting list of parameters, got {parameters}')
@@ -37,7 +37,7 @@ def _normalize(item: Any) -> Any:
 def normalize_parameter_dict(parameters: SomeParametersDict, *, _prefix: Sequence[Substitution] = ()) -> ParametersDict:
     """Return one mapping as a flat dict. Nested names are joined with '.', and an empty nested mapping disappears.
 
-    :raises TypeError: for a value of no kind that can be used.
+    :raises TypeError: for a value of an unsupported type.
     """
     if not isinstance(parameters, dict):
         ensure_argument_type(parameters, Mapping, 'parameters')

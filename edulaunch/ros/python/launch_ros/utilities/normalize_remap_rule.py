@@ -13,7 +13,7 @@ from ..remap_rule_type import RemapRule, SomeRemapRule, SomeRemapRules
 def normalize_remap_rule(remap_rule: SomeRemapRule) -> RemapRule:
     """Return one rule as a pair of tuples of substitutions.
 
-    :raises TypeError: for anything but a tuple of two.
+    :raises TypeError: for anything but a tuple with two items.
     """
     ensure_argument_type(remap_rule, (tuple,), 'remap_rule')
     if len(remap_rule) != 2:

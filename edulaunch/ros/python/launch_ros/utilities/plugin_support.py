@@ -13,7 +13,7 @@ def satisfies_version(version: str, caret_range: str) -> None:
     """Return whether `version`, the version of the extension point, is in the range. For example, '^0.1' means 0.1 or a later
     version with the same leftmost non-zero number.
 
-    :raises PluginException: when it is older, or newer than what the extension knows.
+    :raises PluginException: when the version is older or newer than the range.
     :raises ValueError: for a range without its caret.
     """
     if not caret_range.startswith('^'):

@@ -28,7 +28,7 @@ def to_parameters_list(
     Files are read by launch_ros's own rules. The patterns `/**` and `**` come first, then the exact name. A file without any
     `ros__parameters` is read as a plain mapping.
 
-    :raises AttributeError: for an empty file, with upstream's text.
+    :raises AttributeError: for an empty file, with upstream's message.
     """
     from rclpy.parameter import Parameter
 

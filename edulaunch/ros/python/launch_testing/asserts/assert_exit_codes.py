@@ -37,10 +37,10 @@ def assertExitCodes(
 ) -> None:
     """Assert that a process, or every process, ended with one of these codes.
 
-    A process that SIGINT ended has the return code -2, which is not EXIT_SIGINT (130, what a shell makes of it).
+    A process that SIGINT ended has the return code -2. That is not EXIT_SIGINT, the exit code 130 that a shell reports.
 
     :param process: an action, or part of a launch name; None means all processes.
-    :raises AssertionError: naming the first that ended otherwise.
+    :raises AssertionError: when a process ended with another code; the message names the first one.
     :raises TypeError: for an allowed code that is not a number.
     """
     for code in allowable_exit_codes:

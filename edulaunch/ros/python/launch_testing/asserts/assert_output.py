@@ -31,9 +31,9 @@ def assertInStream(
 
     :param expected_output: a string, a compiled regular expression, or a list of them in this order.
     :param process: an action, or part of a launch name; None means any process.
-    :param output_filter: changes what was written before it is compared.
+    :param output_filter: changes the output before the comparison.
     :param strip_ansi_escape_sequences: compare without colours.
-    :raises AssertionError: when it has not.
+    :raises AssertionError: when the output is not found.
     :raises ValueError: for a stream that is neither 'stdout' nor 'stderr'.
     """
     matches = build_text_match(expected_output, strip_ansi_escape_sequences=strip_ansi_escape_sequences)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class SequentialTextChecker:
     """Searches for each string after the previous match.
 
-    :param text: everything that was written, perhaps in pieces.
+    :param text: all output, as a string or in pieces.
     """
 
     def __init__(self, text: str | Iterable[str]) -> None:

@@ -1,4 +1,4 @@
-"""Waiting for a program to say that it is ready."""
+"""An event handler that waits until a program prints that it is ready."""
 
 from .stdout_ready_listener import StdoutReadyListener
 

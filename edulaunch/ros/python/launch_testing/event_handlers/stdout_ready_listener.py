@@ -15,7 +15,7 @@ class StdoutReadyListener(OnProcessIO):
 
     :param target_action: the action of the program; None means any program.
     :param ready_txt: the text to wait for; it may arrive in pieces.
-    :param actions: what to do then, once.
+    :param actions: the actions to visit, once.
     """
 
     def __init__(self, *, target_action: Any = None, ready_txt: str, actions: Iterable[LaunchDescriptionEntity]) -> None:

@@ -1,6 +1,6 @@
 """The pytest plugin for launch tests: files whose `generate_test_description` is marked `launch_test` or `rostest`.
 
-Such a file becomes one test, as in ROS 2, run in a fresh simulation.
+As in ROS 2, such a file becomes one test. The test runs in a new simulation.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from launch_testing.launch_test import LaunchTest
 
 RUNNER = pytest.StashKey[Callable[..., int]]()
-"""What runs a launch test in a simulation of its own; whoever registers this plugin puts it into the stash of the run."""
+"""The key in the stash of a run for the function that runs a launch test in its own simulation."""
 MARKS = {
     'launch_test': 'a launch test: generate_test_description describes what its tests need (edulaunch)',
     'rostest': 'as launch_test, for ROS 2 packages (edulaunch)',
@@ -83,7 +83,7 @@ class LaunchTestItem(pytest.Item):
     def runtest(self) -> None:
         """Run the file in a new simulation.
 
-        :raises LaunchTestFailure: when anything went wrong.
+        :raises LaunchTestFailure: when a test failed, or the file could not be run.
         """
         from launch_testing.launch_test import LaunchTest
 
@@ -95,7 +95,9 @@ class LaunchTestItem(pytest.Item):
             raise LaunchTestFailure(_failure_text(test))
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
-        """Report a failed launch test with its own message, because our frames do not help."""
+        """Return the report of a failure. A failed launch test has its own message, because the traceback of edulaunch does not
+        help.
+        """
         return str(excinfo.value) if isinstance(excinfo.value, LaunchTestFailure) else super().repr_failure(excinfo, style)
 
     def reportinfo(self) -> tuple[Path, int, str]:
@@ -112,7 +114,7 @@ def _skip_if_skipped(test: LaunchTest) -> None:
 
 
 def _failure_text(test: LaunchTest) -> str:
-    """Return each failed test with its text, or why the file could not be run."""
+    """Return each failed test with its message, or the reason why the file could not be run."""
     if test.error is not None:
         return test.error_text()
     lines = []

@@ -14,21 +14,21 @@ class _NoCmdArgs:
 
 
 NO_CMD_ARGS = _NoCmdArgs()
-"""As `cmd_args`: only processes that were started without arguments."""
+"""A value of `cmd_args` that selects only processes without arguments."""
 
 
 CmdArgs = str | Sequence[str] | _NoCmdArgs | None
 
 
 class HasProcesses(Protocol):
-    """Something recorded by process."""
+    """An object with records of processes."""
 
     def processes(self) -> Iterable[Any]:
         """Return the actions of the processes that have been recorded."""
 
 
 class NoMatchingProcessException(Exception):
-    """Nothing was recorded for such a process."""
+    """There is no record of a matching process."""
 
 
 def process_name(action: ExecuteLocal) -> str:
@@ -48,9 +48,9 @@ def resolveProcesses(
     """Return the actions of the processes that `process` names.
 
     :param process: an action, or part of a launch name; None means all.
-    :param cmd_args: with a name: a string that is one of the arguments, several of them, or NO_CMD_ARGS.
-    :param strict_proc_matching: refuse a name that matches several processes.
-    :raises NoMatchingProcessException: for an unknown process; a waiting test continues to wait then.
+    :param cmd_args: arguments that the process with this name must have: a string, a list of strings, or NO_CMD_ARGS.
+    :param strict_proc_matching: reject a name that matches several processes.
+    :raises NoMatchingProcessException: for an unknown process. A test that waits for a process continues to wait.
     :raises ValueError: when there are several and `strict_proc_matching` is set.
     :raises TypeError: for anything else as `process`.
     """

@@ -114,7 +114,7 @@ class ActionClient(Asker, Waitable):
         self._status = self._subscribe('status', impl.GoalStatusMessage, status_sub_qos_profile)
 
     def get_num_entities(self) -> NumberOfEntities:
-        """Return how many entities of each kind belong to it."""
+        """Return how many entities of each kind belong to this client."""
         return NumberOfEntities(num_subs=2, num_clients=3)
 
     def _client(self, part: str, srv_type: Any, qos: QoSProfile) -> Any:
@@ -130,8 +130,8 @@ class ActionClient(Asker, Waitable):
     def rcl_run_callback(self, executor: ExecutorProtocol) -> Any:
         """Process at most one response of each kind, one feedback and one status per turn, as rclpy does.
 
-        As over a real network, the answer to a goal and its status come before the goal's first feedback. Its last feedback comes
-        before its result.
+        As over a real network, the reply to a goal and its status arrive before the goal's first feedback. Its last feedback
+        arrives before its result.
         """
         self.queued = False
         sources = [('goal', self._goal_client), ('cancel', self._cancel_client), ('feedback', self._feedback)]
@@ -199,7 +199,7 @@ class ActionClient(Asker, Waitable):
         """Send a goal. The result of the future is a :class:`ClientGoalHandle`, available when the server has replied.
 
         :param feedback_callback: called with each feedback message of the goal (`.goal_id`, `.feedback`).
-        :param goal_uuid: the goal's id, a unique_identifier_msgs/UUID; a random one if None.
+        :param goal_uuid: the goal's id, a unique_identifier_msgs/UUID; None means a random id.
         :raises TypeError: unless `goal` is an `ActionType.Goal`.
         """
         if not isinstance(goal, self._action_type.Goal):
@@ -235,7 +235,7 @@ class ActionClient(Asker, Waitable):
             raise TypeError(f'Expected type ClientGoalHandle but received {type(goal_handle)}')
 
     def asked(self) -> tuple[Any, str, str]:
-        """Return the endpoint that sends goals, the action's name, and 'action'."""
+        """Return the endpoint that sends goals, the action's name, and the word 'action'."""
         return self._goal_client, self._name, 'action'
 
     def _remember(self, kind: str, sequence: int) -> Future:
@@ -267,7 +267,7 @@ class ActionClient(Asker, Waitable):
 
 
 def _random_uuid() -> Any:
-    """Return a goal id: random, but the same in every run, and no other goal's on this machine."""
+    """Return a random goal id. It is the same in every run, and unique on this machine."""
     from unique_identifier_msgs.msg import UUID
 
     state = process_state()

@@ -61,13 +61,13 @@ def default_cancel_callback(cancel_request: Any) -> CancelResponse:
 class ActionServer(Waitable):
     """Serves an action.
 
-    :param execute_callback: does the work of a goal: gets its :class:`ServerGoalHandle`, calls `succeed()`, `abort()` or
-        `canceled()` on it, and returns an `ActionType.Result`. It runs as a task of the executor; one that blocks needs a
-        MultiThreadedExecutor and a ReentrantCallbackGroup, else cancel requests wait for it.
-    :param goal_callback: accepts or rejects a goal (default: accepts).
-    :param handle_accepted_callback: what to do with an accepted goal (default: execute it).
-    :param cancel_callback: accepts or rejects a request to cancel (default: rejects).
-    :param result_timeout: seconds for which the result of an ended goal is kept.
+    :param execute_callback: executes a goal. It receives the :class:`ServerGoalHandle`, calls `succeed()`, `abort()` or
+        `canceled()` on it, and returns an `ActionType.Result`. It runs as a task of the executor. If it blocks, it needs a
+        MultiThreadedExecutor and a ReentrantCallbackGroup; otherwise, cancel requests wait for it.
+    :param goal_callback: accepts or rejects a goal; by default, every goal is accepted.
+    :param handle_accepted_callback: handles an accepted goal; by default, the goal is executed.
+    :param cancel_callback: accepts or rejects a request to cancel; by default, every request is rejected.
+    :param result_timeout: seconds for which the result of an ended goal is stored.
     """
 
     def __init__(
@@ -111,7 +111,7 @@ class ActionServer(Waitable):
         self._status = self._advertise('status', impl.GoalStatusMessage, status_pub_qos_profile)
 
     def get_num_entities(self) -> NumberOfEntities:
-        """Return how many entities of each kind belong to it."""
+        """Return how many entities of each kind belong to this server."""
         return NumberOfEntities(num_timers=1, num_services=3)
 
     def _serve(self, part: str, srv_type: Any, qos: QoSProfile) -> ServiceServer:

@@ -120,7 +120,7 @@ class ServerGoalHandle:
         """Send feedback.
 
         :raises TypeError: when it is not an `ActionType.Feedback`.
-        :raises RCLError: when ROS 2 is shut down, as by Ctrl-C while the goal is worked on.
+        :raises RCLError: when ROS 2 is shut down, for example by Ctrl-C while the goal is executed.
         """
         self._action_server.send_feedback(self, feedback)
 

@@ -1,4 +1,4 @@
-"""What ROS 2 tries out."""
+"""Experimental features of ROS 2."""
 
 from __future__ import annotations
 

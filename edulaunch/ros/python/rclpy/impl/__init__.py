@@ -1,3 +1,3 @@
-"""What rclpy.logging is made of."""
+"""The implementation of rclpy, which programs do not import."""
 
 from __future__ import annotations

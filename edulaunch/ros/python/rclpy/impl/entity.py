@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 
 
 class Handle:
-    """An entity's `handle`. Inside `with entity.handle:` the entity is known to be there; as in ROS 2 `as` gives None.
+    """An entity's `handle`. Entering `with entity.handle:` checks that the entity exists. As in ROS 2, `as` gives None.
 
-    All other attributes are those of the object that the handle owns.
+    All other attributes are those of the object that owns the handle.
     """
 
     def __init__(self, held: Any, is_destroyed: Callable[[], bool] = lambda: False) -> None:
@@ -66,7 +66,7 @@ NEVER_NS = 1 << 63
 class ReadyList:
     """The data that an executor checks for a node: the ready entities, and the timers. `due_ns` is when the first timer is due.
 
-    :ivar asked: waitables of the program itself, which are asked in each wait.
+    :ivar asked: the program's own waitables, which each wait checks.
     :ivar waiting: the simulated threads that are parked in the executor.
     """
 
@@ -95,7 +95,7 @@ class ReadyList:
 
 
 class Entity:
-    """The base class of what executors run: a callback, its group, and whether an event waits for it.
+    """The base class of the entities that executors run. It has a callback, a group, and a flag for a waiting event.
 
     `_order` sorts the entities of one wait by category, then by creation. `rcl_is_async` is whether a run returns a coroutine.
     """
@@ -111,7 +111,7 @@ class Entity:
         self.destroyed = False
 
     def rcl_signal(self) -> None:
-        """Record an event: join the ready list and wake the executor."""
+        """Record an event: add this entity to the ready list and wake the executor."""
         if not self.queued:
             self.queued = True
             ready_list = self.ready_list
@@ -120,8 +120,8 @@ class Entity:
                 task.wake()
 
     def rcl_run_callback(self, executor: ExecutorProtocol) -> Any:
-        """Take the waiting data and call the callback with it. The entity has left the ready list. The executor runs a returned
-        coroutine.
+        """Call the callback with the waiting data. The ready list no longer contains the entity. If a coroutine is returned, the
+        executor runs it.
         """
         raise TypeError(f'{type(self).__name__} cannot be executed')
 
@@ -129,7 +129,7 @@ class Entity:
 class TimedEntity(Entity):
     """An entity that becomes ready at a certain time.
 
-    :ivar due_ns: when, in simulated time; `NEVER_NS` while that is unknown.
+    :ivar due_ns: that time, in simulated nanoseconds; `NEVER_NS` while it is unknown.
     """
 
     due_ns: int = NEVER_NS

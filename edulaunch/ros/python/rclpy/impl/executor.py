@@ -42,13 +42,13 @@ class TimeoutObject:
 
 class Executor(Waiting):
     """The base class of executors. One *wait* collects everything that is ready: tasks, waitables, then for each node its timers,
-    subscriptions, guard conditions, clients and services. The next wait comes when all of that was executed.
+    subscriptions, guard conditions, clients and services. The next wait begins when all of it has been executed.
 
     An executor can be used as a context manager, which shuts it down.
     """
 
     _spins = False
-    """Whether this class executes callbacks. The base class does not, and a class of one's own writes its own `spin_once`."""
+    """Whether this class executes callbacks. The base class does not, and a custom class defines its own `spin_once`."""
 
     def __init__(self, *, context: Context | None = None) -> None:
         super().__init__(context=context)
@@ -83,7 +83,7 @@ class Executor(Waiting):
             node.executor = self
         self._lists.append(ready_list)
         self._nodes_changed()
-        if not core.was_spun:  # done once, because `rclpy.spin_once(node)` adds the node each time, and took a fifth longer
+        if not core.was_spun:  # done once, because `rclpy.spin_once(node)` adds the node each time and would take a fifth longer
             core.was_spun = True
             try:
                 check_own_names(node, TO_SPIN)
@@ -102,7 +102,7 @@ class Executor(Waiting):
             self._nodes_changed()
 
     def _nodes_changed(self) -> None:
-        """Wake the waiting threads; a thread that executes a callback checks again when that has ended."""
+        """Wake the waiting threads. A thread that is executing a callback checks again after the callback."""
         if self.spinner is not None:
             self._woken = True
         if self._waiting:
@@ -113,7 +113,7 @@ class Executor(Waiting):
         return list(self._nodes)
 
     def create_task(self, callback: Any, *args: Any, **kwargs: Any) -> Task:
-        """Run a function or coroutine in the next turn."""
+        """Run a function or coroutine on the next turn."""
         self._check_open()
         task = Task(callback, args, kwargs, executor=self)
         self._tasks.append(task)
@@ -122,7 +122,7 @@ class Executor(Waiting):
         return task
 
     def _check_open(self) -> None:
-        """Raise what rclpy raises when an executor that was shut down is given something to do."""
+        """Raise rclpy's error if the executor was shut down, because it accepts no more work."""
         if self._is_shutdown:
             raise with_facts(AttributeError("'NoneType' object has no attribute 'trigger'"), 'programs.ended-executor')
 
@@ -144,7 +144,9 @@ class Executor(Waiting):
     ) -> tuple[Task, Any, Any]:
         """Return the next (task, entity, node) for custom executors, which call the task to execute it.
 
-        :raises TimeoutException, ShutdownException, ConditionReachedException: as their names say.
+        :raises TimeoutException: when nothing is ready in time.
+        :raises ShutdownException: when the executor is shut down.
+        :raises ConditionReachedException: when `condition` holds.
         """
         timeout_ns = _nanoseconds(timeout_sec)
         deadline_ns = None if timeout_ns < 0 else self._sim.now_ns + timeout_ns
@@ -159,7 +161,7 @@ class Executor(Waiting):
         return entity.callback_group.can_execute(entity)
 
     def _execute(self, item: Item) -> None:
-        """Execute one item in place. Raises what its callback raises."""
+        """Execute one item in the current thread. An exception of its callback is raised."""
         if isinstance(item, Task):
             item()
             item.rcl_raise_if_failed()
@@ -167,7 +169,7 @@ class Executor(Waiting):
             self._run_entity(item)
 
     def _run_entity(self, entity: Entity) -> None:
-        """Execute an entity, if its group lets it begin now.
+        """Execute an entity, if its group allows it to begin now.
 
         Nearly all callbacks are plain functions in one of the two common groups. Their rules are repeated here, which makes a
         service round trip 4 % faster.
@@ -188,7 +190,7 @@ class Executor(Waiting):
             self._put_back([entity])
 
     def _run_begun(self, entity: Entity) -> None:
-        """Execute an entity whose group has let it begin."""
+        """Execute an entity after its group has allowed it to begin."""
         coroutine = None
         try:
             coroutine = entity.rcl_run_callback(self)
@@ -199,7 +201,7 @@ class Executor(Waiting):
             self._run_coroutine(entity, coroutine)
 
     def _run_coroutine(self, entity: Entity, coroutine: Any) -> None:
-        """Run a callback's coroutine up to its first wait; then it continues as a task and keeps its group."""
+        """Run a callback's coroutine up to its first wait. Then it continues as a task, and still belongs to its group."""
 
         async def guarded() -> None:
             try:
@@ -215,7 +217,7 @@ class Executor(Waiting):
             self._tasks.append(task)
 
     def rcl_note_nested_spin(self) -> bool:
-        """Return whether this thread is executing a callback of this executor that was not reported yet."""
+        """Return whether this thread is executing a callback of this executor that has not been reported yet."""
         if self._nested_recorded or self.spinner is not current_task():
             return False
         self._nested_recorded = True
@@ -229,7 +231,7 @@ class Executor(Waiting):
         return (self._seen_ns,) if self.spinner is current_task() else None
 
     def rcl_running_entity(self) -> Entity | None:
-        """Return the entity whose callback the running thread executes, if its group has a record of it."""
+        """Return the entity whose callback the running thread executes, or None if its group does not record it."""
         cores = [core_of(node) for node in self._nodes]
         entities: list[Entity] = [
             entity
@@ -262,7 +264,7 @@ class Executor(Waiting):
         self._spin_once_impl(timeout_sec)
 
     def _check_spins(self) -> None:
-        """Raise NotImplementedError for an executor that is only the base class, as rclpy does."""
+        """Raise NotImplementedError for an instance of the base class itself, as rclpy does."""
         if not self._spins:
             raise NotImplementedError
 
@@ -271,7 +273,7 @@ class Executor(Waiting):
     ) -> None:
         """Execute one callback. Both kinds of `spin_once` use it, and custom executors can override it.
 
-        :param wait_condition: ends the wait when it holds.
+        :param wait_condition: ends the wait when it is true.
         """
         timeout_ns = _nanoseconds(timeout_sec)
         if not timeout_ns:
@@ -290,7 +292,7 @@ class Executor(Waiting):
         self._spin_once_impl(timeout_sec, self._is_over(future))
 
     def _is_over(self, future: Future) -> Callable[[], bool]:
-        """Return the condition of a wait for a future, which wakes this executor when it is done."""
+        """Return a condition that is true when a future is done. The future then wakes this executor."""
         check_future(future)
         future.rcl_wake_when_done(self)
         context = self._context

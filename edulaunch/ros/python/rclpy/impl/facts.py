@@ -1,7 +1,8 @@
-"""Records unusual behaviour of a running program as facts, from which advice is made. ROS 2 itself reports nothing or only hangs.
+"""Record unusual behaviour of a running program as facts. Advice is made from these facts, where ROS 2 only hangs or reports
+nothing.
 
-These are waits that can never end, sleeps in callbacks, and requests that will get no answer. There are also unusual facts about
-a node when it is destroyed, or at the end of a recording.
+Examples are waits that can never end, sleeps in callbacks, and requests without a reply. Further facts about a node are recorded
+when it is destroyed, or at the end of a recording.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def callback_name(entity: Any) -> str | None:
-    """Return the name of an entity's callback; None when it has none."""
+    """Return the name of an entity's callback, or None if it has no callback."""
     callback: Any = getattr(entity, 'callback', None)
     while isinstance(callback, partial):
         callback = callback.func
@@ -40,13 +41,13 @@ def node_name(entity: Entity) -> str | None:
 
 
 POLLS = 5
-"""How often one callback looks at a future, with simulated time passing in between, until that counts as waiting for it."""
+"""How often one callback may check a future, while simulated time passes, before this counts as waiting for it."""
 
 
 def note_wait(waiting: str, entity: Any, line: dict[str, Any] | None = None) -> None:
     """Record a callback that waits for a result which only `entity` can provide, because that is impossible during the callback.
 
-    :param waiting: how: 'call', 'look' (in a loop), 'await', or the function that spins.
+    :param waiting: the form of the wait: 'call', 'look' (in a loop), 'await', or the name of the function that spins.
     """
     _note('callback waits', entity, {'waiting': waiting, **entity.awaited()}, line)
 
@@ -103,7 +104,7 @@ def _running_entity(entity: Entity) -> Any:
 
 
 SHORT_S = 0.01
-"""A sleep that nobody notices."""
+"""The longest sleep that has no noticeable effect."""
 
 
 def note_sleep(seconds: float) -> None:
@@ -120,13 +121,13 @@ def note_sleep(seconds: float) -> None:
 
 
 LONG_NS = 1_000_000_000
-"""How long a client waits for a server until that is worth a fact."""
+"""How long a client must wait for a server before this is recorded as a fact."""
 
 
 def note_lost_request(endpoint: Any, name: str, kind: str) -> None:
     """Record a request to a service or action (`kind`) without a server.
 
-    :param endpoint: the client in the graph; of an action, the one that sends goals.
+    :param endpoint: the client in the graph, or the endpoint of an action client that sends goals.
     """
     _note_endpoint('request lost', endpoint, name, kind)
 
@@ -148,11 +149,11 @@ def _note_endpoint(what: str, endpoint: Any, name: str, kind: str) -> None:
 
 Facts = Iterator[tuple[str, dict[str, Any]]]
 WAITING_NS = 500_000_000
-"""How long something waits for a callback until that is odd."""
+"""How long a message or request must wait for a callback before this counts as unusual."""
 VERY_LONG_NS = 3_000_000_000
-"""A callback that holds up a timer for so long does not end."""
+"""A callback that delays a timer for this time is assumed not to end."""
 DEEP = 5
-"""A queue of so many messages that is full: the next one throws one away. Smaller ones are often full for a moment."""
+"""The depth from which a full queue counts. The next message makes it drop one. Smaller queues are often full for a moment."""
 GIVEN_BY_ROS = ('use_sim_time', 'start_type_description_service', 'qos_overrides.')
 
 
@@ -180,7 +181,7 @@ def _undeclared(core: NodeCore) -> Facts:
 
 
 def _passed_over(core: NodeCore) -> Facts:
-    """Yield the parameter files all of whose keys name other nodes."""
+    """Yield the parameter files whose keys all name other nodes."""
     keys: dict[str, dict[str, str]] = {}
     for parsed in core.arguments:
         for pattern, given in parsed.parameters.items():

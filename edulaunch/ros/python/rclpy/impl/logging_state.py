@@ -62,7 +62,7 @@ class ConsoleFormat:
         self.stream = 'stdout' if environment.get('RCUTILS_LOGGING_USE_STDOUT') == '1' else 'stderr'
 
     def line(self, record: Record) -> str:
-        """Return the line with its line break."""
+        """Return the formatted message with its line break."""
         if self.text == DEFAULT_FORMAT:
             text = f'[{SEVERITY_NAMES[record.severity]}] [{_seconds(record)}] [{record.name}]: {record.message}'
         else:
@@ -86,8 +86,8 @@ DEFAULT_LEVEL = 20
 class LoggingState:
     """The state of the C layer's logging for a whole program.
 
-    :ivar levels: logger name -> level, where one was set; children inherit by dotted prefix.
-    :ivar rosout: logger name -> the publisher of /rosout that its messages go out on.
+    :ivar levels: the levels that were set, by logger name. Children inherit them by dotted prefix.
+    :ivar rosout: the publisher of /rosout for the messages of each logger, by logger name.
     """
 
     def __init__(self, process: Any) -> None:

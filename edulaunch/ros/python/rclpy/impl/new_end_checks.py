@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def check_new_topic_end(core: NodeCore, name: str, msg_type: Any, kind: str) -> None:
-    """Check that a publisher or subscription can be made.
+    """Check that a publisher or subscription can be created.
 
     :param kind: 'publisher' or 'subscription'.
     :raises RCLError: after shutdown, or when an endpoint of this program uses the topic with another type.
@@ -33,7 +33,7 @@ def check_new_topic_end(core: NodeCore, name: str, msg_type: Any, kind: str) -> 
 
 
 def check_new_service_end(core: NodeCore, name: str, srv_type: Any, kind: str) -> None:
-    """Check that a service or client can be made.
+    """Check that a service or client can be created.
 
     :param kind: 'service' or 'client'.
     :raises RCLError: after shutdown, or when this program uses the service with another type.
@@ -82,7 +82,7 @@ def checked_action_name(core: NodeCore, name: str, kind: str) -> str:
 
     :param kind: 'client' or 'server'.
     :raises InvalidHandle: the node was destroyed.
-    :raises ValueError: after shutdown, and for a name that breaks the rules (of other names ROS 2 says it with other classes).
+    :raises ValueError: after shutdown, and for an invalid name. For other kinds of names, ROS 2 raises other classes.
     """
     core.check_alive()
     failed = f'Failed to create action {kind}'
@@ -102,7 +102,7 @@ def checked_action_name(core: NodeCore, name: str, kind: str) -> str:
 
 
 def _problem(core: NodeCore, name: str) -> str | None:
-    """Return what is wrong with a name, as ROS 2 reports it for the name of the action's first service."""
+    """Return the problem with a name, as ROS 2 reports it for the name of the action's first service."""
     if not name:
         return 'invalid empty action name'
     service = f'{name}/_action/send_goal'

@@ -12,16 +12,16 @@ if TYPE_CHECKING:
     from rclpy.impl.protocols import NodeProtocol
 
 AT_START = ('handle', 'default_callback_group', 'executor')
-"""What a node needs when it is made."""
+"""Attributes that a node needs when it is created."""
 FOR_TIMERS = ('context',)
 TO_SPIN = ('subscriptions', 'timers', 'clients', 'services', 'guards', 'waitables')
-"""What an executor asks each node for."""
+"""Attributes that an executor reads from each node."""
 
 
 def check_own_names(node: NodeProtocol, names: tuple[str, ...]) -> None:
     """Use the attributes of a node under these names as rclpy does.
 
-    :raises TypeError, AttributeError: of something else under that name, in Python's words.
+    :raises TypeError, AttributeError: Python's own error, if the attribute is a different object.
     """
     for name in names:
         held = getattr(node, name)
@@ -61,7 +61,7 @@ _PRIVATE_USES = {
     '_default_callback_group': 'add_entity',
     '_logger': 'debug',
 }
-"""Private names of the real rclpy's node, and what it asks of what it keeps there."""
+"""Private attributes of the real rclpy's node, with the attributes that rclpy uses of their values."""
 _USES: dict[str, Callable[[Any], object]] = {
     'handle': _enter,
     'default_callback_group': lambda group: group.add_entity,

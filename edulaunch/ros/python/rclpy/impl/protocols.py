@@ -1,6 +1,6 @@
 """The methods that the lower files of rclpy need from the classes above them. The protocols avoid imports in a circle.
 
-Each class has more than its protocol says: see `rclpy.context`, `rclpy.executors`, `rclpy.clock` and `rclpy.node`.
+Each class has more methods than its protocol; see `rclpy.context`, `rclpy.executors`, `rclpy.clock` and `rclpy.node`.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ class ExecutorProtocol(Protocol):
         """Stop spinning a node."""
 
     def rcl_forget_work(self) -> None:
-        """Drop what was ready."""
+        """Drop the entities that were ready."""
 
 
 class ClockProtocol(Protocol):
@@ -60,13 +60,13 @@ class NodeProtocol(Protocol):
     """The part of a node that its own services and watches use."""
 
     def get_name(self) -> str:
-        """Return its name."""
+        """Return the node's name."""
 
     def get_fully_qualified_name(self) -> str:
-        """Return its namespace and name."""
+        """Return the node's namespace and name."""
 
     def get_logger(self) -> Any:
-        """Return its logger."""
+        """Return the node's logger."""
 
     @property
     def create_service(self) -> Callable[..., Any]:

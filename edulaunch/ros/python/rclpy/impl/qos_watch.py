@@ -48,7 +48,7 @@ class Count:
     """Counts the events between two calls of the callback.
 
     :param make_info: creates the argument of the callback from the total, the change, and the argument of the last `add`.
-    :param tell: called at each change.
+    :param tell: called after each change.
     """
 
     def __init__(self, make_info: Callable[..., Any], tell: Callable[[], object]) -> None:
@@ -107,7 +107,7 @@ class LivelinessWatch:
         self._reported = (0, 0)
 
     def look(self) -> None:
-        """Update the list, because publishers may have been created or destroyed."""
+        """Update the list of publishers, because publishers may have been created or destroyed."""
         present = self._subscription.publishers
         for publisher in [known for known in self._alive if known not in present]:
             del self._alive[publisher]

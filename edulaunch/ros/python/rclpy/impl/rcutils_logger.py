@@ -40,7 +40,7 @@ def filters_of(options: dict[str, Any]) -> tuple[str, ...]:
 
 
 class CallSite:
-    """The filters and their state for one place in a program that logs."""
+    """The filters of one log call in a program, and their state."""
 
     __slots__ = ('name', 'severity', 'filters', 'settings', 'skipped', 'logged', 'last_ns')
 
@@ -84,7 +84,7 @@ class CallSite:
 
 
 def _settings(filters: tuple[str, ...], options: dict[str, Any]) -> list[Any]:
-    """Return what a call gives to its filters; a place may not change it between calls."""
+    """Return the arguments of a call's filters. They must be the same in each call at one place."""
     return [options.get(parameter) for name in filters for parameter in _FILTERS[name]]
 
 
@@ -95,8 +95,8 @@ class RcutilsLogger:
     """A logger: `node.get_logger()` or `rclpy.logging.get_logger(name)`.
 
     Each log method takes one string, and returns whether the message was written. The filters are `once=True`, `skip_first=True`
-    and `throttle_duration_sec=...` (with `throttle_time_source_type=<a Clock>`); `name=...` sets another logger's name. The
-    memory of a filter belongs to the place of the call.
+    and `throttle_duration_sec=...` (with `throttle_time_source_type=<a Clock>`); `name=...` sets the name of another logger. Each
+    filter stores its state for the place of the call.
 
     :raises TypeError: for an unknown keyword, or a message that is not a string, bytes or None.
     :raises ValueError: when severity or filters change at one place.
@@ -180,7 +180,7 @@ class RcutilsLogger:
 
 
 def _checked_name(name: Any) -> str:
-    """Return the name given with a message; None is the root's."""
+    """Return the name that was given with a message, or the root logger's name for None."""
     if name is not None and not isinstance(name, str):
         raise TypeError(
             'rclpy_logging_rcutils_log(): incompatible function arguments: the name of a logger must be a str, '
@@ -190,7 +190,7 @@ def _checked_name(name: Any) -> str:
 
 
 def _text_of(message: Any) -> str:
-    """Convert a message that is not a str as C does: None and bytes are accepted, other types are refused."""
+    """Convert a message that is not a string as C does. None and bytes are accepted; other types are rejected."""
     if message is None:
         return '(null)'
     if isinstance(message, bytes):

@@ -17,7 +17,7 @@ _OURS = (engine_folder() + os.sep, '<')
 
 
 def student_level() -> int:
-    """Return the `stacklevel` with which a warning by the caller of this names the student's line; 2 without such a line."""
+    """Return the `stacklevel` for which a warning by the caller contains the student's line, or 2 if there is no such line."""
     level, frame = 1, sys._getframe(1)
     while frame.f_code.co_filename.startswith(_OURS):
         if frame.f_back is None:
@@ -62,7 +62,7 @@ def check_future(future: Any) -> None:
 
 
 def check_executor(executor: Any, attribute: str) -> None:
-    """Raise rclpy's error for an object that is not an executor, usually a timeout without its name, or a class."""
+    """Raise rclpy's error for an object that is not an executor. It is usually a timeout passed by position, or a class."""
     if isinstance(executor, type):
         no_self = TypeError("Executor.add_node() missing 1 required positional argument: 'node'")
         raise with_facts(no_self, 'messages.class-given', wanted=executor.__name__)
@@ -104,7 +104,7 @@ def check_is_text(name: Any, kind: str) -> None:
     """Raise rclpy's error for a name that is not a string.
 
     :param kind: 'node_name', 'namespace', 'topic_name' or 'full_topic_name'.
-    :raises TypeError: for another thing.
+    :raises TypeError: for an object of any other type.
     :raises RMWError, RCLError: for None.
     """
     if isinstance(name, str):

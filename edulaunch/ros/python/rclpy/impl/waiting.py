@@ -42,7 +42,7 @@ class ConditionReachedException(Exception):
 
 
 Item = Any
-"""What an executor executes: a Task or an Entity."""
+"""An object that an executor executes: a Task or an Entity."""
 
 TURNS_BEFORE_TIME_PASSES = 200
 PAUSE_NS = 1_000_000
@@ -61,7 +61,7 @@ def _may_begin(timer: Entity) -> bool:
 class Waiting:
     """The base class of executors, which collects ready entities and parks.
 
-    :ivar _lists: the ready lists of the executor's nodes, in the order in which they came.
+    :ivar _lists: the ready lists of the executor's nodes, in the order in which they were added.
     :ivar _waiting: the simulated threads that are parked here.
     :ivar spinner: the simulated thread that executes callbacks now.
     """
@@ -94,7 +94,7 @@ class Waiting:
             waiting.wake()
 
     def _collect(self) -> list[Entity]:
-        """Return the entities that are ready now and may begin, in the order of one wait."""
+        """Return the entities that are ready and allowed to begin, in the order of one wait."""
         now = self._sim.now_ns
         batch: list[Entity] = []
         for ready_list in self._lists:
@@ -115,7 +115,7 @@ class Waiting:
 
     @staticmethod
     def _put_back(entities: Iterable[Entity]) -> None:
-        """Return entities that were collected but not executed to their lists."""
+        """Put entities that were collected but not executed back into their lists."""
         for entity in entities:
             if entity.rcl_category != TIMER and entity.queued and entity not in entity.ready_list.asked:
                 entity.ready_list.entities.append(entity)
@@ -123,8 +123,8 @@ class Waiting:
     def _wait(self, deadline_ns: int | None) -> None:
         """Park until something may be ready, a timer is due, or the deadline is reached.
 
-        :raises ShutdownException: when the executor was shut down meanwhile.
-        :raises ExternalShutdownException: when the context was.
+        :raises ShutdownException: when the executor was shut down in the meantime.
+        :raises ExternalShutdownException: when the context was shut down in the meantime.
         """
         due = NEVER_NS if deadline_ns is None else deadline_ns
         for ready_list in self._lists:
@@ -149,7 +149,7 @@ class Waiting:
             raise ExternalShutdownException()
 
     def _let_time_pass(self) -> None:
-        """Move simulated time on when callbacks keep each other busy without waiting: a real computer needs time for them."""
+        """Advance simulated time when callbacks trigger each other without a wait, because they take time on a real computer."""
         now = self._sim.now_ns
         if now != self._seen_ns:
             self._seen_ns = now
@@ -171,11 +171,11 @@ class Waiting:
     def _ready_items(self, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Generator[Item, None, None]:
         """Yield the items of one wait, and without a deadline those of the next ones: tasks first, then ready entities.
 
-        With `poll`, it does not wait, and yields only what is ready now.
+        With `poll`, it does not wait, and yields only the items that are ready now.
 
-        :raises TimeoutException: at `deadline_ns`, or when a poll has given out everything.
-        :raises ConditionReachedException: when `condition()` holds.
-        :raises RCLError: when ROS 2 was shut down before.
+        :raises TimeoutException: at `deadline_ns`, or when a poll has yielded all items.
+        :raises ConditionReachedException: when `condition()` is true.
+        :raises RCLError: when ROS 2 was shut down before the call.
         """
         timed = deadline_ns is not None and not poll
         if not self._context.alive and (timed or not self._is_shutdown):
@@ -239,7 +239,7 @@ class Waiting:
                 raise two_spinners(error) from None
 
     def rcl_forget_work(self) -> None:
-        """Start the next wait again. Another thread that waits with other arguments continues with its items."""
+        """Restart the next wait. Another thread that waits with other arguments continues with its items."""
         work, self._work = self._work, None
         if work is not None and not work.gi_running:
             work.close()

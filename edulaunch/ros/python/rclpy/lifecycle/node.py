@@ -24,7 +24,7 @@ class LifecycleNodeMixin(ManagedEntity):
 
     :param enable_communication_interface: whether to offer the services `~/change_state`, `~/get_state` ... and the topic
         `~/transition_event`.
-    :param callback_group: of those services.
+    :param callback_group: the callback group of those services.
     """
 
     _rclpy: NodeCore
@@ -49,14 +49,14 @@ class LifecycleNodeMixin(ManagedEntity):
         return publisher
 
     def destroy_lifecycle_publisher(self, publisher: LifecyclePublisher) -> bool:
-        """Destroy such a publisher. Return whether it belonged to this node."""
+        """Destroy a lifecycle publisher. Return whether it belonged to this node."""
         entities = _life(self._rclpy).entities
         if publisher in entities:
             entities.remove(publisher)
         return bool(self.destroy_publisher(publisher))
 
     def add_managed_entity(self, entity: ManagedEntity) -> None:
-        """Let an entity follow the node's lifecycle. Raise TypeError for anything else."""
+        """Let an entity follow the node's lifecycle. Raise TypeError for any other object."""
         if not isinstance(entity, ManagedEntity):
             raise TypeError('Expected a rclpy.lifecycle.ManagedEntity instance.')
         _life(self._rclpy).entities.append(entity)
@@ -111,7 +111,7 @@ class LifecycleNode(LifecycleNodeMixin, Node):
 
     Override `on_configure(state)` and similar methods, and call `super().on_activate(state)` to activate managed publishers.
 
-    :param enable_communication_interface: as of `LifecycleNodeMixin`; all other arguments are those of `Node`.
+    :param enable_communication_interface: see `LifecycleNodeMixin`. All other arguments are those of `Node`.
     """
 
     def __init__(self, node_name: str, *, enable_communication_interface: bool = True, **kwargs: Any) -> None:

@@ -24,7 +24,7 @@ class TransitionCallbackReturnType(Enum):
     ERROR = 99
 
     def to_label(self) -> str:
-        """Return the label of the transition that it starts, such as `transition_success`."""
+        """Return the label of the transition that this return value triggers, such as `transition_success`."""
         return f'transition_{self.name.lower()}'
 
 
@@ -121,9 +121,10 @@ def all_transitions() -> list[tuple[int, str, str, str]]:
 
 
 class Life:
-    """Kept with the node's other state, so that a student's own attributes cannot collide with it.
+    """The lifecycle state of a node. It is stored with the node's other state, so that a student's attributes cannot collide with
+    it.
 
-    :ivar entities: what follows the node through its states.
+    :ivar entities: the managed entities, which follow the node through its states.
     """
 
     def __init__(self, node: NodeProtocol) -> None:
@@ -144,8 +145,8 @@ class Life:
         """Make a transition, given by number or label: call its callback, and then make the transition that its result requires.
 
         :raises RCLError: in a state that does not allow it.
-        :raises AttributeError: when the callback returns something else than a TransitionCallbackReturn. As in rclpy, the node
-            then stays between two states.
+        :raises AttributeError: when the callback returns anything but a TransitionCallbackReturn. As in rclpy, the node then
+            stays between two states.
         """
         start = self.state
         transition = transition_from(start.label, wanted)
@@ -170,13 +171,15 @@ class Life:
         for transition in TRANSITIONS:
             if transition.start == self.state.label and transition.label == 'shutdown':
                 return self.trigger(transition.number)
-        raise RCLError('Shutdown transtion not possible')  # [sic]: ROS 2's own text
+        raise RCLError('Shutdown transtion not possible')  # [sic]: ROS 2's own message
 
     def _call(self, callback: str, start: LifecycleState) -> TransitionCallbackReturn:
         function = getattr(self.node, callback)
         try:
             result = function(start)
-        except Exception as error:  # ROS 2 takes it for TransitionCallbackReturn.ERROR and says nothing: a fact
+        except (
+            Exception
+        ) as error:  # record a fact, because ROS 2 treats the value as TransitionCallbackReturn.ERROR without a message
             self._note(callback, {'raised': f'{type(error).__name__}: {error}'})
             return TransitionCallbackReturn.ERROR
         if not isinstance(result, TransitionCallbackReturn):
@@ -225,7 +228,7 @@ class LifecycleServices:
         self._events.publish(TransitionEvent(start_state=_state(start), goal_state=_state(goal)))
 
     def _on_change_state(self, request: Any, response: Any) -> Any:
-        """Make a requested transition. An invalid label is refused. An invalid number is an error of the node, as in rclpy."""
+        """Make a requested transition. An invalid label is rejected, and an invalid number raises an error, as in rclpy."""
         label = request.transition.label
         try:
             response.success = self._life.trigger(label or request.transition.id) is TransitionCallbackReturn.SUCCESS

@@ -1,3 +1,3 @@
-"""What a node is made of: its entities, its parameters, its view of the graph, its names."""
+"""The parts of a node: its entities, its parameters, its queries of the graph, and its names."""
 
 from __future__ import annotations

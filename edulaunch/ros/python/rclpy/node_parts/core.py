@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 class NodeCore:
     """A node's names, its place in the graph, and its entities in order of creation.
 
-    :param name, namespace: as the program gives them; remap rules are applied here.
+    :param name, namespace: the names that the program gives. This class applies remap rules to them.
     :raises InvalidNodeNameException, InvalidNamespaceException: for names that break the rules.
 
     The files of its entities import this one, so this file cannot name their classes.

@@ -7,21 +7,21 @@ from typing import Any
 
 NamesAndTypes = list[tuple[str, list[str]]]
 Directions = frozenset[tuple[str, str]]
-"""Pairs of an endpoint's kind, and what it sends or hears: 'topic', 'request' or 'reply'."""
+"""Pairs of an endpoint's kind, and what it sends or receives: 'topic', 'request' or 'reply'."""
 
 WRITES: Directions = frozenset((('publisher', 'topic'), ('client', 'request'), ('service', 'reply')))
 READS: Directions = frozenset((('subscription', 'topic'), ('service', 'request'), ('client', 'reply')))
 DISCOVERY = ('ros_discovery_info', ['rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_'])
-"""The topic by which the participants of ROS 2 know one another's nodes."""
+"""The topic by which the participants of ROS 2 announce their nodes to each other."""
 _FORMS = {'topic': ('rt', '', ''), 'request': ('rq', 'Request', '_Request'), 'reply': ('rr', 'Reply', '_Response')}
-"""What is sent -> what stands before the name, behind the name, and behind the type."""
+"""For each kind of message: the prefix of the name, the suffix of the name, and the suffix of the type."""
 
 
 def dds_names_and_types(endpoints: Iterable[Any], directions: Directions) -> NamesAndTypes:
     """Return (name, sorted types) in DDS form for the topics of endpoints, sorted by name: `rt/chatter`,
     `pkg::msg::dds_::String_`.
 
-    :param directions: which of it counts.
+    :param directions: pairs of the kind of an endpoint and what it sends: 'topic', 'request' or 'reply'.
     """
     found: dict[str, set[str]] = {}
     for end in endpoints:

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from rclpy.qos_overriding_options import QoSOverridingOptions
 
 SHORT_NS, LONG_NS = 100_000, 45_000_000_000
-"""Periods of timers that somebody may have meant."""
+"""The limits of plausible periods of timers."""
 
 
 class NodeEntities:
@@ -106,7 +106,7 @@ class NodeEntities:
         """Create a publisher.
 
         :param msg_type: the message class.
-        :param topic: its name: absolute, relative to the namespace, or private (`~/x`).
+        :param topic: the topic name: absolute, relative to the namespace, or private (`~/x`).
         :param qos_profile: a profile, or the depth.
         :raises InvalidTopicNameException: for a name that breaks the rules.
         :raises RCLError: after shutdown, or when this program uses the topic with another type.
@@ -138,7 +138,7 @@ class NodeEntities:
         """Create a subscription.
 
         :param callback: called with each message, or with (message, info).
-        :param raw: give the callback serialized bytes.
+        :param raw: pass serialized bytes to the callback.
         :raises InvalidTopicNameException: for a name that breaks the rules.
         :raises RCLError: after shutdown, or when this program uses the topic with another type.
         :raises RuntimeError: when the callback takes neither one nor two arguments.
@@ -219,8 +219,8 @@ class NodeEntities:
     ) -> Timer:
         """Create a timer. Its first call is one period from now.
 
-        :param clock: the clock that it goes by; the node's own by default.
-        :param autostart: False makes it cancelled, until `reset()`.
+        :param clock: the clock of the timer; by default, the node's clock.
+        :param autostart: if False, the timer is cancelled until `reset()` is called.
         """
         _check_callback(self._rclpy, callback, 'create_timer')
         check_own_names(self, FOR_TIMERS)  # type: ignore[arg-type]  # a Node inherits this class

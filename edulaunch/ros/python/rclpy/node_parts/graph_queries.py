@@ -128,9 +128,9 @@ _NODE_NAMES = 'Failed to get node names'
 
 
 def _looked_at(core: NodeCore, what: str) -> Graph:
-    """Return the graph; a loop that does nothing but look at it is moved on by simulated time.
+    """Return the graph. In a loop that only queries the graph, simulated time advances.
 
-    :param what: how the error after shutdown begins.
+    :param what: the beginning of the error message after shutdown.
     """
     core.check_usable(what)
     current_task().poll()
@@ -184,7 +184,7 @@ def _infos(core: NodeCore, what: str, table: dict[str, list[Any]], name: str) ->
 
 
 def _expanded(core: NodeCore, name: str) -> str:
-    """Return the absolute form of a name. Raises ValueError when it breaks the rules, as rclpy has it in these methods."""
+    """Return the absolute form of a name. Raise ValueError if it breaks the rules, as these methods of rclpy do."""
     problem = topic_name_problem(name) if isinstance(name, str) else None
     if problem is not None:
         raise ValueError(f"topic name '{name}' is invalid: {problem[0]}")

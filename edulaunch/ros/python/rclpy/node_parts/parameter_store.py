@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 OnChange = Callable[[list[Parameter], list[Parameter], list[Parameter]], None]
-"""Told of one transaction: the parameters that are new, those that changed, and those that were deleted."""
+"""Called after a transaction with the new parameters, the changed ones and the deleted ones."""
 
 EMPTY_LIST = (
     'parameter list cannot be empty, this might be due to pre_set_parameters_callback modifying the original parameters list.'
@@ -32,9 +32,9 @@ EMPTY_LIST = (
 
 
 class ParameterStore:
-    """Values and descriptors by name, and the callbacks that may refuse a change.
+    """Values and descriptors by name, and the callbacks that may reject a change.
 
-    :param check_alive: asked before each transaction; it raises when the node is gone.
+    :param check_alive: called before each transaction; raises an error if the node was destroyed.
     :param on_change: called after each successful transaction, when the values are set.
     """
 
@@ -62,7 +62,7 @@ class ParameterStore:
         return ParameterDescriptor()
 
     def declare(self, parameter: Parameter, descriptor: ParameterDescriptor) -> None:
-        """Add a parameter. Its value is checked as in a change, but it may be not set, and read-only has no effect yet.
+        """Add a parameter. Its value is checked as in a change, but it may be missing, and a read-only parameter may be set.
 
         :raises InvalidParameterTypeException, InvalidParameterValueException: when the value is refused.
         """
@@ -91,8 +91,8 @@ class ParameterStore:
 
         As in rclpy, the message leaves out the first name, because the test for an empty iterator has consumed it.
 
-        :raises TypeError: when one is not a Parameter.
-        :raises ParameterNotDeclaredException: when there are any.
+        :raises TypeError: when an item is not a Parameter.
+        :raises ParameterNotDeclaredException: when there are undeclared parameters that are not allowed.
         """
         names = []
         for parameter in parameters:
@@ -166,7 +166,7 @@ class ParameterStore:
 
 
 def undeclared(name: str, declared: Iterable[str], shown: list[str] | None = None) -> ParameterNotDeclaredException:
-    """Return the error for undeclared parameters. `told` are the names in its message (default: its own)."""
+    """Return the error for undeclared parameters. `shown` is the list of names in its message (default: `name`)."""
     error = ParameterNotDeclaredException(name if shown is None else shown)
     return with_facts(error, 'programs.parameter-undeclared', parameter=name, declared=list(declared))
 
@@ -206,7 +206,7 @@ class ParameterEvents:
     def publish(self, new: list[Parameter], changed: list[Parameter], deleted: list[Parameter]) -> None:
         """Publish one event for a transaction.
 
-        :raises RCLError: after shutdown; the values are in place then, as in ROS 2.
+        :raises RCLError: after shutdown. As in ROS 2, the values have been set by then.
         """
         core = self._core
         for parameter in (*new, *changed):
@@ -221,7 +221,7 @@ class ParameterEvents:
         self._publisher.send_wire((*stamp, core.full_name, self._wires(new), self._wires(changed), self._wires(deleted)))
 
     def _describe(self, name: str) -> None:
-        """Record the declaration of a parameter, if it contains more than its type."""
+        """Record the declaration of a parameter, if its descriptor contains more than the type."""
         core = self._core
         descriptor = core.parameters.descriptors[name]
         limits = [
@@ -236,7 +236,9 @@ class ParameterEvents:
         return tuple([self._to_wire(parameter.to_parameter_msg()) for parameter in parameters])
 
     def _origin(self, parameter: Parameter) -> str:
-        """Return where a value came from, in words: at its declaration from outside or the program, later from a change."""
+        """Return the origin of a value in words. At its declaration, it is an outside source or the program; later, it is a
+        change.
+        """
         if parameter.name in self._declared:
             return 'set_parameters'
         self._declared.add(parameter.name)

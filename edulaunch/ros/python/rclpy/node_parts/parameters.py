@@ -74,7 +74,7 @@ class NodeParameters:
     def undeclare_parameter(self, name: str) -> None:
         """Undeclare a parameter.
 
-        :raises ParameterNotDeclaredException, ParameterImmutableException: when it is undeclared, or read-only.
+        :raises ParameterNotDeclaredException, ParameterImmutableException: when it is not declared, or is read-only.
         """
         store = self._rclpy.parameters
         if name not in store.values:
@@ -90,7 +90,7 @@ class NodeParameters:
         return name in self._rclpy.parameters.values
 
     def get_parameter(self, name: str) -> Parameter:
-        """Return a parameter, whose value is in `.value`.
+        """Return a parameter. Its value is `.value`.
 
         :raises ParameterNotDeclaredException: when it was not declared.
         :raises ParameterUninitializedException: when it was declared with a type only and has no value yet.
@@ -152,7 +152,9 @@ class NodeParameters:
         return [self.describe_parameter(name) for name in names]
 
     def list_parameters(self, prefixes: list[str], depth: int) -> ListParametersResult:
-        """Return the names of parameters with any of the `prefixes` (all if empty), at most `depth` levels below it (0: any)."""
+        """Return the names of parameters with any of the `prefixes` (all if empty), at most `depth` levels below it (0 means any
+        depth).
+        """
         from rcl_interfaces.msg import ListParametersResult
 
         if not isinstance(prefixes, list):
@@ -170,7 +172,7 @@ class NodeParameters:
     def set_parameters(self, parameter_list: list[Parameter]) -> list[SetParametersResult]:
         """Set each parameter separately. Return one result for each.
 
-        :raises ParameterNotDeclaredException: when one is undeclared; those before it are set already.
+        :raises ParameterNotDeclaredException: when a parameter is undeclared. Those before it have been set by then.
         """
         store = self._rclpy.parameters
         results = []
@@ -192,7 +194,9 @@ class NodeParameters:
     ) -> ParameterValue:
         """Set the descriptor of a parameter. `alternative_value` replaces a value that the descriptor does not allow.
 
-        :raises ParameterNotDeclaredException, ParameterImmutableException, InvalidParameterValueException: as they say.
+        :raises ParameterNotDeclaredException: when the parameter is not declared.
+        :raises ParameterImmutableException: when it is read-only.
+        :raises InvalidParameterValueException: when the descriptor does not allow the value.
         """
         store = self._rclpy.parameters
         if name not in store.values:

@@ -1,4 +1,4 @@
-"""What `ros2 launch` does, as functions."""
+"""The functions behind `ros2 launch`."""
 
 from .api import (
     MultipleLaunchFilesError,

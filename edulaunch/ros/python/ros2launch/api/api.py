@@ -20,7 +20,7 @@ HEADING = "Arguments (pass arguments as '<name>:=<value>'):"
 class MultipleLaunchFilesError(Exception):
     """Several files of a package have the requested name.
 
-    :ivar paths: all of them.
+    :ivar paths: the paths of these files.
     """
 
     def __init__(self, msg: str, paths: list[str]) -> None:

@@ -1,4 +1,4 @@
-"""A TurtleBot3 Waffle on an empty plane, with a starting orientation too."""
+"""A TurtleBot3 Waffle on an empty plane. Launch arguments set its initial position and orientation."""
 
 import os
 

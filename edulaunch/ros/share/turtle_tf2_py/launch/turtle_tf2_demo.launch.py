@@ -1,4 +1,4 @@
-"""turtle2 follows the frame `target_frame`; turtle1 is yours to drive."""
+"""turtle2 follows the frame `target_frame`. You can drive turtle1."""
 
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument

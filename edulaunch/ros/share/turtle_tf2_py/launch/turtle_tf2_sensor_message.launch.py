@@ -1,4 +1,4 @@
-"""turtle3 drives a circle and reports stamped points, to be seen from turtle1."""
+"""turtle3 drives in a circle and publishes stamped points, which a program can transform to the frame of turtle1."""
 
 from launch import LaunchDescription
 from launch_ros.actions import Node

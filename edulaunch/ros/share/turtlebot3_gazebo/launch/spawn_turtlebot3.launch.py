@@ -1,4 +1,4 @@
-"""Puts the robot into the world: at x_pose, y_pose (metres) and yaw (radians), each 0.0 when not given."""
+"""Put the robot into the world at x_pose, y_pose (metres) and yaw (radians). The default of each is 0.0."""
 
 import os
 

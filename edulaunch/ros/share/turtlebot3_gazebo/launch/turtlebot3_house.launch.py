@@ -1,4 +1,4 @@
-"""The robot of turtlebot3_house.launch.py: at its place in that world, of which only the floor is here."""
+"""The robot of turtlebot3_house.launch.py at its position in that world. edulaunch has only the floor of the world."""
 
 import os
 

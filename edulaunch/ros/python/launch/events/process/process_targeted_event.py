@@ -14,7 +14,7 @@ ProcessMatcher = Callable[[Any], bool]
 class ProcessTargetedEvent(Event):
     """The base class of all events for certain processes.
 
-    :param process_matcher: decides for which; called with each action that has started a process.
+    :param process_matcher: called with each action that has started a process; returns whether the event is for it.
     """
 
     name = 'launch.events.process.ProcessTargetedEvent'

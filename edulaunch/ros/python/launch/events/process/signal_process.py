@@ -34,5 +34,5 @@ class SignalProcess(ProcessTargetedEvent):
 
     @property
     def signal_name(self) -> str:
-        """Its name."""
+        """The name of the signal."""
         return self.__signal if isinstance(self.__signal, str) else self.__signal.name

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 class ChangeState(Event):
     """Requests a transition of the lifecycle nodes that match.
 
-    :param lifecycle_node_matcher: called with each LifecycleNode action.
+    :param lifecycle_node_matcher: called with each LifecycleNode action; returns whether the request is for its node.
     :param transition_id: a constant of lifecycle_msgs.msg.Transition.
     :raises ValueError: for any other number; the message lists the valid ones.
     """

@@ -1,4 +1,4 @@
-"""The deprecated place of the matcher of node names."""
+"""The deprecated location of the matcher of node names."""
 
 from __future__ import annotations
 

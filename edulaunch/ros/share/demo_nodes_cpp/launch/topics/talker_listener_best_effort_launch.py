@@ -1,4 +1,4 @@
-"""One node talks on `chatter`, the other listens and does not mind losses."""
+"""One node publishes on `chatter`, and the other one subscribes with best effort, so messages may get lost."""
 
 from launch import LaunchDescription
 from launch_ros.actions import Node

@@ -1,4 +1,4 @@
-"""One node talks on `chatter`, the other listens."""
+"""One node publishes on `chatter`, and the other one subscribes."""
 
 from launch import LaunchDescription
 from launch_ros.actions import Node
