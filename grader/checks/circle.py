@@ -13,7 +13,8 @@ from edugrade import Evidence, Failure, Mismatch, Missing, Rubric, Scenario, che
 from edugrade.library.arguments import require_declared, require_default
 from edugrade.library.circle_fit import fit_circle
 from edugrade.library.deaths import refuse_dead
-from edugrade.library.launched import find_processes, included_files, refuse_strangers, require_process
+from edugrade.library.following import require_driver
+from edugrade.library.launched import find_processes, included_files, require_process
 from edugrade.library.movement import length, odometry_track, since
 from edugrade.library.parameters import find_parameter
 
@@ -105,8 +106,7 @@ def circle_is_driven(run: Evidence) -> None:
     """The robot drives circles of the requested radius, measured on /odom"""
     wanted = [_asked_radius(run, name) for name in run]
     measured = [_measured_radius(run, name) for name in run]
-    for recording in run.values():
-        refuse_strangers(recording, '/cmd_vel', PACKAGE, EXECUTABLE)
+    require_driver(run, '', PACKAGE, EXECUTABLE)
     if not all(abs(seen - asked) <= TOLERANCE * asked for seen, asked in zip(measured, wanted, strict=True)):
         raise Mismatch(
             'the radius of the circles',

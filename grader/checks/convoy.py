@@ -1,6 +1,7 @@
 """The rubric of the convoy: a row of turtles, each of which follows the turtle in front of it.
 
-The positions of the turtles in the simulator decide, for any number of followers.
+The positions of the turtles in the simulator decide, for any number of followers. In the second run, the grader turns turtle1, so
+that a follower on a fixed path loses it.
 """
 
 from __future__ import annotations
@@ -11,13 +12,14 @@ from random import Random
 
 from edugrade import Evidence, Failure, Mismatch, Missing, Rubric, Scenario, check
 from edugrade.library.deaths import refuse_dead, refuse_gone
-from edugrade.library.following import driven_track
+from edugrade.library.following import driven_track, require_driver
 from edugrade.library.identity import processes_of
 from edugrade.library.movement import length, since
 from edugrade.library.node_graph import require_started
 
 FOLLOWER, SIMULATOR = ('convoy', 'follower'), ('turtlesim', 'turtlesim_node')
 LATEST_S, NEAR_M, BEHIND_M = 20.0, 0.8, 1.0
+MIDDLE_M, RADIUS_M, TURN_RAD_S = 5.544, 2.5, 0.4  # the start of turtle1, and its circle
 ORDER = [
     'check each link of the chain',
     'check in this order: the turtle exists, it is in the tf tree, its node finds the carrot, its node publishes',
@@ -26,7 +28,19 @@ ORDER = [
 
 def scenarios(random: Random) -> list[Scenario]:
     """Return a run with one follower and a run with several."""
-    return [Scenario('one', {'count': '1'}, LATEST_S), Scenario('several', {'count': str(random.randint(2, 3))}, LATEST_S)]
+    several = Scenario('several', {'count': str(random.randint(2, 3))}, LATEST_S, turned={'/turtle1': _turn(random)})
+    return [Scenario('one', {'count': '1'}, LATEST_S), several]
+
+
+def _turn(random: Random) -> tuple[float, float]:
+    """Choose when the grader turns turtle1, and by which angle, so that its next circle is within the walls."""
+    while True:
+        time_s, angle = round(random.uniform(4.0, 9.0), 2), round(random.uniform(0.8, 2.5) * random.choice([-1, 1]), 2)
+        before, after = TURN_RAD_S * time_s, TURN_RAD_S * time_s + angle
+        x = MIDDLE_M + RADIUS_M * (sin(before) - sin(after))
+        y = MIDDLE_M + RADIUS_M * (1.0 - cos(before) + cos(after))
+        if all(RADIUS_M + 1.0 < place < 2 * MIDDLE_M - RADIUS_M - 1.0 for place in (x, y)):
+            return time_s, angle
 
 
 def followers(run: Evidence) -> Iterator[tuple[str, int]]:
@@ -120,6 +134,7 @@ def each_knows_its_own_leader(run: Evidence) -> None:
 def each_is_near_its_carrot(run: Evidence) -> None:
     """After 20 s, each follower has driven and is within 0.8 m of its carrot"""
     for scenario, number in followers(run):
+        require_driver(run.only([scenario]), f'/turtle{number}', FOLLOWER[0])
         *_, (_, x, y, theta) = run[scenario].series(f'/turtle{number - 1}/pose', 'x', 'y', 'theta')
         track = driven_track(run, scenario, f'/turtle{number}')
         away = hypot(x - BEHIND_M * cos(theta) - track[-1][1], y - BEHIND_M * sin(theta) - track[-1][2])

@@ -13,7 +13,7 @@ from edugrade.library.following import require_arrival, require_copy, require_dr
 from edugrade.library.frames import frames_at_end, place_in, require_frame
 from edugrade.library.launched import require_process
 from edugrade.library.node_graph import loose_ends, require_node
-from edugrade.library.parameters import node_parameter, refuse_missing_file, require_parameter
+from edugrade.library.parameters import named_origin, node_parameter, refuse_missing_file, require_parameter
 
 from edulaunch.engine.recording.records import Parameter
 
@@ -58,6 +58,7 @@ def water_comes_from_the_file(run: Evidence) -> None:
     """Both worlds have the colours of config/turtlesim.yaml"""
     for node in ('/sim', '/turtlesim2/sim'):
         seen = {name: node_parameter(run.first, node, 'turtlesim', name, value) or ABSENT for name, value in WATER.items()}
+        seen = {name: found._replace(origin=named_origin(run, found, node, name)) for name, found in seen.items()}
         wrong = {
             name: parameter
             for name, parameter in seen.items()

@@ -38,6 +38,8 @@ class Scenario(NamedTuple):
         second one begins late by twice this time, and so on. The delay stays hidden from the submission, as does the next one,
         so that a clock cannot replace a node that receives messages.
     :param sent: by topic, a std_msgs/msg/String that the grader publishes there: the simulated seconds and the text.
+    :param turned: by turtle, such as ``/turtle1``, a turn that the grader gives it: the simulated seconds and the angle in rad.
+        A follower that only repeats a known path then loses the turtle.
     """
 
     name: str
@@ -48,6 +50,7 @@ class Scenario(NamedTuple):
     defaults: Mapping[str, str | None] = MappingProxyType({})
     late: Mapping[str, float] = MappingProxyType({})
     sent: Mapping[str, tuple[float, str]] = MappingProxyType({})
+    turned: Mapping[str, tuple[float, float]] = MappingProxyType({})
 
     @property
     def command(self) -> str:
@@ -57,7 +60,7 @@ class Scenario(NamedTuple):
     @property
     def hidden(self) -> dict[str, Any]:
         """What the submission must not know. It reaches the trusted peer after the fork of the other one."""
-        return {'late': dict(self.late), 'sent': dict(self.sent)}
+        return {'late': dict(self.late), 'sent': dict(self.sent), 'turned': dict(self.turned)}
 
     @property
     def words(self) -> str:

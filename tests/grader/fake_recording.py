@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from math import cos, sin
+from math import cos, hypot, sin
 from typing import Any
 
 from edugrade import Scenario
@@ -44,8 +44,8 @@ class FakeRecording:
     def topics(self) -> dict[str, Any]:
         return dict.fromkeys(self.tracks)
 
-    def series(self, topic: str, *fields: str) -> Track:
-        return self.tracks.get(topic, [])
+    def series(self, topic: str, *fields: str) -> list[Any]:
+        return samples(self.tracks.get(topic, []), fields)
 
     def parameters(self, node: str) -> dict[str, Parameter]:
         return {} if self.radius is None else {'radius': Parameter(self.radius, 'launch argument')}
@@ -60,6 +60,14 @@ class FakeRecording:
 
     def wires(self, topic: str, type_name: str) -> list[tuple[int, Any]]:
         return tf_wires(self.frames_at, self.duration_s, topic)
+
+
+def samples(track: Track, fields: tuple[str, ...]) -> list[Any]:
+    """The track as a list, with the speed that explains each step when somebody asks for it."""
+    if 'linear_velocity' not in fields:
+        return list(track)
+    steps = zip(track, [track[0], *track] if track else [], strict=False)
+    return [(*b, hypot(b[1] - a[1], b[2] - a[2]) / ((b[0] - a[0]) or 1.0)) for b, a in steps]
 
 
 def tf_wires(frames_at: Callable[[float], Mapping[str, Frame]], duration_s: float, topic: str) -> list[tuple[int, Any]]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from math import cos, sin
 from typing import Any
 
-from fake_recording import FILE, Track, process, tf_wires
+from fake_recording import FILE, Track, process, samples, tf_wires
 
 from edulaunch.engine.recording.records import (
     DeclaredArgument,
@@ -40,8 +40,8 @@ class FakeRun:
     owners: dict[str, list[int]] | None = None
     hosted: dict[int, tuple[str, str]] | None = None
 
-    def series(self, topic: str, *fields: str) -> Track:
-        return self.tracks.get(topic, [])
+    def series(self, topic: str, *fields: str) -> list[Any]:
+        return samples(self.tracks.get(topic, []), fields)
 
     def parameters(self, node: str) -> dict[str, Parameter]:
         return self.values.get(node, {})

@@ -34,11 +34,14 @@ def talker(name):
 
 def generate_launch_description():
     return LaunchDescription([
-        LogInfo(msg='known: ' + ' '.join(known)), talker('a'), talker('b'), TimerAction(period=2.0, actions=[talker('c')]),
+        LogInfo(msg='known: ' + ' '.join(known)), talker('a'), talker('b'),
+        Node(package='turtlesim', executable='turtlesim_node'), TimerAction(period=2.0, actions=[talker('c')]),
         ExecuteProcess(cmd=['ros2', 'topic', 'echo', '/words', 'std_msgs/msg/String']),
     ])
 """
-SCENARIO = Scenario('s', {}, 6.0, 7, late={'talker': 0.4375}, sent={'/words': (2.5, 'zubaqe')})
+SCENARIO = Scenario(
+    's', {}, 6.0, 7, late={'talker': 0.4375}, sent={'/words': (2.5, 'zubaqe')}, turned={'/turtle1': (3.0, 1.0625)}
+)
 
 
 @pytest.mark.processes
@@ -53,20 +56,23 @@ def test_programs_begin_late_and_a_message_comes_and_the_submission_cannot_know_
     said = [(item.time_s, item.text) for item in outcome.recording.output]
     heard = [time_s for time_s, text in said if 'data: zubaqe' in text]
     assert heard == pytest.approx([2.5], abs=0.05)
+    angles = dict(outcome.recording.series('/turtle1/pose', 'theta'))
+    assert {theta for time_s, theta in angles.items() if time_s < 2.95} == {0.0}
+    assert {theta for time_s, theta in angles.items() if time_s > 3.05} == {1.0625}
     known = ' '.join(text for _, text in said if 'known: ' in text)
-    assert 'duration_s' in known and '0.4375' not in known and 'zubaqe' not in known
+    assert 'duration_s' in known and not any(hidden in known for hidden in ('0.4375', 'zubaqe', '1.0625'))
 
 
 def test_what_is_hidden_is_not_in_the_message_to_the_process_that_reads_the_submission(tmp_path: Path) -> None:
     (tmp_path / 'a.launch.py').write_text(LAUNCH)
     message = RunRequest(Submission(str(tmp_path / 'a.launch.py')), SCENARIO, Limits(), [], str(tmp_path)).message
-    assert 'zubaqe' not in json.dumps(message) and '0.4375' not in json.dumps(message)
+    assert not any(hidden in json.dumps(message) for hidden in ('0.4375', 'zubaqe', '1.0625'))
 
 
 RUBRIC = """title: A
 runs:
   - {name: one, arguments: {room: {word: 3}}, late: {talker: {between: [0.3, 0.7], decimals: 2}}, sends: {/$(arg room)/words: {word: 3}}}
-  - {name: two}
+  - {name: two, sends: {/words: {word: 2, at: {between: [0.5, 1.5]}}}, turns: {turtle1: {between: [1.0, 2.0]}}}
 checks:
   - {name: lives, alive: {}}
 """
@@ -81,7 +87,7 @@ def scenarios() -> Iterator[tuple[Scenario, Scenario]]:
 
 def test_a_rubric_chooses_the_times_and_the_words() -> None:
     found = list(scenarios())
-    assert all(0.3 <= one.late['talker'] <= 0.7 and not two.late and not two.sent for one, two in found)
+    assert all(0.3 <= one.late['talker'] <= 0.7 and not two.late and not one.turned for one, two in found)
     assert len({one.late['talker'] for one, _ in found}) > 5
     assert all([*one.sent] == [f'/{one.arguments["room"]}/words'] for one, _ in found)
     assert len({value for one, _ in found for value in one.sent.values()}) == 20
@@ -91,3 +97,10 @@ def test_a_rubric_chooses_the_times_and_the_words() -> None:
 def test_a_topic_names_an_argument_of_its_run() -> None:
     with pytest.raises(RubricMistake, match=r'a.yaml:3: the run one has no argument house'):
         read_yaml_rubric('a.yaml', RUBRIC.replace('$(arg room)', '$(arg house)').encode())
+
+
+def test_a_rubric_limits_the_time_of_a_message_and_chooses_a_turn() -> None:
+    found = list(scenarios())
+    assert all(0.5 <= two.sent['/words'][0] <= 1.5 and len(two.sent['/words'][1]) == 4 for _, two in found)
+    assert len({two.sent['/words'][0] for _, two in found}) > 5
+    assert all(8.0 <= two.turned['/turtle1'][0] <= 10.0 and 1.0 <= two.turned['/turtle1'][1] <= 2.0 for _, two in found)

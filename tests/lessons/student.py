@@ -78,6 +78,7 @@ def leave() -> None:
     shell = made and made.InteractiveShell._instance
     if shell:
         atexit.unregister(shell.atexit_operations)
+        shell.restore_sys_module_state()  # other tests need a `__main__` with a name
         shell.user_ns.clear()
         made.InteractiveShell.clear_instance()
 

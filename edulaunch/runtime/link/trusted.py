@@ -143,6 +143,7 @@ class Trusted:
     :param end: the end of the socket to the confined peer.
     :param quota: the maximum number of bytes from that peer.
     :ivar sent: by topic, a std_msgs/msg/String from a node /visitor: the simulated seconds and the text.
+    :ivar turned: by turtle, a turn that the node /visitor asks for: the simulated seconds and the angle in radians.
     """
 
     def __init__(self, end: socket.socket, seed: int, quota: int | None = None) -> None:
@@ -158,6 +159,7 @@ class Trusted:
         self.replica.answered = self.recorder.response  # type: ignore[method-assign]
         self._programs: dict[int, ConfinedProgram] = {}
         self.sent: Mapping[str, tuple[float, str]] = MappingProxyType({})
+        self.turned: Mapping[str, tuple[float, float]] = MappingProxyType({})
         self._seen: dict[int, list[tuple[str, dict[str, Any]]]] = {}  # facts about the nodes of the other peer, by node number
         self.peer.calls[FrameKind.SIGNAL] = self.host.send_signal
         self.peer.handlers.update(
@@ -185,6 +187,8 @@ class Trusted:
             self.peer.await_token(self.sim.now_ns)
             for topic, (time_s, text) in self.sent.items():
                 self.sim.schedule(self.sim.start_ns + round(time_s * 1e9), partial(self._visit, topic, text))
+            for turtle, (time_s, angle) in self.turned.items():
+                self.sim.schedule(self.sim.start_ns + round(time_s * 1e9), partial(self._turn, turtle, angle))
             self.sim.run(self.sim.now_ns + round(duration_s * 1e9))
             self.peer.checked(self._describe)
         self.recorder.stop()
@@ -195,6 +199,13 @@ class Trusted:
         node = self.graph.add_node(ConfinedProgram(VISITOR_PID, VISITOR), 'visitor', '/')
         publisher = self.graph.create_publisher(node, topic, underlay_registry().get('std_msgs/msg/String'), QoS())
         publisher.publish((text,))
+
+    def _turn(self, turtle: str, angle: float) -> None:
+        """Turn a turtle, of which the other peer knows nothing before."""
+        node = self.graph.add_node(ConfinedProgram(VISITOR_PID, VISITOR), 'visitor', '/')
+        kind = underlay_registry().get('turtlesim/srv/TeleportRelative')
+        client = self.graph.create_client(node, f'{turtle}/teleport_relative', kind, QoS(), bool)
+        client.send((0.0, angle))
 
     def go_on(self, duration_s: float) -> None:
         """Let more simulated time pass after `run`, without recording it."""

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from ..evidence import Evidence, Failure
-from .launched import refuse_strangers
-from .movement import Track, distances, farthest, fastest, length, progress_towards, since, turtle_track
+from .launched import refuse_strangers, stranger
+from .movement import Track, command_topics, distances, farthest, fastest, length, progress_towards, pushed, since, turtle_track
 
 FASTEST_M_S = 20.0  # the listener drives half of the distance in a second, in a world 11 m wide
 LAST_S = 1.0  # greatest age of the last pose of a turtle that exists until the end
+MOST_PUSHED_M = 0.1
 LEAST_WAY_M = 0.5  # distance that a turtle must drive to reach a goal
 LEAST_SHARE = 0.4  # share of the distance of a moving goal; a follower that takes short cuts travels less than its goal
 
@@ -50,14 +51,28 @@ def require_arrival(run: Evidence, scenario: str, follower: str, try_: str) -> N
         )
 
 
-def require_driver(run: Evidence, turtle: str, package: str, executable: str) -> None:
+def require_driver(run: Evidence, turtle: str, package: str, executable: str | None = None) -> None:
     """Require that only one program commands a turtle, so that the turtle shows what this program does.
 
-    :param turtle: such as ``/turtle2``.
+    :param turtle: such as ``/turtle2``, or '' for the robot.
+    :param executable: the only program of that package that may do so (default: all of them).
     :raises Failure: with the name of another node that commands the turtle.
     """
+    place_topic, usual = f'{turtle}/pose' if turtle else '/odom', f'{turtle}/cmd_vel'
     for recording in run.values():
-        refuse_strangers(recording, f'{turtle}/cmd_vel', package, executable)
+        for topic in sorted(command_topics(recording, place_topic) or {usual}):
+            found = stranger(recording, topic, package, executable)
+            if found is not None and topic != usual:
+                node, process = found
+                name, driver = turtle.strip('/') or 'the robot', ' '.join(filter(None, (package, executable)))
+                raise Failure(
+                    f'{node.name} drives {name}, which only {driver} may drive',
+                    expected=f'the simulator receives the velocities of {name} on {usual}',
+                    seen=f'it receives them on {topic}, and the process {node.process} publishes this topic',
+                    where=process.origin if process else None,
+                    try_=f'remove the remapping of {usual} from the Node of the simulator',
+                )
+            refuse_strangers(recording, topic, package, executable)
 
 
 def require_pursuit(run: Evidence, scenario: str, goal: str, follower: str, since_s: float, try_: str) -> None:
@@ -109,6 +124,15 @@ def driven_track(run: Evidence, scenario: str, turtle: str) -> Track:
             f'{turtle.strip("/")} jumps, when launched with {run.scenario(scenario).words}',
             expected=f'it drives at {FASTEST_M_S:g} m/s or less',
             seen=f'it moves at {fastest(track):.0f} m/s between two poses',
+            where=run.source.place,
+            try_='move it with velocities on its topic cmd_vel, not with the services teleport_absolute or teleport_relative',
+        )
+    away = pushed(run[scenario], f'{turtle}/pose')
+    if not away <= MOST_PUSHED_M:
+        raise Failure(
+            f'{turtle.strip("/")} does not drive by itself, when launched with {run.scenario(scenario).words}',
+            expected='it moves only with the velocities on its topic cmd_vel',
+            seen=f'it moves {away:.2f} m without a velocity',
             where=run.source.place,
             try_='move it with velocities on its topic cmd_vel, not with the services teleport_absolute or teleport_relative',
         )

@@ -11,7 +11,7 @@ from .identity import nodes_of, process_of, processes_of
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
-    from edulaunch.engine.recording.records import ProcessRecord
+    from edulaunch.engine.recording.records import NodeRecord, ProcessRecord
 
 
 def refuse_strangers(recording: Recording, topic: str, package: str, executable: str | None = None) -> None:
@@ -20,17 +20,31 @@ def refuse_strangers(recording: Recording, topic: str, package: str, executable:
     :param executable: the only program of that package that may publish it (default: all of them).
     :raises Failure: with the name of another node that publishes the topic.
     """
-    own = set(nodes_of(recording, package, executable))
+    found = stranger(recording, topic, package, executable)
+    if found is not None:
+        node, process = found
+        raise Failure(
+            f'{node.name} publishes {topic}, which only a program of {package} may publish',
+            expected=f'only {package} publishes {topic}',
+            seen=f'the process {node.process} publishes it',
+            where=process.origin if process else None,
+            try_='publish on another topic, and move turtles and robots with velocity commands',
+        )
+
+
+def stranger(
+    recording: Recording, topic: str, package: str, executable: str | None = None
+) -> tuple[NodeRecord, ProcessRecord | None] | None:
+    """Return a node that publishes a topic without being of a program of a package, and its process, or None.
+
+    The node of the grader does not count. It publishes the messages of `Scenario.sent`.
+    """
+    own, owners = set(nodes_of(recording, package, executable)), recording.owners
     for position, node in enumerate(recording.nodes):
-        if position not in own and any(name == topic for name, _ in node.publishers):
-            process = process_of(recording, node, position)
-            raise Failure(
-                f'{node.name} publishes {topic}, which only a program of {package} may publish',
-                expected=f'only {package} publishes {topic}',
-                seen=f'the process {node.process} publishes it',
-                where=process.origin if process else None,
-                try_='publish on another topic, and move turtles and robots with velocity commands',
-            )
+        is_of_the_grader = owners is not None and owners['nodes'][position] < 0
+        if position not in own and not is_of_the_grader and any(name == topic for name, _ in node.publishers):
+            return node, process_of(recording, node, position)
+    return None
 
 
 def find_processes(recording: Recording, package: str, executable: str) -> list[ProcessRecord]:

@@ -8,11 +8,16 @@ from math import hypot, isfinite
 from typing import TYPE_CHECKING, cast
 
 from ..evidence import Failure
+from .identity import nodes_of
 from .launched import refuse_strangers
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
 
+SIMULATORS = ('turtlesim', 'turtlebot3_gazebo')
+PLACES = ('turtlesim/msg/Pose', 'nav_msgs/msg/Odometry')
+COMMANDS = ('geometry_msgs/msg/Twist', 'geometry_msgs/msg/TwistStamped')
+STEP_M = 0.001  # error of a step by rounding
 Track = list[tuple[float, float, float]]  # (time in s, x in m, y in m)
 
 
@@ -52,6 +57,28 @@ def _track(recording: Recording, topic: str, package: str, x: str, y: str) -> Tr
             try_='find a velocity or a pose that is nan or inf, such as 0.0 / 0.0 in numpy',
         )
     return track
+
+
+def command_topics(recording: Recording, place_topic: str) -> set[str]:
+    """Return the topics from which a turtle or a robot receives its velocities, by the topic of its position.
+
+    Remappings can give a turtle any topic, so the subscriptions of its simulator count, and not their usual names.
+    """
+    found = set()
+    for position in [place for package in SIMULATORS for place in nodes_of(recording, package)]:
+        node = recording.nodes[position]
+        places = [name for name, kind in node.publishers if kind in PLACES]
+        commands = [name for name, kind in node.subscriptions if kind in COMMANDS]
+        if place_topic in places and len(places) == len(commands):
+            found.add(commands[places.index(place_topic)])
+    return found
+
+
+def pushed(recording: Recording, topic: str) -> float:
+    """Return the metres that a turtle moved in addition to its own velocity. A teleported turtle has no velocity."""
+    rows = recording.series(topic, 'x', 'y', 'linear_velocity')
+    steps = ((hypot(b[1] - a[1], b[2] - a[2]), abs(b[3]) * (b[0] - a[0])) for a, b in zip(rows, rows[1:], strict=False))
+    return sum(way - own for way, own in steps if way > 1.05 * own + STEP_M)
 
 
 def length(track: Track) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
@@ -59,6 +60,33 @@ def node_parameter(recording: Recording, node: str, package: str, name: str, wan
     """Return a parameter of the node with a fully qualified name, whose program is of a package; see :func:`parameter_of`."""
     positions = [position for position in nodes_of(recording, package) if recording.nodes[position].name == node]
     return parameter_of(recording, positions[0], name, wanted) if positions else None
+
+
+def named_origin(run: Evidence, parameter: Parameter, node: str, name: str) -> str:
+    """Return the origin of a parameter. A parameter file must be a file of the package that gives the node this value.
+
+    A launch file can write a file of the same name during the run.
+    """
+    file = parameter.origin.split(' ')[0]
+    texts = run.source.texts()
+    if not file.endswith(('.yaml', '.yml')) or len(texts) == 1:
+        return parameter.origin
+    known = [text for path, text in texts.items() if os.path.basename(path) == file]
+    if any(_gives(text, node, name, parameter.value) for text in known):
+        return parameter.origin
+    return 'a file that is not in the package'
+
+
+def _gives(text: str, node: str, name: str, value: Any) -> bool:
+    """Return whether the text of a parameter file gives a node this value."""
+    from edulaunch.engine.graph.parameter_files import ParameterFileError, read_parameter_file
+    from edulaunch.engine.graph.parameters import pattern_matches
+
+    try:
+        entries = read_parameter_file(text)
+    except ParameterFileError:
+        return False
+    return any(entry.name == name and entry.value == value and pattern_matches(entry.pattern, node) for entry in entries)
 
 
 def with_origin(parameter: Parameter | None) -> str:

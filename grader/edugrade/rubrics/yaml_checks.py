@@ -17,8 +17,8 @@ from ..library.identity import rows_of
 from ..library.launched import refuse_strangers, require_process
 from ..library.movement import Track, length, odometry_track, since, turtle_track
 from ..library.node_graph import require_ended, require_listener, require_node, require_nodes, require_started, require_topic
+from ..library.parameters import named_origin, refuse_missing_file, require_parameter
 from ..library.parameters import node_parameter as read_parameter
-from ..library.parameters import refuse_missing_file, require_parameter
 from ..shortened import last_lines, readable, shortened
 from .yaml_wanted import OfRun, Wanted
 
@@ -138,12 +138,24 @@ def shuts_down(run: Evidence, wanted: Wanted) -> None:
 def _happens(run: Evidence, wanted: Wanted, what: str, require: Callable[..., float]) -> None:
     for one in wanted.of_each(run):
         time_s = require(run, one.scenario, one.text('node'), wanted.try_, *one.program())
+        since_s, words = _moment(one)
+        one.require_close(f'the {what} of {one.text("node")}{words} (in s)', time_s - since_s, one.number('at'), 0.3)
         other, *program = one.other('after')
-        since_s = require_started(run, one.scenario, other, wanted.try_, *program) if other else 0.0
-        words = f'the {what} of {one.text("node")}' + (f' after the start of {other}' if other else '')
-        one.require_close(f'{words} (in s)', time_s - since_s, one.number('at'), 0.3)
         if other and _place(one, other, *program) > _place(one, one.text('node'), *one.program()):
             raise Mismatch(f'the {what} of {one.text("node")}', f'after the start of {other}', 'before it', **one.advice)
+
+
+def _moment(one: OfRun) -> tuple[float, str]:
+    """Return the time of `after` with its words: the start of a node, or the first message on a topic. Without it, return 0."""
+    after = one.wanted['after']
+    if isinstance(after, dict) and 'topic' in after:
+        topic = require_topic(one.alone, one.scenario, one.filled(after['topic']), None, after.get('package'), one.wanted.try_)
+        first_s = min(time_s for time_s, _ in one.recording.messages(topic.name))
+        return first_s, f' after the first message on {topic.name}'
+    other, *program = one.other('after')
+    if not other:
+        return 0.0, ''
+    return require_started(one.run, one.scenario, other, one.wanted.try_, *program), f' after the start of {other}'
 
 
 def _place(one: OfRun, node: str, package: str | None, executable: str | None) -> int:
@@ -208,7 +220,10 @@ def _parameters(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, Paramete
         )
         require_node(one.alone, node, wanted['package'], advice)
         asked = one.same_type('value') if 'value' in wanted else None
-        yield one, read_parameter(one.recording, node, wanted['package'], name, asked), advice
+        found = read_parameter(one.recording, node, wanted['package'], name, asked)
+        if found is not None and 'origin' in wanted:
+            found = found._replace(origin=named_origin(run, found, node, name))
+        yield one, found, advice
 
 
 @kind('{name} has the right value', 'name is')
@@ -357,10 +372,8 @@ def _tracks(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, str, Track]]
     """Yield for each run the name and the track of the turtle or the robot."""
     for one in wanted.of_each(run):
         _require_driver(one, str(wanted['turtle']))
-        if wanted['turtle'] and wanted['driver']:
+        if wanted['turtle']:
             name = f'/{str(wanted["turtle"]).strip("/")}'
             yield one, str(wanted['turtle']), driven_track(one.alone, one.scenario, name)
-        elif wanted['turtle']:
-            yield one, str(wanted['turtle']), _turtle(one, 'turtle')
         else:
             yield one, 'the robot', odometry_track(one.recording, wanted['odometry'] or '/odom')

@@ -19,8 +19,8 @@ from .yaml_wanted import ARGUMENT, Wanted
 Problem = Callable[[yaml.Node, str], RubricMistake]
 TURN = ('of', 'launch', 'beside', 'names')
 CONSONANTS, VOWELS = 'bdfgklmnprstv', 'aeiou'
-RUN = ('name', 'arguments', 'duration', 'seed', 'interrupt', 'defaults', 'late', 'sends')
-SENT = 0.4, 0.5  # the parts of a run between which the grader sends its message
+RUN = ('name', 'arguments', 'duration', 'seed', 'interrupt', 'defaults', 'late', 'sends', 'turns')
+SENT = 0.4, 0.5  # the parts of a run between which the grader sends its message, or turns a turtle
 ENDS = ('ends', 'shuts_down')
 COMMON = ('points', 'say', 'name', 'needs', 'try', 'only')
 
@@ -94,7 +94,9 @@ def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
     duration = _number(parts['duration'], problem, (int, float)) if 'duration' in parts else (lambda random: 20.0)
     late, sent = (_mapping(parts[key], problem, key, None) if key in parts else {} for key in ('late', 'sends'))
     delays = {key: _number(value, problem, (int, float)) for key, value in late.items()}
-    texts = {key: _argument(value, problem) for key, value in sent.items()}
+    texts = {key: _message(value, problem) for key, value in sent.items()}
+    turned = _mapping(parts['turns'], problem, 'turns', None) if 'turns' in parts else {}
+    angles = {key: _number(value, problem, (int, float)) for key, value in turned.items()}
     seed = _value(parts['seed'], problem) if 'seed' in parts else 0
     if not isinstance(seed, int):
         raise problem(parts['seed'], f'seed is {seed!r}; write a whole number')
@@ -110,10 +112,11 @@ def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
         if unknown is not None:
             raise problem(parts['sends'], f'the run {name} has no argument {unknown}')
         to_publish = {
-            ARGUMENT.sub(lambda found: values[found[1]], topic): (round(random.uniform(*SENT) * length_s, 2), of(random))
-            for topic, of in texts.items()
+            ARGUMENT.sub(lambda found: values[found[1]], topic): (when(random, length_s), of(random))
+            for topic, (when, of) in texts.items()
         }
-        return Scenario(name, values, length_s, seed, is_interrupted, defaults, hidden, to_publish)
+        turns = {f'/{key.strip("/")}': (_some_time(random, length_s), float(of(random))) for key, of in angles.items()}
+        return Scenario(name, values, length_s, seed, is_interrupted, defaults, hidden, to_publish, turns)
 
     return chosen
 
@@ -132,6 +135,20 @@ def _argument(node: yaml.Node, problem: Problem) -> Callable[[Random], str]:
         raise problem(node, 'an argument is a text, {between: [LOW, HIGH]}, {one_of: [...]} or {word: 3}')
     text = str(node.value)  # the text that people type after name:=
     return lambda random: text
+
+
+def _some_time(random: Random, length_s: float) -> float:
+    return round(random.uniform(*SENT) * length_s, 2)
+
+
+def _message(node: yaml.Node, problem: Problem) -> tuple[Callable[[Random, float], float], Callable[[Random], str]]:
+    """Return functions that choose the time of a message, from the length of the run, and its text."""
+    if not isinstance(node, yaml.MappingNode) or all(pair[0].value != 'at' for pair in node.value):
+        return _some_time, _argument(node, problem)
+    at = _number({pair[0].value: pair[1] for pair in node.value}['at'], problem, (int, float))
+    rest = [pair for pair in node.value if pair[0].value != 'at']
+    text = _argument(yaml.MappingNode(node.tag, rest, node.start_mark, node.end_mark), problem)
+    return lambda random, length_s: float(at(random)), text
 
 
 def _default(node: yaml.Node, problem: Problem) -> str | None:

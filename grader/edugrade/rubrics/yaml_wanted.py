@@ -78,11 +78,11 @@ class Wanted(dict[str, Any]):
             if key in self and not (_is_number(self[key]) and self[key] >= 0):
                 raise ValueError(f'{key} is {self[key]!r}; write a number from 0 on')
         after = self.get('after')
-        of_after = list(after.values()) if isinstance(after, dict) else [after or '']
-        if not all(isinstance(each, str) for each in of_after) or (
-            isinstance(after, dict) and not {'node'} <= set(after) <= {'node', 'package', 'executable'}
-        ):
-            raise ValueError(f'after is {after!r}; write the name of a node, or {{node: NAME, package: PACKAGE}}')
+        of_after = after if isinstance(after, dict) else {'node': after or ''}
+        is_one = len({'node', 'topic'} & set(of_after)) == 1 and set(of_after) <= {'node', 'topic', 'package', 'executable'}
+        if not is_one or not all(isinstance(each, str) for each in of_after.values()):
+            forms = 'the name of a node, {node: NAME, package: PACKAGE}, or {topic: NAME, package: PACKAGE}'
+            raise ValueError(f'after is {after!r}; write {forms}')
         for key in CALCULATED:
             try:
                 calculated(ARGUMENT.sub('1', str(self.get(key, 0))))

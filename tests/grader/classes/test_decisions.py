@@ -114,7 +114,7 @@ def test_one_table_has_all_exercises(results: Path, tmp_path: Path, capsys: pyte
     write(results, 'student,exercise,points,comment\nanna,follow,9,talked about it\n')
     out = tmp_path / 'marks.csv'
     assert main(['table', str(results), '--out', str(out), '--separator', ';']) == 0
-    remark = '"talked about it 9 points count; the checks gave 7."'
+    remark = '"talked about it. 9 points count; the checks gave 7."'
     unconfined = 'files; without network (no seccomp)'
     head, *lines = out.read_text().splitlines()
     assert head == 'student;student_id;circle;follow;points;possible;without_mark;remarks;sandbox'
@@ -135,3 +135,14 @@ def test_a_platform_reads_what_did_not_confine_a_mark(results: Path, tmp_path: P
 def test_due_and_submitted_belong_together(results: Path, tmp_path: Path) -> None:
     with pytest.raises(UnusableInput, match='--due needs --submitted'):
         main(['table', str(results), '--out', str(tmp_path / 'm.csv'), '--due', '2026-11-20'])
+
+
+def test_a_platform_with_semicolons_gets_semicolons(results: Path, tmp_path: Path) -> None:
+    out, own = tmp_path / 'marks.csv', tmp_path / 'worksheet.csv'
+    write(results, 'student,exercise,points,comment\nanna,circle,9,talked about it\n')
+    assert main(['moodle', str(results), '--exercise', 'circle', '--out', str(out), '--separator', ';']) == 0
+    assert out.read_text().splitlines()[0] == 'Full name;ID number;circle;circle (feedback)'
+    assert 'anna;;9;"All checks passed. talked about it. 9 points count' in out.read_text()
+    own.write_text('Identifier;Full name;Grade\nParticipant 1;anna;\nParticipant 2;bert;\nParticipant 3;=1+1;\n')
+    assert main(['moodle', str(results), '--exercise', 'circle', '--out', str(out), '--list', str(own)]) == 0
+    assert out.read_text().splitlines()[:3] == ['Identifier;Full name;Grade', 'Participant 1;anna;9', 'Participant 2;bert;3']

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from edugrade.rubrics.yaml_wanted import calculated
+from edugrade.rubrics.yaml_wanted import Wanted, calculated
 
 
 def test_numbers_are_calculated() -> None:
@@ -16,3 +16,16 @@ def test_numbers_are_calculated() -> None:
 def test_nothing_else_is(text: str) -> None:
     with pytest.raises(ValueError, match='not a number'):
         calculated(text)
+
+
+@pytest.mark.parametrize(
+    'after', ['/sim', {'node': '/sim', 'package': 'turtlesim'}, {'topic': '/chatter', 'package': 'demo_nodes_py'}]
+)
+def test_a_time_is_after_a_node_or_a_message(after: object) -> None:
+    Wanted({'after': after}, None).refuse_odd_values()
+
+
+@pytest.mark.parametrize('after', [{'package': 'turtlesim'}, {'node': '/sim', 'topic': '/chatter'}, {'topic': 3}, 3])
+def test_a_time_is_after_nothing_else(after: object) -> None:
+    with pytest.raises(ValueError, match=r'after is .*; write the name of a node'):
+        Wanted({'after': after}, None).refuse_odd_values()

@@ -59,14 +59,21 @@ def _mark(result: dict[str, Any], possible: int) -> Mark:
     earned = result.get('points', {}).get('earned')
     words = first_problem(result)
     feedback = 'All checks passed.' if words is None else words if earned is not None else f'Not graded: {words}'
-    feedback = ' '.join([feedback, *remarks(result)])
+    *first, last = [feedback, *remarks(result)]
+    feedback = ' '.join([*map(sentence, first), last])
     return Mark(result['student'], result.get('student_id') or '', earned, possible, ' '.join(feedback.split()))
+
+
+def sentence(text: str) -> str:
+    """Return a text that ends like a sentence, so that another one can follow it."""
+    text = text.rstrip()
+    return text if text.endswith(('.', '!', '?')) else f'{text}.'
 
 
 def remarks(result: dict[str, Any]) -> list[str]:
     """Return the comment on a mark: the teacher's comment, deductions, and layers of the sandbox that failed."""
     days, graded, earned = result.get('late_days', 0), result.get('graded'), result.get('points', {}).get('earned')
-    sentences = [result['comment']] if result.get('comment') else []
+    sentences = [sentence(result['comment'])] if result.get('comment') else []
     if days:
         sentences.append(f'{days} {"day" if days == 1 else "days"} late.')
     if graded is not None:
@@ -83,8 +90,8 @@ def is_unconfined(result: dict[str, Any]) -> bool:
 LARGEST_BYTES = 20_000_000
 
 
-def read_list(path: str) -> tuple[list[str], list[dict[str, str]]]:
-    """Return the first row and the other rows.
+def read_list(path: str) -> tuple[list[str], list[dict[str, str]], str]:
+    """Return the first row, the other rows, and the separator of the cells, which is a semicolon in some languages.
 
     :raises UnusableInput: when it cannot be read.
     """
@@ -92,15 +99,17 @@ def read_list(path: str) -> tuple[list[str], list[dict[str, str]]]:
         text = read_regular(path, LARGEST_BYTES).decode('utf-8-sig')
     except (OSError, UnicodeDecodeError) as error:
         raise UnusableInput(f'the list {path} cannot be read: {error}', help='save it as CSV in UTF-8') from None
-    reader = csv.DictReader(io.StringIO(text), restval='')
+    first = text.partition('\n')[0]
+    separator = ';' if first.count(';') > first.count(',') else ','
+    reader = csv.DictReader(io.StringIO(text), restval='', delimiter=separator)
     rows = [{key: value for key, value in row.items() if isinstance(key, str)} for row in reader]
-    return list(reader.fieldnames or ()), rows
+    return list(reader.fieldnames or ()), rows, separator
 
 
-def list_text(head: Sequence[str], rows: Sequence[dict[str, str]]) -> str:
+def list_text(head: Sequence[str], rows: Sequence[dict[str, str]], separator: str) -> str:
     """Return the list with its original form and the new values."""
     file = io.StringIO()
-    writer = csv.DictWriter(file, head, lineterminator='\r\n', extrasaction='ignore')
+    writer = csv.DictWriter(file, head, lineterminator='\r\n', extrasaction='ignore', delimiter=separator)
     writer.writeheader()
     writer.writerows(rows)
     return file.getvalue()
@@ -153,7 +162,7 @@ def canvas_csv(path: str, title: str, marks: Sequence[Mark]) -> tuple[str, list[
 
     :raises UnusableInput: when it is not a gradebook of Canvas.
     """
-    head, rows = read_list(path)
+    head, rows, separator = read_list(path)
     if not {STUDENT, 'ID', 'Section'} <= set(head):
         raise UnusableInput(f'{path} is not a gradebook of Canvas', help='export it there: Grades, Export')
     column = next((name for name in head if name == title or name.startswith(f'{title} (')), title)
@@ -166,18 +175,18 @@ def canvas_csv(path: str, title: str, marks: Sequence[Mark]) -> tuple[str, list[
         mark = people.find([row[key] for key in NUMBERS if row.get(key)], row[STUDENT])
         if mark is not None:
             kept.append({**row, column: points(mark) or row.get(column, '')})
-    return list_text([*(name for name in KEPT if name in head), column], kept), people.unmet
+    return list_text([*(name for name in KEPT if name in head), column], kept, separator), people.unmet
 
 
 IDENTIFIER, NAME, GRADE, FEEDBACK = 'Identifier', 'Full name', 'Grade', 'Feedback comments'
 MAXIMUM = ('Maximum Grade', 'Maximum grade')
 
 
-def moodle_csv(title: str, marks: Sequence[Mark]) -> str:
+def moodle_csv(title: str, marks: Sequence[Mark], separator: str = ',') -> str:
     """Return the file for *Grades, Import, CSV file*: name and number of each student, the mark, and feedback."""
     columns = (NAME, 'ID number', title, f'{title} (feedback)')
     lines = [dict(zip(columns, (mark.student, mark.id, points(mark), mark.feedback), strict=True)) for mark in marks]
-    return csv_text(columns, lines)
+    return csv_text(columns, lines, separator)
 
 
 def moodle_worksheet(path: str, marks: Sequence[Mark]) -> tuple[str, list[str]]:
@@ -187,7 +196,7 @@ def moodle_worksheet(path: str, marks: Sequence[Mark]) -> tuple[str, list[str]]:
 
     :raises UnusableInput: when it is not a worksheet, or its maximum is not that of the exercise.
     """
-    head, rows = read_list(path)
+    head, rows, separator = read_list(path)
     lacking = [name for name in (IDENTIFIER, NAME, GRADE) if name not in head]
     if lacking:
         raise UnusableInput(
@@ -205,7 +214,7 @@ def moodle_worksheet(path: str, marks: Sequence[Mark]) -> tuple[str, list[str]]:
         row[GRADE] = points(mark) or row[GRADE]
         if FEEDBACK in head:
             row[FEEDBACK] = plain(mark.feedback)
-    return list_text(head, rows), people.unmet
+    return list_text(head, rows, separator), people.unmet
 
 
 def table_csv(results: Sequence[dict[str, Any]], separator: str = ',') -> str:
@@ -252,7 +261,9 @@ def main(words: Sequence[str]) -> int:
         help="the platform's own file, to be filled in: Moodle's offline grading worksheet, or the gradebook of Canvas",
     )
     parser.add_argument('--title', metavar='TEXT', help='name of the column (default: the exercise)')
-    parser.add_argument('--separator', choices=(',', ';'), default=',', help='separator of the cells (default: a comma)')
+    parser.add_argument(
+        '--separator', choices=(',', ';'), default=',', help='separator of the cells (default: a comma); a --list keeps its own'
+    )
     parser.add_argument('--due', metavar='TIME', help='the due date, such as 2026-11-20T23:59; each later day costs points')
     parser.add_argument('--late-per-day', type=float, default=10.0, metavar='PERCENT', help='for each late day (default: 10)')
     parser.add_argument('--submitted', metavar='FILE', help='a table with the times of submission: student,submitted')
@@ -279,7 +290,7 @@ def main(words: Sequence[str]) -> int:
     elif options.list is not None:
         text, unknown = moodle_worksheet(options.list, marks)
     else:
-        text, unknown = moodle_csv(title, marks), []
+        text, unknown = moodle_csv(title, marks, options.separator), []
     write_whole(options.out, text)
     without = sum(mark.earned is None for mark in marks)
     print(f'{len(marks) - without} marks of {exercise} for {len(marks)} students: {options.out}')
