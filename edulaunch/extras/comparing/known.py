@@ -71,6 +71,6 @@ def read_known(path: str) -> list[Known]:
     try:
         with open(path, encoding='utf-8') as file:
             return [Known(**row) for row in yaml.safe_load(file) or ()]
-    except (OSError, ValueError, TypeError, yaml.YAMLError) as error:
+    except (OSError, ValueError, TypeError, RecursionError, yaml.YAMLError) as error:
         help = f'write a list of mappings with {", ".join(Known._fields)}; file and why are required'
         raise UnusableInput(f'{path!r} is not a table of known differences: {error}', help=help) from None

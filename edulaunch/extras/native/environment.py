@@ -171,7 +171,9 @@ def _failure(text: str) -> EdulaunchError:
 
 
 def _run(command: list[str], failed: str) -> str:
-    done = subprocess.run(command, capture_output=True, text=True)
+    outside = dict(os.environ)
+    outside.pop('PYTHONPATH', None)  # in an active terminal it leads to the simulated rclpy
+    done = subprocess.run(command, capture_output=True, text=True, env=outside)
     if done.returncode:
         raise EdulaunchError(f'{failed}:\n' + '\n'.join((done.stderr or done.stdout).splitlines()[-5:]))
     return done.stdout

@@ -32,7 +32,7 @@ def read_yaml_rubric(path: str, data: bytes) -> Rubric:
     """
     try:
         root = yaml.compose(data, yaml.SafeLoader)
-    except yaml.YAMLError as error:
+    except (yaml.YAMLError, RecursionError) as error:
         mark = getattr(error, 'problem_mark', None)
         raise RubricMistake(f'{path}:{mark.line + 1 if mark else 1}: {getattr(error, "problem", None) or error}') from None
     if root is None:

@@ -100,6 +100,10 @@ def test_a_value_that_is_no_yaml_is_refused_with_help(machine) -> None:
     assert said.endswith("""help: for a string, use two kinds of quotation marks: '"@home"'\n""")
 
 
+def test_a_date_that_does_not_exist_is_refused_with_help(machine) -> None:
+    assert machine.fails('ros2 param set /sim background_r 2020-99-99').startswith('month must be in 1..12\n  help: ')
+
+
 def test_dump_into_a_folder_can_be_loaded_again(machine) -> None:
     said = machine.read('ros2 param dump /sim --output-dir .')
     assert said == f'Saving to:  {machine.folder}/./sim.yaml\n'

@@ -65,7 +65,7 @@ def test_a_misfit_names_field_and_reason(type_name: str, text: str, reason: str)
     assert str(caught.value).startswith('Failed to populate field: ') and reason in str(caught.value)
 
 
-@pytest.mark.parametrize('text', ['5', '[1]', '{x: ', "'"])
+@pytest.mark.parametrize('text', ['5', '[1]', '{x: ', "'", '{x: 2020-99-99}', '{x: ' * 2000, '{x: ' + '9' * 5000 + '}'])
 def test_values_must_be_a_dictionary(text: str) -> None:
     with pytest.raises(ValuesError, match='^The passed value .*\n  help: write the fields in braces'):
         parse_values(text)

@@ -82,3 +82,12 @@ def test_a_folder_of_somebody_else_is_not_removed(monkeypatch: pytest.MonkeyPatc
 def test_what_an_installer_complains_of_is_told_in_a_sentence(said: str, told: str) -> None:
     with pytest.raises(Exception, match=told):
         raise environment._failure(said)
+
+
+@pytest.mark.processes
+def test_what_was_installed_is_tried_without_the_simulated_rclpy_of_an_active_terminal(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setenv('PYTHONPATH', str(tmp_path))
+    said = environment._run([sys.executable, '-c', 'import os; print(os.environ.get("PYTHONPATH"))'], 'it failed')
+    assert said == 'None\n'

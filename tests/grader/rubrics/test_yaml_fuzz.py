@@ -57,6 +57,7 @@ def damaged(draw: st.DrawFn) -> bytes:
 
 
 @given(data=damaged())
+@example(data=b'[' * 2000)
 @example(data=b'title: T\nchecks: [{alive: {}, needs: 3}]\nruns: [{name: a}]')
 @example(data=b'title: T\nchecks: [{alive: {}, needs: [[]]}]\nruns: [{name: a}]')
 @example(data=b'title: T\nchecks: [{argument: {name: r, shows: [[]]}}]\nruns: [{name: a}]')

@@ -38,7 +38,7 @@ def parse_values(text: str) -> dict[str, Any]:
 
     try:
         values = yaml.safe_load(text)
-    except yaml.YAMLError as error:
+    except (yaml.YAMLError, ValueError, RecursionError) as error:
         raise ValuesError(f'The passed value is not valid YAML: {str(error).splitlines()[0]}\n  help: {_YAML_HELP}') from None
     if values is None:
         return {}

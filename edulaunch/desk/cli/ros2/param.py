@@ -203,7 +203,7 @@ def set_verb(arguments: argparse.Namespace) -> None:
     name = arguments.parameter_name
     try:
         value = get_parameter_value(arguments.value)
-    except yaml.YAMLError as error:
+    except (yaml.YAMLError, ValueError, RecursionError) as error:
         help = f"""for a string, use two kinds of quotation marks: '"{arguments.value}"'"""
         raise RuntimeError(with_help(str(error), help)) from None
     with node_parameters.parameters_of(arguments) as parameters:

@@ -173,6 +173,6 @@ def _substituted(context: LaunchContext, path: Path) -> str:
         text = perform_substitutions(context, parse_substitution(file.read()))
     try:
         yaml.safe_load(text)
-    except yaml.YAMLError:
+    except (yaml.YAMLError, ValueError, RecursionError):
         raise SubstitutionFailure('The substituted parameter file is not a valid yaml file') from None
     return text

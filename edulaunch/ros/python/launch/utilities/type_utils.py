@@ -142,7 +142,7 @@ def _load(value: str, message: str) -> Any:
 
     try:
         return load_yaml_value(value)
-    except yaml.YAMLError as error:
+    except (yaml.YAMLError, RecursionError) as error:
         raise ValueError(f'{message}: {error}') from None
 
 
