@@ -11,10 +11,11 @@ from typing import Any, TextIO
 
 from edulaunch.engine.graph.graph import Graph
 from edulaunch.engine.packages import Index
-from edulaunch.engine.packages.discovery import folder_of, install_folders, workspaces_of_command
+from edulaunch.engine.packages.discovery import find_workspaces, folder_of, install_folders, workspaces_of_command
 from edulaunch.engine.processes.host import Host
 from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.real_machine import machine_roots, with_real_paths
+from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.processes.streams import streams_of_programs
 from edulaunch.engine.processes.watchdog import Watchdog
 from edulaunch.engine.recording import Recorder, Recording
@@ -314,6 +315,32 @@ def index_for(workspaces: Sequence[PathLike], near: str | None = None) -> Index:
     built, sources = install_folders(workspaces)
     near = os.getcwd() if near is None else near
     return Index([*built, underlay_prefix()], [*sources, *package_folders()], read_source=read_source, near=near)
+
+
+def typed_command(words: Sequence[str], name: str, cwd: str, env: Mapping[str, str], index: Index) -> tuple[ProcessSpec, Index]:
+    """Return the program that a command line starts, and the index of the packages that it finds.
+
+    :param cwd: the current folder of the terminal; the workspaces around it, and those of a launch file that the command names
+        by path, count.
+    :param env: the environment of the terminal.
+    :param index: the packages where there is no workspace.
+    """
+    file = _named_file(words, cwd)
+    near = cwd if file is None else os.path.dirname(os.path.join(cwd, file))
+    workspaces = find_workspaces(cwd, env, file)
+    found = index_for(workspaces, near) if workspaces else index
+    if os.access(env.get('HOME', ''), os.W_OK):  # `ros2 launch` writes ~/.ros/log, as on a real computer
+        env = {'ROS_HOME': os.path.join(env['HOME'], '.ros'), **env}
+    return ProcessSpec(argv=tuple(words), name=name, cwd=cwd, env=machine_environment(env, found)), found
+
+
+def _named_file(words: Sequence[str], cwd: str) -> str | None:
+    """Return the launch file, or the program's file, that a command names by path."""
+    count = 1 if words[0] == 'python3' else 2
+    if count == 2 and list(words[:2]) != ['ros2', 'launch']:
+        return None
+    paths = (os.path.join(cwd, word) for word in words[count:] if not word.startswith('-'))
+    return next(filter(os.path.isfile, paths), None)
 
 
 def machine_environment(env: Mapping[str, str] | None, index: Index) -> dict[str, str]:

@@ -109,6 +109,87 @@ def test_a_process_shows_where_its_parameters_come_from(replay: tuple[Desk, str]
     desk.until('.step-told', 'parameter background_r')
 
 
+HANDLERS = """
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, LogInfo, RegisterEventHandler, TimerAction
+from launch.conditions import IfCondition
+from launch.event_handlers import OnProcessExit, OnProcessStart
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    sim = Node(package='turtlesim', executable='turtlesim_node', name='sim', parameters=[{
+        'background_r': 1, 'background_g': 2, 'qos_overrides./parameter_events.publisher.durability': 'volatile'}])
+    return LaunchDescription([
+        DeclareLaunchArgument('second', default_value='false'),
+        sim,
+        Node(package='turtlesim', executable='mimic', condition=IfCondition(LaunchConfiguration('second'))),
+        RegisterEventHandler(OnProcessStart(target_action=sim, on_start=[LogInfo(msg='started')])),
+        RegisterEventHandler(OnProcessExit(target_action=sim, on_exit=[LogInfo(msg='gone')])),
+        TimerAction(period=9.0, actions=[LogInfo(msg='late')]),
+    ])
+"""
+
+
+@pytest.fixture
+def handlers(browser: Any, tmp_path: Path) -> Iterator[Any]:
+    """Opens a replay of a launch with handlers, a timer and an action that is left out: in a theme, so wide."""
+    source, file, contexts = tmp_path / 'demo.launch.py', tmp_path / 'demo.html', []
+    source.write_text(HANDLERS)
+    file.write_text(recorded_page(timeline_of(edulaunch.run(source, duration_s=2)), 'demo', 'launch'))
+
+    def opened(scheme: str, width: int) -> Desk:
+        contexts.append(browser.new_context(viewport={'width': width, 'height': 860}, color_scheme=scheme))
+        desk = Desk(contexts[-1].new_page(), ('file:',))
+        desk.page.goto(file.as_uri())
+        desk.seek(1.0)
+        return desk
+
+    yield opened
+    for context in contexts:
+        context.close()
+
+
+LOOKS = [(scheme, width) for scheme in ('light', 'dark') for width in (900, 1400)]
+
+
+@pytest.mark.parametrize(('scheme', 'width'), LOOKS)
+def test_what_never_fired_what_is_left_out_and_what_waits_are_marked(handlers: Any, shots: Path, scheme: str, width: int) -> None:
+    desk = handlers(scheme, width)
+    page = desk.page
+    assert "left out: second is 'false'" in page.locator('.step', has_text='mimic').inner_text()
+    assert 'fires at 9.0' in page.locator('.step', has_text='timer after').inner_text()
+    never, once = (page.locator('.step', has_text=name) for name in ('OnProcessExit', 'OnProcessStart'))
+    assert 'never fired' in never.inner_text() and 'fired once' in once.inner_text()
+    of = 'step => getComputedStyle(step).borderLeftStyle + getComputedStyle(step.querySelector(".state-of")).color'
+    assert never.evaluate(of) != once.evaluate(of), 'a handler that never fired looks like one that did'
+    page.screenshot(path=shots / f'launch-handlers-{scheme}-{width}.png')
+
+
+@pytest.mark.parametrize(('scheme', 'width'), LOOKS)
+def test_the_names_of_values_are_broken_at_spaces_only_and_nothing_is_cut_off(
+    handlers: Any, shots: Path, scheme: str, width: int
+) -> None:
+    desk = handlers(scheme, width)
+    page = desk.page
+    page.locator('.step', has_text='turtlesim_node').click()
+    desk.until('.step-told', 'parameter background_r')
+    lines = """cell => { const range = document.createRange(); range.selectNodeContents(cell.lastChild);
+        return range.getClientRects().length; }"""
+    assert page.locator('.step-told td.named', has_text='background_g').evaluate(lines) == 1
+    assert page.locator('.step-told').evaluate('box => box.scrollWidth <= box.clientWidth')
+    place = page.get_by_label('file and line to run to')
+    assert place.input_value().startswith('demo.launch.py:')
+    assert place.evaluate('field => field.scrollWidth <= field.clientWidth'), 'the place can be read'
+    page.screenshot(path=shots / f'launch-values-{scheme}-{width}.png')
+    desk.open('parameters')
+    desk.frame()
+    assert page.locator('.params').evaluate(
+        'table => table.getBoundingClientRect().right <= table.parentNode.getBoundingClientRect().right + 1'
+    )
+
+
 def test_a_launch_is_stepped_in_a_notebook(lab: Lab, course: Path, shots: Path) -> None:
     code = "import edulaunch\nmachine = edulaunch.start('turtlesim', 'multisim.launch.py', step=True)\nmachine.view('launch')"
     cell = {'cell_type': 'code', 'id': 'step', 'metadata': {}, 'source': code, 'outputs': [], 'execution_count': None}
@@ -133,6 +214,7 @@ def test_a_launch_is_stepped_in_a_notebook(lab: Lab, course: Path, shots: Path) 
         page.page.locator('.step', has_text='turtlesim_node').first.click()
         desk.press('send SIGINT to turtlesim_node-1')
         desk.until('.step', 'ended, exit code 0')
+        assert desk.page.locator('.step-told button', has_text='Kill').is_disabled(), 'it has ended'
         desk.press('start turtlesim_node-1 again')
         desk.until('.step', 'run 2')
         desk.press('step through the launch again')

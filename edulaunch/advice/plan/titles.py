@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -9,6 +10,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.processes import Origin
 
 Item = dict[str, Any]
+_FILE_NAME = re.compile(r"([^'/\\]+\.(?:py|xml|ya?ml))'")
 
 
 class Branch:
@@ -100,8 +102,14 @@ def _subject(action: Any) -> str:
     for attribute in ('node_executable', 'cmd', 'launch_description_source', 'name', 'msg'):
         value = getattr(action, attribute, None)
         if value is not None:
-            return _described(getattr(value, 'described_location', value))
+            return _file_in(value.described_location) if hasattr(value, 'described_location') else _described(value)
     return ''
+
+
+def _file_in(location: str) -> str:
+    """Return the name of the launch file if substitutions describe its folder, and otherwise the location as it is."""
+    names = _FILE_NAME.findall(location)
+    return f"'{names[-1]}'" if names and location.count("'") > 2 else location
 
 
 def _described(value: Any) -> str:

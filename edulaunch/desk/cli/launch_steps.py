@@ -27,6 +27,7 @@ HELP = """\
   q          shut the launch down, as Ctrl-C does
 """
 PROMPT = '(launch) '
+FIRST = 'press Enter for the next action, or ? for all answers; after the last action, the launch runs until Ctrl-C'
 
 
 class TerminalSteps:
@@ -39,6 +40,7 @@ class TerminalSteps:
         self._session = session
         self._trace: Any = None
         self.waited_s = 0.0
+        self._is_first = True
         self._in, self._out = sys.stdin, sys.stdout  # at a prompt, launch's process has its own streams
 
     def clock(self) -> float:
@@ -74,6 +76,9 @@ class TerminalSteps:
     def _ask(self, here: Any) -> None:
         shown = here
         self._show(shown, here)
+        if self._is_first:
+            self._is_first = False
+            self._say(FIRST)
         while True:
             word, _, rest = self._line().partition(' ')
             way = {'': 'into', 'i': 'into', 'n': 'next', 'e': 'event', 'g': 'go', 'q': 'go'}.get(word)
@@ -89,6 +94,8 @@ class TerminalSteps:
             elif word == 'l':
                 self._say('give a file and a line, such as: l demo.launch.py:12')
             else:
+                if word not in _LOOKS:
+                    self._say(f'{word} is no answer; the answers are:')
                 _LOOKS.get(word, TerminalSteps._help)(self, shown)
 
     def _line(self) -> str:
@@ -158,8 +165,12 @@ class TerminalSteps:
         self._say(HELP.rstrip('\n'))
 
 
-_NAMES = {'ros_namespace': 'namespace', 'ros_remaps': 'remaps', 'global_params': 'parameters for all nodes'}
-_LOOKS: dict[str, Callable[[TerminalSteps, Any], object]] = {'c': TerminalSteps._context, 'w': TerminalSteps._list}
+_NAMES = {'ros_namespace': 'namespace', 'ros_remaps': 'remappings', 'global_params': 'parameters for all nodes'}
+_LOOKS: dict[str, Callable[[TerminalSteps, Any], object]] = {
+    'c': TerminalSteps._context,
+    'w': TerminalSteps._list,
+    '?': TerminalSteps._help,
+}
 
 
 def _where(row: dict[str, Any]) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 
 from edulaunch.desk.machine import wire
 from edulaunch.desk.view import ViewedMachine
-from edulaunch.desk.view.viewer import Viewer
+from edulaunch.desk.view.viewer import TypedIn, Viewer
 
 LONGEST_LINE = 1 << 16
 
@@ -19,14 +19,19 @@ class LivePage:
     :param machine: the machine that the page shows.
     :param send: sends a frame to the page: its kind and payload.
     :param forget: called once with this page when it is closed.
+    :param typed_in: the current folder and the environment of the terminal that opened the page, for the page's own terminals.
     """
 
     def __init__(
-        self, machine: ViewedMachine, send: Callable[[int, bytes], object], forget: Callable[[LivePage], object]
+        self,
+        machine: ViewedMachine,
+        send: Callable[[int, bytes], object],
+        forget: Callable[[LivePage], object],
+        typed_in: TypedIn | None = None,
     ) -> None:
         self._send = send
         self._forget = forget
-        self._viewer = Viewer(machine, self._say)
+        self._viewer = Viewer(machine, self._say, typed_in)
         self._line = b''
 
     def _say(self, message: dict[str, Any]) -> None:

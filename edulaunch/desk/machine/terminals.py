@@ -20,12 +20,10 @@ from edulaunch.desk.machine import wire
 from edulaunch.desk.machine.connection import RemoteInput
 from edulaunch.desk.machine.live import LiveMachine
 from edulaunch.desk.machine.notes import Notes
-from edulaunch.engine.packages.discovery import find_workspaces
 from edulaunch.engine.processes.process import Process
-from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.errors import UnusableInput
 from edulaunch.runtime import plugins
-from edulaunch.runtime.session import Session, index_for, machine_environment
+from edulaunch.runtime.session import Session, typed_command
 
 if TYPE_CHECKING:
     from edulaunch.desk.machine.connection import Connection, Peer
@@ -162,7 +160,7 @@ class Terminals:
                 why = f'{MOST_PAGES} pages already show this machine: close some of them, and load this page again'
                 connection.send(wire.ERRORS, why.encode())
                 connection.end()
-            page = LivePage(self.machine, connection.send, self.pages.remove)
+            page = LivePage(self.machine, connection.send, self.pages.remove, (cwd, _variables(variables)))
             self.pages.append(page)
             self.notes.knows_view = True
             return page
@@ -170,7 +168,7 @@ class Terminals:
             peer: Peer = service.peer(self.machine, connection)
             return peer
         self._count += 1
-        env = dict(variable.split('=', 1) for variable in variables if '=' in variable)
+        env = _variables(variables)
         terminal = Terminal(self, connection, (int(columns), int(lines)), terminals)
         terminal.words = words
         terminal.number = self._count
@@ -203,13 +201,7 @@ class Terminal:
         """Run the command inside the simulation."""
         host = self._terminals.session.host
         name = words[3] if words[:2] == ['ros2', 'run'] and words[3:] else words[0]
-        file = _launch_file(words, cwd)
-        near = cwd if file is None else os.path.dirname(os.path.join(cwd, file))
-        workspaces = find_workspaces(cwd, env, file)
-        index = index_for(workspaces, near) if workspaces else host.index
-        if os.access(env.get('HOME', ''), os.W_OK):  # `ros2 launch` writes ~/.ros/log, as on a real computer
-            env = {'ROS_HOME': os.path.join(env['HOME'], '.ros'), **env}
-        spec = ProcessSpec(argv=tuple(words), name=f'{name}-{self.number}', cwd=cwd, env=machine_environment(env, index))
+        spec, index = typed_command(words, f'{name}-{self.number}', cwd, env, host.index)
         if not host.knows(spec):
             self._connection.send(wire.ERRORS, f'{words[0]}: unknown command on the simulated machine\n'.encode())
             self.ended(NOT_FOUND)
@@ -292,10 +284,6 @@ class Terminal:
             real.send_signal(HUP)
 
 
-def _launch_file(words: list[str], cwd: str) -> str | None:
-    """Return the launch file, or the program's file, that a command names by path."""
-    count = 1 if words[0] == 'python3' else 2
-    if count == 2 and words[:2] != ['ros2', 'launch']:
-        return None
-    paths = (os.path.join(cwd, word) for word in words[count:] if not word.startswith('-'))
-    return next(filter(os.path.isfile, paths), None)
+def _variables(lines: Sequence[str]) -> dict[str, str]:
+    """Return the environment that a terminal sent as lines `NAME=VALUE`."""
+    return dict(line.split('=', 1) for line in lines if '=' in line)

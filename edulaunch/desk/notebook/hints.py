@@ -49,7 +49,7 @@ def candidates(terminal: CellTerminal, typed_line: str) -> tuple[str, list[str]]
         return typed, [tab for tab in TABS if tab.startswith(typed)]
     own: Iterable[str] = OWN_OPTIONS if typed.startswith('-') and words else OWN_WORDS if not words else ()
     if session is not None:
-        found = completions(session, words, typed)
+        found = completions(session, words, typed, lambda: session.index)
     else:
         found = list(ros2_words(words, typed, lambda: index_for(terminal.workspaces()), lambda command: []))
     return typed, sorted({word for word in (*found, *own) if word.startswith(typed)})

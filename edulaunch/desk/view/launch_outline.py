@@ -104,7 +104,7 @@ def state_of(row: Row, steps: Mapping[int, Row], end_us: int) -> tuple[str, str]
     if row['state'] == 'failed':
         return 'failed', f'failed: {row.get("error", "")}'
     if row['state'] == 'left out':
-        return 'left-out', f'left out: {row.get("condition")} is not true'
+        return 'left-out', f'left out: {_reason(row)}'
     if row.get('process') and row.get('runs'):
         return _of_process(row['runs'], end_us)
     fired = [time for time in row.get('fired_at', ()) if time <= end_us]
@@ -114,6 +114,12 @@ def state_of(row: Row, steps: Mapping[int, Row], end_us: int) -> tuple[str, str]
         times = 'once' if len(fired) == 1 else f'{len(fired)} times'
         return ('taken', f'fired {times}') if fired else ('idle', 'never fired')
     return 'taken', 'is visited' if row['state'] == 'visiting' else 'done'
+
+
+def _reason(row: Row) -> str:
+    """Return why an action was left out: the launch configurations that its condition reads, or the condition itself."""
+    read = [f'{one["name"]} is {_value(one["value"])}' for one in row.get('values', ()) if one['kind'] == 'reason']
+    return ', '.join(read) or f'{row.get("condition")} is not true'
 
 
 def _waits(row: Row, steps: Mapping[int, Row]) -> str:
@@ -164,7 +170,8 @@ def _chain(steps: Sequence[Row]) -> str:
     for step in steps:
         counts = ' (counts)' if step['counts'] and len(steps) > 1 else ''
         inner = _chain(step['argument']) if step.get('argument') else ''
-        place = f' <small>{_text(place_of(step))}</small>' if step.get('file') else ''
+        is_told = step.get('file') and step['origin'].endswith(f'{os.path.basename(step["file"])} line {step["line"]}')
+        place = f' <small>{_text(place_of(step))}</small>' if step.get('file') and not is_told else ''
         lines.append(f'<li>{_text(_value(step["value"]))} — {_text(step["origin"])}{place}{counts}{inner}</li>')
     return f'<ol>{"".join(lines)}</ol>'
 

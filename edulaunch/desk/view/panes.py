@@ -12,6 +12,7 @@ from edulaunch.engine.processes.process import Process
 from edulaunch.runtime import ros2_command
 
 if TYPE_CHECKING:
+    from edulaunch.engine.packages import Index
     from edulaunch.runtime.session import Session
 
 COUNT = 2
@@ -105,9 +106,12 @@ class _Keyboard(PipedInput):
         self._tell_mode(self.by_key)
 
 
-def completions(session: Session, words: list[str], typed: str) -> list[str]:
-    """Return the words that fit at the end of `ros2 WORDS...` and begin as typed, in alphabetical order."""
-    possible = ros2_command.complete(words, typed, lambda: session.index, lambda command: _listed(session, command))
+def completions(session: Session, words: list[str], typed: str, index: Callable[[], Index]) -> list[str]:
+    """Return the words that fit at the end of `ros2 WORDS...` and begin as typed, in alphabetical order.
+
+    :param index: returns the packages that the terminal finds.
+    """
+    possible = ros2_command.complete(words, typed, index, lambda command: _listed(session, command))
     return sorted({word for word in possible if word.startswith(typed)})
 
 

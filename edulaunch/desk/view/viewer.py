@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 import signal
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.desk.view import ViewedMachine
@@ -18,8 +18,10 @@ from edulaunch.desk.view.timeline import Timeline, marks_of
 from edulaunch.engine.processes.inputs import PipedInput
 from edulaunch.engine.processes.process import Process
 from edulaunch.engine.processes.spec import ProcessSpec
+from edulaunch.runtime.session import typed_command
 
 if TYPE_CHECKING:
+    from edulaunch.engine.packages import Index
     from edulaunch.engine.sim.pacing import RealTime
 
 TICK_NS = 16_000_000
@@ -28,6 +30,8 @@ LONGEST_STEP_NS = 10_000_000_000
 FASTEST = 100.0
 LONGEST_LINE = 4000
 MOST_CHOICES = 60
+TypedIn = tuple[str, Mapping[str, str]]
+"""The current folder and the environment of a terminal."""
 DRIVER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'driver.py')
 
 
@@ -35,15 +39,17 @@ class Viewer:
     """The machine's side of one page.
 
     :param say: sends a message (plain data) to the page.
+    :param typed_in: the terminal that opened the page. Commands of the page find the same files and packages as there.
     """
 
-    def __init__(self, machine: ViewedMachine, say: Callable[[dict[str, Any]], object]) -> None:
+    def __init__(self, machine: ViewedMachine, say: Callable[[dict[str, Any]], object], typed_in: TypedIn | None = None) -> None:
         self._machine = machine
+        self._typed_in = typed_in
         self._say = say
         self._session = machine.session
         self._timeline = Timeline(RecorderSource(self._session.recorder))
         self._driver: PipedInput | None = None
-        self._panes = [Pane(number, self._start, say) for number in range(COUNT)]
+        self._panes = [Pane(number, self._start_typed, say) for number in range(COUNT)]
         self._sent_state: dict[str, object] | None = None
 
     def show(self) -> None:
@@ -74,7 +80,7 @@ class Viewer:
         self._session = self._machine.session
         self._timeline = Timeline(RecorderSource(self._session.recorder))
         self._driver, self._sent_state = None, None
-        self._panes = [Pane(number, self._start, self._say) for number in range(COUNT)]
+        self._panes = [Pane(number, self._start_typed, self._say) for number in range(COUNT)]
         return True
 
     def take(self, request: Any) -> None:
@@ -204,7 +210,7 @@ class Viewer:
         *before, typed = line.split(' ')
         if before[:1] != ['ros2']:
             return
-        found = completions(self._session, before[1:], typed)
+        found = completions(self._session, before[1:], typed, self._index)
         sure = os.path.commonprefix(found) + (' ' if len(found) == 1 and not found[0].endswith(('=', '/')) else '')
         completed = line[: len(line) - len(typed)] + sure if found else line
         self._say({'completed': [completed, found[:MOST_CHOICES]], 'pane': _pane(request)})
@@ -244,6 +250,23 @@ class Viewer:
         process = self._session.host.start(spec, on_output, on_exit)
         assert isinstance(process, Process)
         return process
+
+    def _start_typed(
+        self, argv: list[str], name: str, on_output: Callable[[str, str], object], on_exit: Callable[[int], object]
+    ) -> Process:
+        """Start a command of the page's terminals."""
+        if self._typed_in is None:
+            return self._start(argv, name, on_output, on_exit)
+        spec, index = typed_command(argv, f'{name}-view', *self._typed_in, self._session.index)
+        process = self._session.host.start(spec, on_output, on_exit, index=index)
+        assert isinstance(process, Process)
+        return process
+
+    def _index(self) -> Index:
+        """Return the packages that the page's terminals find."""
+        if self._typed_in is None:
+            return self._session.index
+        return typed_command(['ros2'], 'ros2', *self._typed_in, self._session.index)[1]
 
     def close(self) -> None:
         """End the programs of the closed page; the machine continues."""

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from launch.actions import GroupAction, IncludeLaunchDescription, LogInfo, OpaqueFunction, SetEnvironmentVariable
-from launch.substitutions import LaunchConfiguration
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
 
 from edulaunch.advice.plan.titles import Branch, Setters, action_words, details_of, shown_value, title_of
 
@@ -113,6 +113,16 @@ def test_a_long_value_is_cut(length: int, shown: str) -> None:
         (SetEnvironmentVariable('A', 'x'), 'SetEnvironmentVariable', "SetEnvironmentVariable 'A'"),
         (LogInfo(msg=['a', LaunchConfiguration('x')]), 'LogInfo', "LogInfo 'a' LaunchConfig('x')"),
         (IncludeLaunchDescription('/a.launch.py'), 'IncludeLaunchDescription', "IncludeLaunchDescription '/a.launch.py'"),
+        (
+            IncludeLaunchDescription(PathJoinSubstitution([LaunchConfiguration('folder'), 'launch', 'world.launch.py'])),
+            'IncludeLaunchDescription',
+            "IncludeLaunchDescription 'world.launch.py'",
+        ),
+        (
+            IncludeLaunchDescription([LaunchConfiguration('file')]),
+            'IncludeLaunchDescription',
+            "IncludeLaunchDescription LaunchConfig('file')",
+        ),
         (SimpleNamespace(), 'SimpleNamespace', 'SimpleNamespace'),
     ],
 )

@@ -96,3 +96,10 @@ def test_stepping_changes_nothing_in_the_run(step: Any, file: Path) -> None:
 def test_q_shuts_the_launch_down(step: Any, file: Path) -> None:
     step('', '', '', '', 'q')
     assert Recording.load(file.with_suffix('.rec')).duration_s < 1
+
+
+def test_the_first_stop_tells_the_answers_and_a_wrong_answer_is_named(step: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    lines = step('jump', '?', 'g')
+    assert any(line.startswith('jump is no answer') for line in lines)
+    assert sum('go to the next event' in line for line in lines) == 2
+    assert not any('? is no answer' in line for line in lines)

@@ -55,7 +55,7 @@ def test_what_the_viewer_says_is_a_line_of_json_and_the_end_closes_it(monkeypatc
     heard, log = Heard(), list[Any]()
     says: list[Any] = []
 
-    def viewer(machine: Any, say: Any) -> Heard:
+    def viewer(machine: Any, say: Any, typed_in: Any) -> Heard:
         says.append(say)
         return heard
 

@@ -2,7 +2,17 @@
 
 from __future__ import annotations
 
-from tests.desk.machine.shells import Desk
+import json
+import socket
+from pathlib import Path
+
+import pytest
+
+from edulaunch.desk.machine import wire
+from edulaunch.desk.machine.client import hello
+from edulaunch.desk.machine.place import read_address
+from edulaunch.runtime.framing import Frames, frame
+from tests.desk.machine.shells import PATIENCE_S, Desk
 from tests.desk.machine.workspace import make_package
 
 SAYS = """import rclpy
@@ -71,3 +81,27 @@ def test_of_two_packages_with_one_name_the_nearest_to_the_terminal_is_used_and_n
         desk.said('run mine says')
         == 'note: several packages have the name mine; this command uses mine, not ../week2/mine\nweek3\n'
     )
+
+
+def test_a_terminal_of_the_page_finds_the_packages_and_files_of_the_terminal_that_opened_the_page(
+    desk: Desk, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    desk.ros2('run demo_nodes_py talker').until('Publishing')  # the machine began in another folder
+    student = tmp_path / 'student'
+    make_package(student, {'one': "def main():\n    print('from the workspace')\n"})
+    (student / 'own.launch.xml').write_text('<launch><log message="from the folder"/></launch>')
+    monkeypatch.chdir(student)
+    address = read_address(str(desk.runtime / 'edulaunch'), '0')
+    assert address is not None
+    with socket.socket(socket.AF_UNIX) as page:
+        page.settimeout(PATIENCE_S)
+        page.connect(address.place)
+        page.sendall(hello(address.token, ['machine', 'view'], keyboard=False))
+        for number, line in enumerate(('ros2 run mine one', 'ros2 launch own.launch.xml')):
+            request = json.dumps({'op': 'line', 'line': line, 'pane': number})
+            page.sendall(frame(wire.INPUT, f'{request}\n'.encode()))
+        page.sendall(frame(wire.INPUT, b'{"op": "complete", "line": "ros2 run mi"}\n'))
+        frames, said = Frames(wire.FROM_MACHINE), ''
+        while not all(text in said for text in ('from the workspace', 'from the folder', 'ros2 run mine ')):
+            said += ''.join(payload.decode() for kind, payload in frames.feed(page.recv(1 << 16)) if kind == wire.OUTPUT)
+            assert 'not found' not in said and 'malformed' not in said

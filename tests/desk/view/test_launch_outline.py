@@ -73,7 +73,7 @@ def test_each_action_has_its_place_and_its_state(run: Any) -> None:
     assert 'include demo.launch.py' in text
     assert 'demo.launch.py:11' in text and 'demo.launch.py:15' in text
     assert 'running, pid ' in text
-    assert 'left out: ' in text
+    assert "left out: second is 'false'" in text
     assert 'never fired' in text and 'Waits for ' in text
     assert 'fires at 9.00 s' in text and 'ran out at 0.50 s' in text
     assert 'waits for the timer' in text
@@ -83,6 +83,18 @@ def test_a_value_has_the_chain_of_its_origin(run: Any) -> None:
     text = text_of(outline_of(run))
     assert 'parameter background_r7' in text.replace('\n', '')
     assert "'false' — default demo.launch.py:13" in text
+
+
+def test_a_place_is_told_once_and_a_condition_without_a_name_is_told_as_it_is() -> None:
+    chain = [
+        {'value': 1, 'origin': 'sim.yaml line 3', 'file': '/x/sim.yaml', 'line': 3, 'counts': False, 'argument': []},
+        {'value': 2, 'origin': 'default', 'file': '/x/a.launch.py', 'line': 4, 'counts': True, 'argument': []},
+    ]
+    values = [{'kind': 'parameter', 'name': 'r', 'value': 2, 'chain': chain}]
+    shown = [row(0, values=values), row(1, state='left out', condition="if 'false'")]
+    text = text_of(launch_outline([{'rows': shown}], 0))
+    assert 'sim.yaml:3' not in text and 'sim.yaml line 3' in text and 'default a.launch.py:4' in text
+    assert "left out: if 'false' is not true" in text
 
 
 def test_an_event_names_the_handlers_that_it_fired(run: Any) -> None:

@@ -18,7 +18,7 @@ class LaunchView {
     this.into = button('Next action ▶', 'to the next action, also into an include or a group', () => this.go('into'));
     this.next = button('Over ↷', 'to the next action after this include or group', () => this.go('next'));
     this.event = button('Next event ⚡', 'to the next event that launch processes', () => this.go('event'));
-    this.place = make('input', { type: 'text', class: 'mono short', placeholder: 'file:line', 'aria-label': 'file and line to run to' });
+    this.place = make('input', { type: 'text', class: 'mono line', placeholder: 'file:line', 'aria-label': 'file and line to run to' });
     this.to = button('Run to line', 'run to the next action that this line makes', () => this.run());
     this.place.addEventListener('keydown', event => { event.stopPropagation(); if (event.key === 'Enter') this.run(); });
     this.first = button('Step from the start', 'step through the launch again from its first action', () => this.start());
@@ -137,14 +137,14 @@ class LaunchView {
     this.before = here?.number;
     this.scrollTo = false;
     const chosen = launch.steps[this.chosen] || here || launch.steps.find(row => row?.file);
-    this.told.replaceChildren(...(chosen ? this.about(launch, chosen, states[chosen.number], time) : []));
+    this.told.replaceChildren(...(chosen ? this.about(launch, chosen, states[chosen.number]) : []));
     this.list(launch, time);
   }
   /* The state of a step: a class for its style, and a description. */
   state(row, time) {
     if (!this.came(row, time)) return ['waiting', row.parent >= 0 && !this.cursorBefore(row) && row.order === 0 ? this.waits(row, time) : 'waiting'];
     if (row.state === 'failed') return ['failed', `failed: ${row.error}`];
-    if (row.state === 'left out') return ['left', `left out: ${row.condition} is not true`];
+    if (row.state === 'left out') return ['left', `left out: ${this.reason(row)}`];
     if (row.process && row.runs) {
       const run = [...row.runs].reverse().find(([, from]) => this.started(row, from, time));
       if (!run) return ['taken', 'starts'];
@@ -158,6 +158,11 @@ class LaunchView {
       return times ? ['taken', `fired ${times === 1 ? 'once' : `${times} times`}`] : ['idle', 'never fired'];
     }
     return ['taken', row.state === 'visiting' ? 'is visited' : 'done'];
+  }
+  /* Why an action was left out: the launch configurations that its condition reads, or the condition itself. */
+  reason(row) {
+    const read = (row.values || []).filter(one => one.kind === 'reason');
+    return read.length ? read.map(one => `${one.name} is ${shownValue(one.value)}`).join(', ') : `${row.condition} is not true`;
   }
   cursorBefore(row) { return this.cursor !== null && row.order >= this.cursor; }
   waits(row) {
@@ -226,15 +231,15 @@ class LaunchView {
     list.hidden = !items.length;
   }
   /* The details of one step. */
-  about(launch, row, [, words], time) {
+  about(launch, row, [look, words]) {
     const rows = [make('p', {}, make('b', {}, row.text), ' ', make('span', { class: 'mono' }, place(row))), make('p', {}, `State: ${words}.`)];
     if (row.condition) rows.push(make('p', {}, `Condition: ${row.condition}`));
     for (const text of row.handlers || []) rows.push(make('p', {}, `Waits for ${text}.`));
     if (row.error) rows.push(make('p', { class: 'bad' }, row.error));
     for (const [, text, file, line] of row.details) rows.push(make('p', { class: 'mono' }, text, file ? make('span', { class: 'soft' }, ` ${baseName(file)}:${line}`) : ''));
     if (row.values?.length) rows.push(make('table', { class: 'small' }, make('tr', {}, ...['name', 'value', 'where it comes from'].map(text => make('th', { scope: 'col' }, text))),
-      ...row.values.map(one => make('tr', {}, make('td', {}, `${one.kind === 'reason' ? '' : one.kind + ' '}${one.name}`), make('td', { class: 'mono' }, shownValue(one.value)), make('td', {}, this.chain(one.chain))))));
-    if (row.process && this.desk.live && this.desk.follow) rows.push(this.buttons(launch, row, time));
+      ...row.values.map(one => make('tr', {}, make('td', { class: 'named' }, one.kind === 'reason' ? '' : make('span', { class: 'soft' }, one.kind + ' '), one.name), make('td', { class: 'mono' }, shownValue(one.value)), make('td', {}, this.chain(one.chain))))));
+    if (row.process && this.desk.live && this.desk.follow) rows.push(this.buttons(launch, row, look === 'running'));
     rows.push(this.context(launch, row));
     return rows;
   }
@@ -242,11 +247,13 @@ class LaunchView {
   chain(steps) {
     if (!steps.length) return make('span', { class: 'soft' }, 'nothing sets it');
     return make('ol', { class: 'chain' }, ...steps.map(step => make('li', { class: step.counts ? 'counts' : 'lost' }, `${shownValue(step.value)} — ${step.origin}`,
-      step.file ? make('span', { class: 'soft' }, ` ${baseName(step.file)}:${step.line}`) : '', step.counts && steps.length > 1 ? ' (counts)' : '', step.argument?.length ? this.chain(step.argument) : '')));
+      step.file && !step.origin.endsWith(`${baseName(step.file)} line ${step.line}`) ? make('span', { class: 'soft' }, ` ${place(step)}`) : '', step.counts && steps.length > 1 ? ' (counts)' : '', step.argument?.length ? this.chain(step.argument) : '')));
   }
-  buttons(launch, row) {
+  buttons(launch, row, runs) {
     const ask = what => this.desk.send({ op: 'process', pid: launch.pid, number: row.number, what });
-    return make('div', { class: 'tools' }, button('Stop', `send SIGINT to ${row.process}, as Ctrl-C does`, () => ask('stop')), button('Kill', `send SIGKILL to ${row.process}`, () => ask('kill')),
+    const ends = [button('Stop', `send SIGINT to ${row.process}, as Ctrl-C does`, () => ask('stop')), button('Kill', `send SIGKILL to ${row.process}`, () => ask('kill'))];
+    for (const end of ends) end.disabled = !runs;
+    return make('div', { class: 'tools' }, ...ends,
       button('Restart', `start ${row.process} again`, () => ask('restart')), button('Log', `show the log of ${row.process}`, () => this.desk.log(row.process)));
   }
   /* The launch configurations and the environment before a step. */

@@ -96,7 +96,7 @@ class ParameterView {
     if (key === this.key || this.table.contains(document.activeElement?.shadowRoot?.activeElement || document.activeElement)) return;
     this.key = key;
     this.table.replaceChildren(make('tr', {}, ...['node', 'parameter', 'value', 'default', 'where it came from'].map(text => make('th', { scope: 'col' }, text))),
-      ...rows.map(row => make('tr', {}, make('td', {}, row.node), make('td', {}, row.name, this.about(row)), make('td', {}, this.value(row)), make('td', {}, ...this.standard(row)), make('td', { class: 'soft' }, row.origin))));
+      ...rows.map(row => make('tr', {}, make('td', {}, row.node), make('td', { class: 'named' }, row.name, this.about(row)), make('td', {}, this.value(row)), make('td', {}, ...this.standard(row)), make('td', { class: 'soft' }, row.origin))));
     if (!rows.length) this.table.append(make('tr', {}, make('td', { colspan: 5 }, this.other.checked ? 'no parameter differs from its default' : 'no node has parameters yet')));
   }
   /* The default, and a sign where the value is another one. */
