@@ -17,20 +17,22 @@ from .library.deaths import deaths
 from .worker import in_worker
 
 Again = Callable[[list[Scenario]], Sequence[Outcome]]
+Plan = Sequence[tuple[dict[str, str | None], str, dict[str, str | None]]]
 ANOTHER = 'the default has another value'
 NOT_COMPARED = ('/rosout', '/parameter_events')
 
 
-def with_defaults_given(outcomes: Sequence[Outcome], again: Again) -> list[Outcome]:
+def with_defaults_given(outcomes: Sequence[Outcome], again: Again, known: Plan | None = None) -> list[Outcome]:
     """Return the outcomes with the repeated runs in place of the original ones. The result does not have a run that accepts any
     default but has none.
 
     :param again: makes runs.
+    :param known: the result of `plan_of` in a worker, if it is known.
     """
     if not any(outcome.scenario.defaults for outcome in outcomes):
         return list(outcomes)
-    try:
-        plan = in_worker(lambda: _plan(outcomes))  # the declarations of a submission may crash their reader
+    try:  # in a worker, because the declarations of a submission may crash their reader
+        plan = known or in_worker(lambda: plan_of(outcomes))
     except Exception:  # judging meets the same error, and reports it
         return list(outcomes)
     places = [place for place, (names, *_) in enumerate(plan) if names and None not in names.values()]
@@ -86,7 +88,7 @@ def _what_happened(outcome: Outcome) -> tuple[list[Any], list[Any]]:
     return parameters, [(row['topic'], row['type'], list(row['messages'])) for row in topics]
 
 
-def _plan(outcomes: Sequence[Outcome]) -> list[tuple[dict[str, str | None], str, dict[str, str | None]]]:
+def plan_of(outcomes: Sequence[Outcome]) -> Plan:
     """Return, for each run, the arguments that it needs, the reason or '', and the arguments with a calculated default. The
     last ones are empty for a run that needs arguments.
     """
@@ -99,6 +101,11 @@ def _plan(outcomes: Sequence[Outcome]) -> list[tuple[dict[str, str | None], str,
         (names, _why(outcome), {}) if names else ({}, '', _calculated(outcome))
         for names, outcome in zip(given, outcomes, strict=True)
     ]
+
+
+def keeps_all(plan: Plan) -> bool:
+    """Return whether a plan repeats no run and leaves none out."""
+    return not any(names or calculated for names, _, calculated in plan)
 
 
 def _why(outcome: Outcome) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -74,25 +75,31 @@ def read_course(path: str) -> list[Exercise]:
     :raises UnusableInput: when the manifest cannot be read or lacks a field, which the message names.
     """
     try:
-        entries = read_toml(path)['exercise']
-        return [
-            Exercise(
-                entry['file'],
-                entry['title'],
-                entry.get('lesson', ''),
-                entry['points'],
-                tuple(entry.get('hints', ())),
-                entry.get('why', ''),
-                entry.get('check_points', {}),
-                tuple(tuple(map(str, row)) for row in entry.get('variants', ())),
-            )
-            for entry in entries
-        ]
+        with open(path, encoding='utf-8') as file:
+            return list(_exercises_of(file.read()))
     except KeyError as error:
         raise UnusableInput(f'the manifest {path} lacks {error} somewhere') from None
     except (OSError, ValueError, TypeError) as error:
         raise_fault(error)
         raise UnusableInput(f'the manifest {path} cannot be read: {error}') from None
+
+
+@lru_cache(maxsize=4)
+def _exercises_of(text: str) -> tuple[Exercise, ...]:
+    """Return the exercises of a manifest's text. A batch asks for each submission, and parsing takes longer than its plan."""
+    return tuple(
+        Exercise(
+            entry['file'],
+            entry['title'],
+            entry.get('lesson', ''),
+            entry['points'],
+            tuple(entry.get('hints', ())),
+            entry.get('why', ''),
+            entry.get('check_points', {}),
+            tuple(tuple(map(str, row)) for row in entry.get('variants', ())),
+        )
+        for entry in parse_toml(text)['exercise']
+    )
 
 
 def here_and_above(folder: str) -> Iterator[str]:

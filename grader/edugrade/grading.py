@@ -8,14 +8,15 @@ import os
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, NamedTuple
+from time import process_time
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from .bare_runs import Again, with_defaults_given
+from .bare_runs import Again, Plan, keeps_all, plan_of, with_defaults_given
 from .job import CAN_FORK, GradingJob, Limits
 from .rubrics.catalogue import find_rubric
 from .submission import Submission, exercise_of
 from .variant import Variant, variant_for
-from .worker import Exceeded
+from .worker import Exceeded, in_worker
 
 if TYPE_CHECKING:
     from .evidence import Outcome, Scenario
@@ -92,19 +93,21 @@ def grade(
     workspaces: Sequence[str] = (),
     on_outcome: Callable[[], object] | None = None,
     processors: int | None = None,
+    for_documents: bool = False,
 ) -> Iterator[Report]:
     """Yield the report of each piece of work, in order, as soon as it is ready.
 
     :param workspaces: additional directories with the student's packages.
     :param on_outcome: called after each run.
     :param processors: number of parallel runs (default: the number of processors).
+    :param for_documents: find what `reports.document` needs in the worker that judges.
     """
     with runner_here(limits, on_outcome, processors, len(work) > FEW) as runner:
         jobs = [runner.add(item.submission, item.scenarios, workspaces) for item in work]
         _load_during_the_first_runs()
         jobs.reverse()
         for item in work:
-            yield _report(item, runner, jobs.pop(), workspaces)  # not stored here, because recordings are large
+            yield _report(item, runner, jobs.pop(), workspaces, for_documents)  # not stored here, because recordings are large
 
 
 def _load_during_the_first_runs() -> None:
@@ -127,7 +130,8 @@ class WarmGrader:
 
     def report(self, work: Work, workspaces: Sequence[str] = ()) -> Report:
         """Return the report of a piece of work."""
-        return _report(work, self._runner, self._runner.add(work.submission, work.scenarios, workspaces), workspaces)
+        job = self._runner.add(work.submission, work.scenarios, workspaces)
+        return _report(work, self._runner, job, workspaces, for_documents=True)
 
     def close(self) -> None:
         """End the runner and its starter."""
@@ -150,17 +154,17 @@ def runner_here(
     return InPlace(limits, on_outcome)
 
 
-def _report(work: Work, runner: Runner | InPlace, job: GradingJob, workspaces: Sequence[str]) -> Report:
-    from .judging import broken, judge, judged, no_mark, too_much
+def _report(work: Work, runner: Runner | InPlace, job: GradingJob, workspaces: Sequence[str], for_documents: bool) -> Report:
+    from .judging import broken, no_mark, too_much
     from .results import FAILED, Report
 
     def again(scenarios: Sequence[Scenario]) -> list[Outcome]:
         return runner.wait(runner.add(work.submission, scenarios, workspaces, is_next=True))
 
-    outcomes = with_defaults_given(runner.wait(job), again)
+    outcomes, looked = runner.wait(job), None
     submission = work.submission
     try:
-        results = judged(lambda: judge(work.rubric.checks, outcomes, submission.source))
+        outcomes, results, looked = _judged(work, outcomes, again, for_documents)
         results[1:1] = [*_whose(work), *_repeated(work, outcomes, again)]
     except Exceeded as error:
         fault = runner.fault()
@@ -181,7 +185,59 @@ def _report(work: Work, runner: Runner | InPlace, job: GradingJob, workspaces: S
         rubric_sha256=work.rubric_sha256,
         secret=work.secret,
         variant=work.variant,
+        looked=looked,
     )
+
+
+MOST_CPU_BEFORE_LOOKS_S = 3.0
+"""After so much processor time, a worker that judges leaves the digests to another one."""
+
+
+def _judged(
+    work: Work, outcomes: list[Outcome], again: Again, for_documents: bool
+) -> tuple[list[Outcome], list[CheckResult], tuple[list[str | None], list[str]] | None]:
+    """Return the outcomes with the runs that defaults need, the results, and what documents need if it is known. One worker does
+    all of it if no run must be repeated: a fork and what it then copies take 8 ms.
+    """
+    from .judging import judge, judged, result_of, rows_of
+
+    def judge_here() -> list[CheckResult]:
+        return judge(work.rubric.checks, outcomes, work.submission.source)
+
+    def look() -> tuple[Plan, list[dict[str, Any]] | None, Any]:
+        plan = _plan_of(outcomes)
+        if not keeps_all(plan):
+            return plan, None, None
+        rows = rows_of(judge_here)
+        return plan, rows, _looks(outcomes) if for_documents else None
+
+    plan, rows, looked = in_worker(look)
+    if rows is None:
+        outcomes = with_defaults_given(outcomes, again, plan)
+        return outcomes, judged(judge_here), None
+    return outcomes, [result_of(row) for row in rows], looked
+
+
+def _plan_of(outcomes: Sequence[Outcome]) -> Plan:
+    if not any(outcome.scenario.defaults for outcome in outcomes):
+        return []
+    try:
+        return plan_of(outcomes)
+    except MemoryError:
+        raise
+    except Exception:  # judging meets the same error, and reports it
+        return []
+
+
+def _looks(outcomes: Sequence[Outcome]) -> tuple[list[str | None], list[str]] | None:
+    from .reports.document import look_at
+
+    if process_time() > MOST_CPU_BEFORE_LOOKS_S:
+        return None
+    try:
+        return look_at(outcomes)
+    except MemoryError:  # the judgement must not be lost with it
+        return None
 
 
 COPIED = "this is another student's variant, which gets no mark until a teacher has looked at it"

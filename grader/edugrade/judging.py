@@ -159,10 +159,11 @@ def judged(judge: Callable[[], Sequence[CheckResult]]) -> list[CheckResult]:
 
     :raises Exceeded, Lost: as `in_worker`.
     """
-    return [_of_row(row) for row in in_worker(lambda: _rows(judge))]
+    return [result_of(row) for row in in_worker(lambda: rows_of(judge))]
 
 
-def _rows(judge: Callable[[], Sequence[CheckResult]]) -> list[dict[str, Any]]:
+def rows_of(judge: Callable[[], Sequence[CheckResult]]) -> list[dict[str, Any]]:
+    """Return the results of `judge` as plain data for `result_of`, or one result that reports that the grader broke."""
     try:
         results = judge()
     except MemoryError:
@@ -172,7 +173,8 @@ def _rows(judge: Callable[[], Sequence[CheckResult]]) -> list[dict[str, Any]]:
     return [asdict(result) for result in results]
 
 
-def _of_row(row: dict[str, Any]) -> CheckResult:
+def result_of(row: dict[str, Any]) -> CheckResult:
+    """Return a result from a row of `rows_of`, which JSON has changed."""
     row['needs'] = tuple(row['needs'])
     row['steps'] = tuple(row['steps'])
     row['where'] = Place(*row['where']) if row['where'] else None

@@ -75,6 +75,7 @@ class Report:
     :param student: the name of the student, or ''.
     :param level: the level of the advice that people see. Data always has all advice.
     :param variant: the values of a personalised exercise.
+    :param looked: the digest of each run and the launch graph for `reports.document`, if they are known.
     :param why: why the exercise matters on a robot, for a submission that passes all checks.
     :param word: a message to the student, for example that the file has not changed or that progress cannot be saved.
     """
@@ -98,6 +99,7 @@ class Report:
     word: str = ''
     why: str = ''
     variant: Variant | None = None
+    looked: tuple[list[str | None], list[str]] | None = None
 
     @property
     def sandbox(self) -> dict[str, str]:

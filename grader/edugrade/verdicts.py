@@ -233,12 +233,14 @@ def recorded(scenario: Scenario, content: bytes) -> Outcome | None:
     :param content: a line of JSON with the provenance of the rows and the contents of each bag, then the recording.
     """
     from edulaunch.engine.recording import Recording as Known
+    from edulaunch.ros.collector_pause import collector_paused
     from edulaunch.runtime.link.provenance import attach
 
     try:
         line, _, rest = content.partition(b'\n')
         owners, programs, *bags = json.loads(line)
-        recording = Known.from_bytes(rest)
+        with collector_paused():
+            recording = Known.from_bytes(rest, is_ours=True)  # the trusted peer wrote them
         attach(recording, [owners, programs])
         if recording.seed != scenario.seed or recording.launch.arguments != dict(scenario.arguments):
             return None

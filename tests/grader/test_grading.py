@@ -10,7 +10,9 @@ import sys
 from pathlib import Path
 
 import pytest
+from edugrade import bare_runs, grading, judging
 from edugrade.grading import grade, plan_work, progress_bar
+from edugrade.reports import document as made
 from edugrade.submission import Submission
 
 import edulaunch
@@ -43,6 +45,19 @@ def test_a_graded_run_is_the_run_that_the_student_sees() -> None:
         own = edulaunch.run(STATIC, arguments=scenario.arguments, duration_s=scenario.duration_s, seed=scenario.seed)
         assert outcome.recording is not None
         assert outcome.recording.digest() == own.digest()
+
+
+@pytest.mark.processes
+@pytest.mark.parametrize(('path', 'workers'), [(STATIC, 1), (REPOSITORY / 'solutions' / 'circle.launch.py', 1)])
+def test_one_worker_reads_the_recordings_of_a_submission(path: Path, workers: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[object] = []
+    in_worker = grading.in_worker
+    for module in (grading, bare_runs, judging, made):
+        monkeypatch.setattr(module, 'in_worker', lambda work: asked.append(work) or in_worker(work))
+    (report,) = grade([plan_work(Submission(str(path)))], for_documents=True)
+    document = made.document(report)
+    assert len(asked) == workers and report.earned == 12
+    assert [row['digest'] for row in document['scenarios']] == [made.digest_of(outcome) for outcome in report.outcomes]
 
 
 class Terminal(io.StringIO):

@@ -8,6 +8,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from edugrade import course as course_module
 from edugrade.cli import main
 from edugrade.notebook import CheckReport, check
 
@@ -95,6 +96,17 @@ def test_a_rubric_that_was_handed_in_is_not_run(
     monkeypatch.chdir(handed)
     assert main(['spin.launch.py']) == 2
     assert 'is in the directory of the submission' in capsys.readouterr().err
+
+
+def test_a_manifest_is_parsed_once_until_it_changes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    parsed: list[str] = []
+    parse = course_module.parse_toml
+    monkeypatch.setattr(course_module, 'parse_toml', lambda text: parsed.append(text) or parse(text))
+    manifest = tmp_path / 'course.toml'
+    for points in (3, 3, 4):
+        manifest.write_text(f"[[exercise]]\nfile = 'once.launch.py'\ntitle = 'T'\npoints = {points}\n")
+        assert [item.points for item in course_module.read_course(str(manifest))] == [points]
+    assert len(parsed) == 2
 
 
 def test_a_course_gives_other_points_for_a_rubric_of_ours(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -10,7 +10,8 @@ from __future__ import annotations
 import io
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 from typing import Any
 
 from edulaunch.engine.recording import schema
@@ -30,17 +31,27 @@ file. Ten minutes of ten turtles have 4 million values.
 """
 
 
-def encode(content: dict[str, Any]) -> bytes:
-    """Return the bytes of a recording's content."""
-    return b''.join(lines_of(content))
+def encode(content: dict[str, Any], known: Mapping[int, bytes] = MappingProxyType({})) -> bytes:
+    """Return the bytes of a recording's content; see `lines_of`."""
+    return b''.join(lines_of(content, known))
 
 
-def lines_of(content: dict[str, Any]) -> Iterator[bytes]:
-    """Yield the bytes of a recording file line by line, so that writing a long run needs less memory."""
+def lines_of_topics(data: bytes, content: dict[str, Any]) -> dict[int, bytes]:
+    """Return the lines of the topics in the bytes of `encode`, by the `id` of the topic in the decoded content."""
+    topics = content['topics']
+    return dict(zip(map(id, topics), data.splitlines(keepends=True)[-len(topics) :] if topics else (), strict=True))
+
+
+def lines_of(content: dict[str, Any], known: Mapping[int, bytes] = MappingProxyType({})) -> Iterator[bytes]:
+    """Yield the bytes of a recording file line by line, so that writing a long run needs less memory.
+
+    :param known: the lines of some topics, by the `id` of the topic, from the file that the content was read from.
+    """
     yield _line({'format': FORMAT, 'version': VERSION, **{key: content[key] for key in HEADER_NUMBERS}})
     yield from (_line({part: content[part]}) for part in PARTS)
     yield from (_line({part: content[part]}) for part in OPTIONAL_PARTS if content.get(part))
-    yield from (_line({key: topic[key] for key in TOPIC_KEYS}) for topic in content['topics'])
+    for topic in content['topics']:
+        yield known.get(id(topic)) or _line({key: topic[key] for key in TOPIC_KEYS})
 
 
 def _line(value: Any) -> bytes:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from functools import cached_property
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.recording import file_format
@@ -53,6 +54,8 @@ class Recording(Messages, Views):
     hosted: dict[int, tuple[str, str]] | None = None
     """The package and the executable of each program that a trusted peer ran itself, by position in `processes`."""
 
+    _lines_of_topics: Mapping[int, bytes] = MappingProxyType({})
+
     def __init__(self, content: dict[str, Any], lines: Mapping[int, tuple[str, int]] | None = None) -> None:
         """
         :param content: the parts of a recording, as plain data.
@@ -90,10 +93,14 @@ class Recording(Messages, Views):
         return cls.from_bytes(data, name)
 
     @classmethod
-    def from_bytes(cls, data: bytes, name: str = 'this recording') -> Recording:
-        """Return a recording from the bytes of :meth:`to_bytes`. Raise RecordingError if they are not a recording."""
+    def from_bytes(cls, data: bytes, name: str = 'this recording', *, is_ours: bool = False) -> Recording:
+        """Return a recording from the bytes of :meth:`to_bytes`. Raise RecordingError if they are not a recording.
+
+        :param is_ours: whether this edulaunch wrote the bytes, so that :meth:`digest` need not write long topics again.
+        """
         recording = cls(file_format.decode(data, name))
         recording._unread = name
+        recording._lines_of_topics = file_format.lines_of_topics(data, recording._content) if is_ours else {}
         return recording
 
     def to_bytes(self) -> bytes:
@@ -125,7 +132,8 @@ class Recording(Messages, Views):
 
         from edulaunch.engine.recording.canonical import canonical
 
-        return hashlib.sha256(file_format.encode({**canonical(self._content), 'beside': {}})).hexdigest()
+        content = {**canonical(self._content), 'beside': {}}
+        return hashlib.sha256(file_format.encode(content, self._lines_of_topics)).hexdigest()
 
     @cached_property
     def launch(self) -> LaunchRecord:

@@ -89,7 +89,7 @@ LONGEST_DIGEST_S = 5.0  # the digest usually takes a hundredth of this
 def document(report: Report) -> dict[str, Any]:
     """Return a report as plain data. Paths in the submission's directory are relative, so that copies have equal reports."""
     paths = ShortPaths(report.folder, package=report.package)
-    digests, graph = _looked_at(report.outcomes)
+    digests, graph = report.looked or _looked_at(report.outcomes)
     return {
         'format': FORMAT,
         **({'student': report.student} if report.student else {}),
@@ -114,12 +114,17 @@ def _variant(variant: Variant) -> dict[str, Any]:
 
 
 def _looked_at(outcomes: Sequence[Outcome]) -> tuple[list[str | None], list[str]]:
-    """Return the digest of each run and the launch graph of the first one. A worker reads the whole recordings."""
+    """Return the same as `look_at`. A worker reads the whole recordings."""
     try:
-        digests, graph = in_worker(lambda: [[digest_of(each) for each in outcomes], launch_graph(outcomes[0].recording)])
+        digests, graph = in_worker(lambda: look_at(outcomes))
     except Exceeded:
         return [None] * len(outcomes), []
     return digests, graph
+
+
+def look_at(outcomes: Sequence[Outcome]) -> tuple[list[str | None], list[str]]:
+    """Return the digest of each run and the launch graph of the first one. Call this in a worker."""
+    return [digest_of(each) for each in outcomes], launch_graph(outcomes[0].recording)
 
 
 def document_of_all(reports: Sequence[Report], refusals: Sequence[Refusal], exit_code: int) -> dict[str, Any]:

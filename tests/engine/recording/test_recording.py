@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from edulaunch.engine.graph.qos import QoS
-from edulaunch.engine.recording import Recording
+from edulaunch.engine.recording import Recording, file_format
 from edulaunch.engine.recording.file_format import decode
 from edulaunch.errors import RecordingError
 
@@ -128,6 +128,18 @@ def test_saving_and_loading_gives_the_same_bytes(recording: Recording, tmp_path:
     assert (loaded.to_bytes(), loaded.digest()) == (recording.to_bytes(), recording.digest())
     assert [message.x for _, message in loaded.messages('/turtle1/pose')] == [1.0, 2.0, 3.0, 4.0, 5.0]
     assert list(tmp_path.iterdir()) == [tmp_path / 'run.rec']
+
+
+def test_the_digest_of_bytes_of_ours_writes_long_topics_no_second_time(
+    recording: Recording, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    data, wanted, written = recording.to_bytes(), recording.digest(), []
+    line_of = file_format._line
+    monkeypatch.setattr(file_format, '_line', lambda value: written.append(value.get('topic')) or line_of(value))
+    assert Recording.from_bytes(data, is_ours=True).digest() == wanted
+    assert '/turtle1/pose' not in written
+    assert Recording.from_bytes(data).digest() == wanted
+    assert '/turtle1/pose' in written
 
 
 def test_the_same_run_gives_the_same_digest() -> None:

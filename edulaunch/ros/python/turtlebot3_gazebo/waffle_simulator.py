@@ -45,8 +45,10 @@ class WaffleSimulator(CppNode):
 
     def _look_for_other(self) -> None:
         """Subscribe to the other type, too, as soon as a program publishes it."""
+        if self._other is None:
+            return
         count = self.count_publishers('cmd_vel')
-        if self._other is not None and count != self._commanders:
+        if count != self._commanders:
             self._commanders = count
             types = {info.topic_type for info in self.get_publishers_info_by_topic('cmd_vel')}
             if f'geometry_msgs/msg/{self._other[0].__name__}' in types:

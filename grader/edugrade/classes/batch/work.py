@@ -115,7 +115,7 @@ def grade_here(todo: Sequence[tuple[Entry, Work]], store: Store, options: Option
     """Grade on this machine, with `jobs` parallel runs."""
     works = [work for _, work in todo]
     with progress_bar(sum(len(work.scenarios) for work in works)) as advance:
-        reports = grade(works, options.limits, options.workspaces, advance, options.jobs)
+        reports = grade(works, options.limits, options.workspaces, advance, options.jobs, for_documents=True)
         for (entry, _), report in zip(todo, reports, strict=True):
             keep_report(store, entry, replace(report, student=entry.student), options)
 
