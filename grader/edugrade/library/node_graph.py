@@ -164,7 +164,7 @@ def require_topic(
         if found is not None:
             listeners, speakers = (', '.join(names) or 'none' for names in (found.subscriptions, found.publishers))
             raise Failure(
-                f'no message is on {name}',
+                f'no message was published on {name}',
                 expected=f'a node that publishes messages on {name}',
                 seen=f'publishers: {speakers}; subscribers: {listeners}',
                 where=run.source.place,

@@ -267,7 +267,7 @@ def place(run: Evidence, wanted: Wanted) -> None:
                 'try_': wanted.try_ or f'find out what removes {wanted["turtle"]}: a call of /kill, /reset or /clear',
             }
             seen = f'its last pose is at {track[-1][0]:.2f} s'
-            raise Missing(f'the turtle {wanted["turtle"]}, at the end,', seen=seen, **advice)
+            raise Missing(f'the turtle {wanted["turtle"]} at the end of the run', seen=seen, **advice)
         samples = since(track, wanted['since']) if 'since' in wanted else track[-1:]
         for axis, key in enumerate(('x', 'y'), 1):
             if key in wanted:

@@ -126,10 +126,7 @@ def test_a_frame_that_is_elsewhere_than_its_turtle_is_false() -> None:
 
     assert graded('follow', false)['leader_is_on_tf'].status == 'passed'
     result = graded('follow', frozen)['leader_is_on_tf']
-    assert (result.status, result.reason) == (
-        'failed',
-        'the frame turtle1 is not where turtle1 is in the run with no arguments',
-    )
+    assert (result.status, result.reason) == ('failed', 'the frame turtle1 is not where turtle1 is in the run with no arguments')
 
 
 @pytest.mark.parametrize('track', ['/turtle1/pose', '/turtle2/pose'])
