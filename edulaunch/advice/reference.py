@@ -16,7 +16,7 @@ class ReferencePage(NamedTuple):
 
     :ivar name: its file in `docs/advice/`, without the suffix.
     :ivar kinds: the kinds of things that its rules look at.
-    :ivar letters: the first and the last letter with which the names of its rules begin, after the group.
+    :ivar letters: the first and the last letter with which the names of its rules begin, after the group, or one letter.
     """
 
     name: str
@@ -27,30 +27,26 @@ class ReferencePage(NamedTuple):
     def has(self, rule: Rule, kind: str) -> bool:
         """Return whether a rule that looks at `kind` is on this page."""
         first = rule.name.partition('.')[2][0]
-        return rule.group == self.group and kind in self.kinds and self.letters[0] <= first <= self.letters[1]
+        return rule.group == self.group and kind in self.kinds and self.letters[0] <= first <= self.letters[-1]
+
+
+def _pages(name: str, group: str, kinds: tuple[str, ...], *ranges: str) -> tuple[ReferencePage, ...]:
+    """Return a page for each range of first letters, such as 'ae' or 'n'."""
+    return tuple(ReferencePage(f'{name}-{"-".join(letters)}', group, kinds, letters) for letters in ranges)
 
 
 PAGES = (
-    *(
-        ReferencePage(f'launch-errors-{first}-{last}', 'launch', ('errors',), first + last)
-        for first, last in ('ai', 'jn', 'ot', 'uz')
-    ),
-    *(ReferencePage(f'launch-files-{first}-{last}', 'launch', ('plans',), first + last) for first, last in ('am', 'nz')),
-    ReferencePage('launch-runs', 'launch', ('recordings', 'scripts')),
-    *(
-        ReferencePage(f'programs-errors-{first}-{last}', 'programs', ('errors',), first + last)
-        for first, last in ('ai', 'jn', 'or', 'sz')
-    ),
-    *(
-        ReferencePage(f'programs-runs-{first}-{last}', 'programs', ('recordings', 'plans', 'sources'), first + last)
-        for first, last in ('am', 'np', 'qz')
-    ),
+    *_pages('launch-errors', 'launch', ('errors',), 'ae', 'fi', 'jm', 'n', 'ot', 'uz'),
+    *_pages('launch-files', 'launch', ('plans',), 'am', 'nz'),
+    *_pages('launch-runs', 'launch', ('recordings', 'scripts'), 'ao', 'pz'),
+    *_pages('programs-errors', 'programs', ('errors',), 'ac', 'di', 'jm', 'n', 'or', 'sz'),
+    *_pages('programs-runs', 'programs', ('recordings', 'plans', 'sources'), 'ad', 'em', 'np', 'qz'),
     ReferencePage('messages-errors', 'messages', ('errors',)),
-    *(ReferencePage(f'messages-runs-{first}-{last}', 'messages', ('recordings',), first + last) for first, last in ('an', 'oz')),
+    *_pages('messages-runs', 'messages', ('recordings',), 'an', 'oz'),
     ReferencePage('packages-errors', 'packages', ('errors',)),
-    ReferencePage('packages-files', 'packages', ('sources',)),
+    *_pages('packages-files', 'packages', ('sources',), 'am', 'nz'),
     ReferencePage('packages-workspaces', 'packages', ('workspaces',)),
-    *(ReferencePage(f'tf-{first}-{last}', 'tf', KINDS, first + last) for first, last in ('al', 'mr', 'sz')),
+    *_pages('tf', 'tf', KINDS, 'al', 'mr', 'sz'),
     ReferencePage('time', 'time', KINDS),
     ReferencePage('turtlesim', 'turtlesim', KINDS),
     ReferencePage('grader', 'grader', KINDS),

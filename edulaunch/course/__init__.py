@@ -4,7 +4,7 @@ Lessons use them like this::
 
         from edulaunch.course import compare, explain, predict, progress, quiz
         predict('square-end', (7.5, 5.5))      # before the run: kept in my_progress.toml
-        compare('square-end', (5.5, 5.5))      # after it: "You predicted ..., it was ..."
+        compare('square-end', (5.5, 5.5))      # after it: "You predicted ..., the result is ..."
         quiz('remapping', ...)                 # a question with choices; quiz('remapping', 'b') answers it
         explain('why-twice', ...)              # write a sentence in place of the dots to see the answer
         progress()                             # lessons, predictions, questions, exercises, and what to repeat

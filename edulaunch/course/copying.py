@@ -112,7 +112,9 @@ def personal_files(files: Mapping[str, bytes], course: str, student: str, secret
     known = read_course(path) if path else []
     variants = {item.name: found for item in known if (found := personal(item, student, secret)) is not None}
     if not variants:
-        raise UnusableInput('no exercise of this course has variants', help=f'variants = [["usual", "other"], ...] in {MANIFEST}')
+        raise UnusableInput(
+            'no exercise of this course has variants', help=f'write variants = [["usual", "other"], ...] in {MANIFEST}'
+        )
     made = dict(files)
     for item in known:
         for name in files:

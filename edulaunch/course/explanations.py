@@ -29,7 +29,9 @@ def explain(name: str, text: str | EllipsisType = ...) -> Verdict:
         there = f'did you mean explain({near!r}, ...)?' if near else f'{FILE} has no [[explanation]] of this name.'
         return Verdict(f'there is no explanation "{name}": {there}')
     if isinstance(text, EllipsisType):
-        return Verdict('Replace the three dots by one or two sentences in quotation marks, and run this cell to see the answer.')
+        return Verdict(
+            'Replace the three dots with one or two sentences in quotation marks, and run this cell to see the answer.'
+        )
     words = ' '.join(visible(str(text)).split())[:LONGEST]
     if len(words.split()) < FEWEST:
         return Verdict(f'Write at least {FEWEST} words to see the answer.')

@@ -154,7 +154,7 @@ def _read(path: str) -> tuple[dict[str, Done], dict[str, list[str]]]:
 
 def _done(table: Any) -> Done:
     if not isinstance(table, dict) or not table.keys() <= KINDS.keys():
-        raise ValueError('a table in it is not one of check()')
+        raise ValueError('it has a table that check() did not write')
     for name, value in table.items():
         if type(value) not in KINDS[name]:
             raise ValueError(f'{name} in it has the wrong type')
@@ -168,8 +168,8 @@ def _done(table: Any) -> Done:
 
 def _answers(given: Any) -> dict[str, list[str]]:
     if not isinstance(given, dict) or len(given) > MOST_TABLES:
-        raise ValueError('its answers are not those of quiz()')
+        raise ValueError('its answers were not written by quiz()')
     for letters in given.values():
         if not isinstance(letters, list) or len(letters) > MOST_ANSWERS or any(type(each) is not str for each in letters):
-            raise ValueError('its answers are not those of quiz()')
+            raise ValueError('its answers were not written by quiz()')
     return {name: [letter[:1] for letter in letters] for name, letters in given.items()}

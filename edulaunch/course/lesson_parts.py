@@ -30,7 +30,7 @@ _PREDICTS, _COMPARES, _ASKS, _EXPLAINS = (
 )
 _CALLS = re.compile(r"^(predict|compare|quiz|explain)\('.*$\n?", re.MULTILINE)
 _ANSI = re.compile(r'\x1b\[[0-9;]*m')
-_WAS = re.compile(r'It was (.*?)(?:\. You had no prediction|$)', re.DOTALL)
+_WAS = re.compile(r'The result is (.*?)(?:\. You made no prediction|$)', re.DOTALL)
 _FRAME, _STILL = re.compile(r'<iframe [^>]*srcdoc="([^"]*)"'), re.compile(r'src="data:image/svg\+xml;base64,([^"]*)"')
 
 
@@ -110,7 +110,9 @@ def _code_parts(ident: str, source: str, gave: tuple[Output, ...], folded: bool)
     if called:  # the cell's last output is the result of this call
         source, gave = _CALLS.sub('', source).strip('\n'), tuple(output for output in gave if output.kind in ('text', 'error'))
         gave = tuple(
-            output for output in gave if not output.text.startswith(('It was ', 'You predicted ', 'No prediction yet', '<'))
+            output
+            for output in gave
+            if not output.text.startswith(('The result is ', 'You predicted ', 'No prediction yet', '<'))
         )
         if called[1] in ('quiz', 'explain'):
             gave = ()

@@ -41,9 +41,9 @@ def predict(name: str, guess: Any) -> Verdict:
     :param guess: a number, several numbers in parentheses, or a word. ``...``, as in the lesson, is not a prediction yet.
     """
     if isinstance(guess, EllipsisType):
-        return Verdict('No prediction yet: replace the three dots by what you expect, and run this cell again.')
+        return Verdict('No prediction yet: replace the three dots with your prediction, and run this cell again.')
     guessed = visible(_text(guess))[:LONGEST]
-    return Verdict(f'Kept: {guessed}. Now run the next cell.', keep(lambda file: file.predictions.update({name: guessed})))
+    return Verdict(f'Stored: {guessed}. Now run the next cell.', keep(lambda file: file.predictions.update({name: guessed})))
 
 
 def compare(name: str, was: Any) -> Verdict:
@@ -56,8 +56,8 @@ def compare(name: str, was: Any) -> Verdict:
     """
     guessed = kept().predictions.get(name)
     if guessed is None:
-        return Verdict(f'It was {_text(was)}. You had no prediction: guess first next time, it helps you to remember.')
-    return Verdict(f'You predicted {guessed}, it was {_text(was)}{_verdict(guessed, _text(was))}')
+        return Verdict(f'The result is {_text(was)}. You made no prediction. Predict first next time: it helps you to remember.')
+    return Verdict(f'You predicted {guessed}, the result is {_text(was)}{_verdict(guessed, _text(was))}')
 
 
 def _text(value: Any) -> str:

@@ -78,7 +78,7 @@ def one_carrot_at_a_time(run: Evidence) -> None:
         started = [executable for executable in BROADCASTERS.values() for _ in find_processes(run[name], PACKAGE, executable)]
         if started != [wanted]:
             raise Mismatch(
-                f'the broadcaster of the carrot, when launched with {run.scenario(name).words},',
+                f'the broadcaster of the carrot in the run with {run.scenario(name).words}',
                 wanted,
                 ' and '.join(map(str, started)) or 'no broadcaster of a carrot',
                 where=run.source.place,

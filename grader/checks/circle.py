@@ -128,7 +128,7 @@ def _radius_parameter(run: Evidence, scenario: str) -> object:
 
 def _measured_radius(run: Evidence, scenario: str) -> float:
     track = since(odometry_track(run[scenario]), SETTLED_S)
-    expected = f'it drives a circle, when launched with {run.scenario(scenario).words}'
+    expected = f'it drives a circle in the run with {run.scenario(scenario).words}'
     if not length(track) >= SHORTEST_TRACK_M:
         raise Failure(
             'the robot does not move',

@@ -64,7 +64,7 @@ def everybody_is_there(run: Evidence) -> None:
         wanted = {f'turtle{number}' for where, number in followers(run) if where == scenario} | {'turtle1'}
         seen = {name.split('/')[1] for name in run[scenario].topics if name.startswith('/turtle') and name.endswith('/pose')}
         if seen != wanted:
-            words = f'the turtles, when launched with {run.scenario(scenario).words},'
+            words = f'the turtles in the run with {run.scenario(scenario).words}'
             raise Mismatch(
                 words,
                 ', '.join(sorted(wanted)),
@@ -140,7 +140,7 @@ def each_is_near_its_carrot(run: Evidence) -> None:
         away = hypot(x - BEHIND_M * cos(theta) - track[-1][1], y - BEHIND_M * sin(theta) - track[-1][2])
         if not away <= NEAR_M or not length(since(track, 2.0)) >= 2.0:
             raise Failure(
-                f'turtle{number} is not at its carrot, when launched with {run.scenario(scenario).words}',
+                f'turtle{number} is not at its carrot in the run with {run.scenario(scenario).words}',
                 expected=f'at most {NEAR_M:g} m from its carrot, {BEHIND_M:g} m behind turtle{number - 1}',
                 seen=f'{away:.2f} m from its carrot, after a drive of {length(track):.1f} m',
                 where=run.source.place,

@@ -78,7 +78,7 @@ def read_course(path: str) -> list[Exercise]:
         with open(path, encoding='utf-8') as file:
             return list(_exercises_of(file.read()))
     except KeyError as error:
-        raise UnusableInput(f'the manifest {path} lacks {error} somewhere') from None
+        raise UnusableInput(f'an entry of the manifest {path} lacks {error}') from None
     except (OSError, ValueError, TypeError) as error:
         raise_fault(error)
         raise UnusableInput(f'the manifest {path} cannot be read: {error}') from None

@@ -66,7 +66,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     for problem in problems:
         print(f'course: {problem}')
     if not problems:
-        print(f'course: {len(course)} exercises, {sum(item.points for item in course)} points: in order')
+        print(f'course: {len(course)} exercises, {sum(item.points for item in course)} points, no mistakes')
     return 1 if problems else 0
 
 

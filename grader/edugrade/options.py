@@ -118,7 +118,7 @@ def is_personal(options: argparse.Namespace) -> bool:
     :raises UnusableInput: for --personal without the secret.
     """
     if options.personal and not options.course_secret_file:
-        raise UnusableInput('--personal needs the secret by which the exercises were made', help='--course-secret-file FILE')
+        raise UnusableInput('--personal needs the secret with which the exercises were made', help='--course-secret-file FILE')
     return bool(options.personal)
 
 
@@ -128,5 +128,5 @@ def _seconds(text: str) -> float:
     except ValueError:
         value = 0.0
     if not 0 < value < 86_400:
-        raise argparse.ArgumentTypeError(f'{text} is not a sensible number of seconds')
+        raise argparse.ArgumentTypeError(f'{text} is not a valid number of seconds')
     return value

@@ -170,7 +170,7 @@ def _progress(table: Any) -> Progress:
     }
     for name, known in kinds.items():
         if type(getattr(found, name)) not in known:
-            raise ValueError(f'{name} = {getattr(found, name)!r} is not of the right kind')
+            raise ValueError(f'{name} = {getattr(found, name)!r} has the wrong type')
     if any(type(level) is not int for level in found.hints):
         raise ValueError(f'hints = {found.hints!r} is not a list of levels')
     return found
@@ -180,7 +180,7 @@ def _texts(table: dict[Any, Any]) -> dict[Any, str]:
     """Return a table of strings, or raise an error."""
     for name, text in table.items():
         if not isinstance(text, str):
-            raise ValueError(f'{name} = {text!r} is not a text')
+            raise ValueError(f'{name} = {text!r} is not a string')
     return table
 
 

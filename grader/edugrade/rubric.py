@@ -51,7 +51,7 @@ def check(*, points: int = 0, needs: Sequence[Check] = ()) -> Callable[[CheckFun
         if not isinstance(points, int) or points < 0:
             raise ValueError(f'the check {name}() has {points!r} points; points are whole numbers, and never negative')
         if not all(isinstance(need, Check) for need in needs):
-            raise ValueError(f'the check {name}() needs {needs!r}; what it needs are checks, not their names')
+            raise ValueError(f'the check {name}() needs {needs!r}; write check functions, not their names')
         return Check(name, text.splitlines()[0].strip(), function, points, tuple(needs))
 
     return make

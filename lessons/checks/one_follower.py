@@ -22,7 +22,7 @@ def require(run: Evidence, name: str, prefix: str, argument: str, node: str) -> 
                 try_=f'start {node} with its parameters',
             )
         if wanted not in seen:
-            words = f'{name}, when launched with {run.scenario(scenario).words}'
+            words = f'{name} in the run with {run.scenario(scenario).words}'
             raise Mismatch(
                 words, wanted, ', '.join(map(str, seen)), where=run.source.place, try_=f'check the parameters of {node}'
             )

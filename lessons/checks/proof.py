@@ -25,7 +25,7 @@ def everybody_is_there(run: Evidence) -> None:
     for scenario, number in followers(run):
         if f'turtle{number}' not in run[scenario].frames_at(LATEST_S):
             raise Failure(
-                f'turtle{number} is not in the tf tree, when launched with {run.scenario(scenario).words}',
+                f'turtle{number} is not in the tf tree in the run with {run.scenario(scenario).words}',
                 seen=', '.join(sorted(run[scenario].frames_at(LATEST_S))) or 'no frames',
                 where=run.source.place,
                 try_=ORDER,
@@ -75,7 +75,7 @@ def everybody_is_near_its_carrot(run: Evidence) -> None:
         away = hypot(x - cos(yaw) - me.translation[0], y - sin(yaw) - me.translation[1])
         if not away <= NEAR_M:
             raise Failure(
-                f'turtle{number} is too far from its carrot, when launched with {run.scenario(scenario).words}',
+                f'turtle{number} is too far from its carrot in the run with {run.scenario(scenario).words}',
                 expected=f'at most {NEAR_M:g} m',
                 seen=f'{away:.2f} m',
                 where=run.source.place,

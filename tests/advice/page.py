@@ -40,6 +40,23 @@ KINDS = {
     'scripts': 'a launch file and its runs',
     'sources': "a package's files",
 }
+TOPICS = {
+    'launch-errors': 'errors of launch files',
+    'launch-files': 'launch files before they run',
+    'launch-runs': 'launch files that ran',
+    'programs-errors': 'errors of programs',
+    'programs-runs': 'programs that ran',
+    'messages-errors': 'errors of messages and services',
+    'messages-runs': 'messages and services of a run',
+    'packages-errors': 'errors of packages',
+    'packages-files': 'files of a package',
+    'packages-workspaces': 'workspaces',
+    'tf': 'tf',
+    'time': 'time',
+    'turtlesim': 'turtlesim',
+    'grader': 'the grader',
+}
+"""What the rules of a page are about, by its name without the letters."""
 LANGUAGES = {'.py': 'python', '.xml': 'xml', '.yaml': 'yaml', '.txt': 'cmake', '.md': 'text'}
 
 
@@ -66,11 +83,9 @@ def _index() -> str:
 
 
 def _title(page: ReferencePage) -> str:
-    """Return the title of a page, such as 'launch errors, a to i'."""
-    name = page.name.partition('-')[2].split('-')[0]
-    what = f' {name}' if len(name) > 1 else ''
-    letters = '' if page.letters == 'az' else f', {page.letters[0]} to {page.letters[1]}'
-    return f'{page.group}{what}{letters}'
+    """Return the title of a page, such as 'errors of launch files: a to e'."""
+    letters = '' if page.letters == 'az' else f': {" to ".join(page.letters)}'
+    return TOPICS[page.name if page.letters == 'az' else page.name.removesuffix(f'-{"-".join(page.letters)}')] + letters
 
 
 def _page(page: ReferencePage) -> str:

@@ -36,7 +36,7 @@ PREDICT = re.compile(r"predict\('([\w-]+)', \.\.\.\)")
 QUIZ, EXPLAIN = re.compile(r"quiz\('([\w-]+)', \.\.\.\)"), re.compile(r"explain\('([\w-]+)', \.\.\.\)")
 COMPARE = re.compile(r"compare\('([\w-]+)'")
 CHECK = re.compile(r"(?m)^(?:edulaunch\.)?check\('(\w+)'\)")
-WAS = re.compile(r'It was (.*?)\. You had no prediction')
+WAS = re.compile(r'The result is (.*?)\. You made no prediction')
 
 
 class BrowserStudent:
@@ -101,7 +101,7 @@ class BrowserStudent:
         """What was said is held against what happened."""
         for name in COMPARE.findall(cell.source):
             said, is_right = self.guesses[name]
-            assert f'You predicted {said}, it was' in told, f'{cell.id}: {told}'
+            assert f'You predicted {said}, the result is' in told, f'{cell.id}: {told}'
             assert 'exactly' in told or ': right' in told or not is_right, f'{cell.id}: {told}'
 
     def answer(self, cell: Cell) -> None:

@@ -23,8 +23,8 @@ CELLS = {
 SHOWN = {
     'quiz': ('a) /hall/chatter (your answer)', 'Not quite.'),
     'explain': ('You wrote: tell returns None', 'Answer: '),
-    'predict': ('Kept: yes',),
-    'compare': ('You predicted yes, it was no',),
+    'predict': ('Stored: yes',),
+    'compare': ('You predicted yes, the result is no',),
 }
 SAVE = "() => window.jupyterapp.commands.execute('docmanager:save')"
 THEME = "theme => window.jupyterapp.commands.execute('apputils:change-theme', {theme})"

@@ -40,7 +40,7 @@ def edit(path: Path, old: str, new: str) -> None:
 def test_a_new_course_passes_lint_and_its_solution_passes_everything(mine: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert {'course.toml', 'lessons/.outputs/01_circle.json', 'lessons/conftest.py', 'rubrics/spin.yaml'} <= set(files(mine))
     assert course('lint', mine) == 0
-    assert capsys.readouterr().out == 'course: 1 exercises, 6 points: in order\n'
+    assert capsys.readouterr().out == 'course: 1 exercises, 6 points, no mistakes\n'
 
 
 def test_nothing_is_made_where_something_is(mine: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -56,8 +56,8 @@ HOSTILE = {
     'no text': (b'\xff\xfe', 'it is not TOML'),
     'deep': ('a = ' + '[' * 30_000, 'it is not TOML'),
     'large': ('# ' + 'x' * MOST_BYTES, 'it has more than 64 KiB'),
-    'another table': ('[circle]\ncolour = 1\n', 'a table in it is not one of check()'),
-    'no table': ('circle = 1\n', 'a table in it is not one of check()'),
+    'another table': ('[circle]\ncolour = 1\n', 'it has a table that check() did not write'),
+    'no table': ('circle = 1\n', 'it has a table that check() did not write'),
     'a text for a number': ('[circle]\nattempts = "3"\n', 'attempts in it has the wrong type'),
     'a truth for a number': ('[circle]\nattempts = true\n', 'attempts in it has the wrong type'),
     'too many tries': ('[circle]\nattempts = 999999999\n', 'a number in it is too large or invalid'),
@@ -66,8 +66,8 @@ HOSTILE = {
     'endless': ('[circle]\nbest_points = inf\n', 'a number in it is too large or invalid'),
     'odd hints': ('[circle]\nhints = [7]\n', 'its hints are not valid hint levels'),
     'a text for a hint': ('[circle]\nhints = ["1"]\n', 'its hints are not valid hint levels'),
-    'odd answers': ('[my_answers]\na = "b"\n', 'its answers are not those of quiz()'),
-    'answers that are none': ('my_answers = 1\n', 'its answers are not those of quiz()'),
+    'odd answers': ('[my_answers]\na = "b"\n', 'its answers were not written by quiz()'),
+    'answers that are none': ('my_answers = 1\n', 'its answers were not written by quiz()'),
     'many tables': (''.join(f'[e{number}]\n' for number in range(600)), 'it has more than 500 exercises'),
 }
 

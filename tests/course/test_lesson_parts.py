@@ -41,7 +41,7 @@ def test_what_comes_between_guess_and_answer_is_folded() -> None:
     outputs = {
         'guess': result('No prediction yet: ...'),
         'get': said('86'),
-        'was': result('It was 86. You had no prediction'),
+        'was': result('The result is 86. You made no prediction'),
         'on': said('1'),
     }
     found = parts(*cells, **outputs)
@@ -72,7 +72,7 @@ def test_a_prediction_said_aloud_is_folded_until_the_next_text() -> None:
 
 def test_the_other_lines_of_a_comparing_cell_stay() -> None:
     cell = code('both', "run = launch()\ncompare('nodes', len(run.nodes))")
-    found = parts(cell, both=[*said('started'), *result('It was 3. You had no prediction')])
+    found = parts(cell, both=[*said('started'), *result('The result is 3. You made no prediction')])
     assert [(part.kind, part.text) for part in found] == [('code', 'run = launch()')]
     assert [output.text for output in found[0].outputs] == ['started']
 

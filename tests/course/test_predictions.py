@@ -20,29 +20,29 @@ def _in_a_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_what_was_said_is_put_beside_what_was() -> None:
-    assert repr(predict('square-end', (7.5, 5.5))) == 'Kept: (7.5, 5.5). Now run the next cell.'
-    assert repr(compare('square-end', (5.5, 5.5))) == 'You predicted (7.5, 5.5), it was (5.5, 5.5): 2 off.'
+    assert repr(predict('square-end', (7.5, 5.5))) == 'Stored: (7.5, 5.5). Now run the next cell.'
+    assert repr(compare('square-end', (5.5, 5.5))) == 'You predicted (7.5, 5.5), the result is (5.5, 5.5): 2 off.'
 
 
 def test_three_dots_are_no_guess_and_nothing_is_written() -> None:
     assert 'No prediction yet' in repr(predict('square-end', ...))
     assert not Path(NAME).exists()
-    assert repr(compare('square-end', 3)).startswith('It was 3. You had no prediction')
+    assert repr(compare('square-end', 3)).startswith('The result is 3. You made no prediction')
 
 
 @pytest.mark.parametrize(
     ('said', 'was', 'told'),
     [
-        (4, 4.0, 'You predicted 4, it was 4: exactly.'),
-        ('/sim', '/sim', 'You predicted /sim, it was /sim: right.'),
-        ('Error', 'error', 'You predicted Error, it was error: right.'),
-        ('an error', 255, 'You predicted an error, it was 255.'),
-        (True, False, 'You predicted True, it was False.'),
-        (3, (1, 2), 'You predicted 3, it was (1, 2): write 2 numbers.'),
-        ((3, 4), 5, 'You predicted (3, 4), it was 5: write one number.'),
-        ((0, 0), np.array([3.0, 4.0]).tolist(), 'You predicted (0, 0), it was (3, 4): 5 off.'),
-        (1, np.float64(1.5), 'You predicted 1, it was 1.5: 0.5 off.'),
-        ('a\x07b\ud800', 'x', 'You predicted a?b?, it was x.'),
+        (4, 4.0, 'You predicted 4, the result is 4: exactly.'),
+        ('/sim', '/sim', 'You predicted /sim, the result is /sim: right.'),
+        ('Error', 'error', 'You predicted Error, the result is error: right.'),
+        ('an error', 255, 'You predicted an error, the result is 255.'),
+        (True, False, 'You predicted True, the result is False.'),
+        (3, (1, 2), 'You predicted 3, the result is (1, 2): write 2 numbers.'),
+        ((3, 4), 5, 'You predicted (3, 4), the result is 5: write one number.'),
+        ((0, 0), np.array([3.0, 4.0]).tolist(), 'You predicted (0, 0), the result is (3, 4): 5 off.'),
+        (1, np.float64(1.5), 'You predicted 1, the result is 1.5: 0.5 off.'),
+        ('a\x07b\ud800', 'x', 'You predicted a?b?, the result is x.'),
     ],
 )
 def test_verdicts(said: object, was: object, told: str) -> None:

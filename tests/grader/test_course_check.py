@@ -102,7 +102,7 @@ def test_a_solution_far_from_its_stub_is_found(copy: Path) -> None:
 
 def test_the_program_says_what_is_wrong(copy: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main([str(copy), '--quick']) == 0
-    assert capsys.readouterr().out == 'course: 26 exercises, 312 points: in order\n'
+    assert capsys.readouterr().out == 'course: 26 exercises, 312 points, no mistakes\n'
     edit(copy / 'exercises' / 'course.toml', 'points = 12', 'points = 11')
     assert main([str(copy), '--quick']) == 1
     assert capsys.readouterr().out == 'course: two_channels has 11 points in course.toml, but its checks add up to 12\n'

@@ -36,7 +36,7 @@ def course(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.mark.processes
 def test_all_of_it_belongs_together(course: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['course']) == 0, capsys.readouterr().out
-    assert capsys.readouterr().out == 'course: 2 exercises, 10 points: in order\n'
+    assert capsys.readouterr().out == 'course: 2 exercises, 10 points, no mistakes\n'
 
 
 @pytest.mark.processes

@@ -61,7 +61,7 @@ def test_a_dead_program_shows_its_last_line_and_no_mistake_of_another_program(tm
     results = results_of(tmp_path, 'static_frame.launch.py', old="LaunchConfiguration('height'),\n", new="'height',\n")
     dead = results['no_node_dies']
     assert re.fullmatch(
-        r'static_transform_publisher-1 died after 0.0 s with exit code 1, when launched with height:=\S+', dead.reason
+        r'static_transform_publisher-1 died after 0.0 s with exit code 1 in the run with height:=\S+', dead.reason
     )
     assert dead.seen is not None and dead.seen.endswith('Failed to parse --z argument as float')
     assert [result.cause for result in results.values()] == [None] * len(results)
@@ -115,7 +115,7 @@ def test_checks_of_one_cause_are_one_block_on_the_page_too() -> None:
 def test_the_next_step_is_the_first_failed_check_even_where_a_solved_todo_stayed() -> None:
     gaps = (Gap(made_report.FILE, 4, '# TODO 1: drive'),)
     assert next_step(made_report.report(made_report.PASSED, made_report.FAILED, gaps=gaps)).startswith(
-        'Next: correct "It drives"'
+        'Next: fix the check "It drives"'
     )
 
 

@@ -17,10 +17,10 @@ else:
 PAGE = LESSONS.parent / 'docs' / 'features.md'
 HEAD = """# What a lesson has
 
-We found these fifteen features in the best lessons on launch and tf2; none had all. The first table counts the cells
+We found these fifteen features in the best lessons on launch and tf2. No lesson had all of them. The first table counts the cells
 of our lessons that have a feature. A `-` means that a lesson does not have it. The second table names the
 first cell of each lesson, and the tests that fail without the feature. `python -m tests.lessons.features` writes this page.
-In 7, the views show the same time; selecting a frame in one view does not select it in the others.
+Feature 7: the views show the same time. Selecting a frame in one view does not select it in the others.
 """
 
 Shown = Callable[[Lesson], list[str]]

@@ -196,7 +196,7 @@ def test_every_written_file_can_be_read(lesson: Lesson) -> None:
         r'^## \d+\.\d+ Your turn$',
         r'hen something is wrong',
         r'^## On a real robot$',
-        r'^## Roads not taken\n\n- ',
+        r'^## What this lesson leaves out\n\n- ',
     ],
 )
 def test_a_lesson_has_every_part(lesson: Lesson, part: str) -> None:

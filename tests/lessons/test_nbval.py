@@ -26,7 +26,7 @@ def test_a_changed_pose_and_a_changed_digest_fail_and_nothing_else_does(tmp_path
     (tmp_path / 'some.ipynb').write_text(json.dumps(lesson.raw), encoding='utf-8')
     text = json.dumps({name: lesson.kept[name] for name in KEPT})
     graph = lesson['square-graph'].outputs[0]['data'][SCENE_TYPE]['digest']
-    for old, new in (('It was (5.5', 'It was (5.4'), (f'"digest": "{graph}"', '"digest": "00000000"')):
+    for old, new in (('The result is (5.5', 'The result is (5.4'), (f'"digest": "{graph}"', '"digest": "00000000"')):
         assert text.count(old) == 1
         text = text.replace(old, new)
     (tmp_path / '.outputs').mkdir()

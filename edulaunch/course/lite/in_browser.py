@@ -83,7 +83,7 @@ def _arguments(words: str) -> dict[str, str]:
     found = [word.partition(':=') for word in shlex.split(words)]
     for name, sign, _ in found:
         if not sign:
-            raise UnusableInput(f'{name} is not a launch argument', help='write name:=value, with spaces between several')
+            raise UnusableInput(f'{name} is not a launch argument', help='write name:=value, and separate arguments by spaces')
     return {name: value for name, _, value in found}
 
 

@@ -196,7 +196,7 @@ class Process:
         text, place = runaway_text(self.name, error)
         self.limit.reset()
         if not error.counted:
-            self.note('stopped', f'{self.name} was stopped by the time that it took: this run cannot repeat exactly')
+            self.note('stopped', f'{self.name} was stopped because it took too long: this run cannot repeat exactly')
         self._write_error(text, 'RunawayProgramError', str(error), place, {'about': 'programs.runaway'})
 
     def report_exit_call(self, error: Exception) -> None:

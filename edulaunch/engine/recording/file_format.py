@@ -63,7 +63,7 @@ def _plain(value: Any) -> Any:
         return {'hex': bytes(value).hex()}
     if hasattr(value, 'tolist'):
         return value.tolist()
-    raise TypeError(f'a recording holds plain data only, not {type(value).__name__}')
+    raise TypeError(f'a recording can contain only plain data, not {type(value).__name__}')
 
 
 def _restore(mapping: dict[str, Any]) -> Any:
@@ -109,7 +109,7 @@ def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
             elif part.keys() <= {*PARTS, *OPTIONAL_PARTS}:
                 content.update(part)
             else:
-                raise RecordingError(f'{name} is damaged: line {number} holds no part of a recording.')
+                raise RecordingError(f'{name} is damaged: line {number} is not a part of a recording.')
     _check(content, name)
     return content
 
@@ -120,7 +120,7 @@ def _parse(line: bytes, name: str, number: int) -> dict[str, Any]:
     except (ValueError, RecursionError) as error:
         raise RecordingError(f'{name} is damaged: line {number} is not JSON ({error}).') from None
     if not isinstance(value, dict):
-        raise RecordingError(f'{name} is damaged: line {number} holds no part of a recording.')
+        raise RecordingError(f'{name} is damaged: line {number} is not a part of a recording.')
     return value
 
 
@@ -131,10 +131,10 @@ def _check(content: dict[str, Any], name: str) -> None:
         raise RecordingError(f'{name} is damaged: its header lacks {", ".join(HEADER_NUMBERS)}.')
     for part, fits in schema.PARTS.items():
         if not fits(content.get(part)):
-            raise RecordingError(f'{name} is damaged: the part {part!r} is missing, cut off or no such part.')
+            raise RecordingError(f'{name} is damaged: the part {part!r} is missing, incomplete or invalid.')
     for part, fits in schema.OPTIONAL.items():
         if not fits(content[part]):
-            raise RecordingError(f'{name} is damaged: the part {part!r} is cut off or no such part.')
+            raise RecordingError(f'{name} is damaged: the part {part!r} is incomplete or invalid.')
     texts = content['interfaces']
     if not schema.table(schema.text)(texts) or not all(map(TYPE_NAME.fullmatch, texts)):
         raise RecordingError(f"{name} is damaged: the part 'interfaces' does not contain definitions of message types.")

@@ -134,7 +134,7 @@ class Messages:
         except InterfaceError as error:
             raise RecordingError(error.message, help=error.help) from None
         except RecursionError:
-            raise RecordingError(f'{type_name} contains too many messages in each other') from None
+            raise RecordingError(f'{type_name} contains too many nested messages') from None
 
     def _columns(self, topic: str) -> list[dict[str, Any]]:
         columns = [column for column in self._content['topics'] if column['topic'] == topic]
@@ -152,7 +152,7 @@ class Messages:
         except InterfaceError as error:
             raise RecordingError(error.message, help=error.help) from None
         if not fit(wires):
-            raise RecordingError(f'{self._unread} is damaged: it has messages that are no {type_name}.')
+            raise RecordingError(f'{self._unread} is damaged: it has messages that are not of the type {type_name}.')
 
     @cached_property
     def service_calls(self) -> list[ServiceCall]:

@@ -12,7 +12,7 @@ from edulaunch.errors import MissingExtra
 
 def lsp_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of the verb."""
-    parser.add_argument('--stdio', action='store_true', help='use standard input and output (the only way)')
+    parser.add_argument('--stdio', action='store_true', help='use standard input and output (this is always so)')
     parser.add_argument(
         '--no-run', action='store_true', help='never execute a file (default: run each saved launch file in a sandbox)'
     )

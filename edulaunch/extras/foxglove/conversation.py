@@ -256,7 +256,7 @@ class Conversation:
                     f'{channel.topic}: edulaunch takes messages in {" or ".join(PUBLISHED)}, not in {channel.encoding!r}'
                 )
             if channel.id in self._publishers or len(self._publishers) >= MOST_CHANNELS:
-                raise Refused(f'{channel.topic}: channel {channel.id} is there already, or there are too many')
+                raise Refused(f'{channel.topic}: channel {channel.id} already exists, or the client has too many channels')
             self._publishers[channel.id] = self._feed.advertise(channel.topic, channel.type, channel.encoding)
 
     def _unadvertise(self, request: protocol.Unadvertise) -> None:
@@ -268,7 +268,7 @@ class Conversation:
     def _publish(self, request: protocol.Publish) -> None:
         publish = self._publishers.get(request.channel)
         if publish is None:
-            raise Refused(f'this client publishes on no channel {request.channel}: advertise it first')
+            raise Refused(f'this client has no channel {request.channel}: advertise it first')
         publish(request.data)
 
     def _call(self, request: protocol.Call) -> None:

@@ -162,7 +162,7 @@ class LiveFeed:
 
     def _ask(self, name: str, cls: Any, wire: Any, answer: Callable[[bytes | str], object]) -> None:
         if len(self._calls) >= MOST_CALLS:
-            raise Refused(f'{MOST_CALLS} requests of this client wait for their reply already')
+            raise Refused(f'{MOST_CALLS} requests of this client already wait for a reply')
         client: Any = self._ends.get((name, cls))
         if client is None:
 

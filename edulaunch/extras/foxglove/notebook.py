@@ -86,4 +86,4 @@ def foxglove(shown: LiveMachine | Recording, port: int = 0, origins: Sequence[st
     try:
         return Served(make, port, origins)
     except (OSError, OverflowError) as error:
-        raise UnusableInput(f'cannot serve at port {port}: {error}', help='leave out the port, and a free one is used') from None
+        raise UnusableInput(f'cannot serve on port {port}: {error}', help='leave out the port to use a free one') from None

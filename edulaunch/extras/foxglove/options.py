@@ -18,13 +18,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """Add the options of the verb `view`."""
     parser.add_argument('recording', nargs='?', metavar='RECORDING', help='with --foxglove: play this recording')
     parser.add_argument('--foxglove', action='store_true', help='serve Foxglove and Lichtblick in place of the page')
-    parser.add_argument('--trusted', action='store_true', help='with --foxglove: read the recording however large it is')
+    parser.add_argument('--trusted', action='store_true', help='with --foxglove: read the recording without limits on its size')
     parser.add_argument(
         '--origin',
         action='append',
         default=[],
         metavar='URL',
-        help='with --foxglove: let in pages from here, such as http://localhost:8080',
+        help='with --foxglove: accept pages of this origin, such as http://localhost:8080',
     )
 
 
@@ -37,7 +37,8 @@ def view(arguments: argparse.Namespace) -> Coroutine[Any, Any, None] | None:
     if not arguments.foxglove:
         if arguments.recording is not None:
             raise UnusableInput(
-                'view shows the machine, and no recording', help=f'edulaunch recording show {arguments.recording} --open'
+                'edulaunch view shows the machine, not a recording',
+                help=f'type edulaunch recording show {arguments.recording} --open',
             )
         return None
     from edulaunch.extras.foxglove.server import serve

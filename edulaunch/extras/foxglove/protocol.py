@@ -154,7 +154,7 @@ def _words(text: str) -> Request:
     try:
         fields = json.loads(text, parse_constant=_no_number)
     except (ValueError, RecursionError):
-        raise ProtocolError('this text is not JSON') from None
+        raise ProtocolError('this message is not JSON') from None
     op = fields.get('op') if isinstance(fields, dict) else None
     read = _READERS.get(op) if isinstance(op, str) else None
     if read is None:
@@ -307,7 +307,7 @@ def _playback(data: bytes) -> Playback:
 
 def _counted(data: bytes, begin: int, length: int) -> str:
     if begin + length > len(data):
-        raise ProtocolError('a binary message is shorter than it says')
+        raise ProtocolError('a binary message is shorter than its length field says')
     return _checked_text('a binary message', 'text', data[begin : begin + length].decode())
 
 

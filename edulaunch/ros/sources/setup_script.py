@@ -182,7 +182,7 @@ class _SetupScript:
             try:
                 target, sources = entry
             except (TypeError, ValueError):
-                self.warn(f'data_files holds {entry!r}; a pair (folder, [files]) was expected')
+                self.warn(f'data_files contains {entry!r}; a pair (folder, [files]) was expected')
                 continue
             if str(target).startswith('/'):
                 self.warn(f'data_files names the absolute folder {target!r}, outside the workspace; remove the first /')

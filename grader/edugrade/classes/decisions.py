@@ -51,8 +51,8 @@ class Late(NamedTuple):
             return max(0, ceil((when - self.due).total_seconds() / DAY_S))
         except TypeError:
             raise UnusableInput(
-                'the due date or a submission has a time zone, and the other has none',
-                help='--due 2026-11-20T23:59+01:00 has one',
+                'only one of the due date and the times of submission has a time zone',
+                help='write both with a time zone, such as --due 2026-11-20T23:59+01:00',
             ) from None
 
 
@@ -100,7 +100,7 @@ def read_decisions(path: str) -> dict[tuple[str, str], Decision]:
         return {}
     head, rows = read_table(path)
     if not {'student', 'points'} <= set(head):
-        raise UnusableInput(f'{path} has no columns student and points', help=f'its first line is {",".join(COLUMNS)}')
+        raise UnusableInput(f'{path} has no columns student and points', help=f'write this first line: {",".join(COLUMNS)}')
     found = {}
     for number, row in enumerate(rows, 2):
         text = row['points'].strip().replace(',', '.')

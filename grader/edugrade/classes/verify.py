@@ -52,7 +52,9 @@ def read_report(path: str) -> dict[str, Any]:
     except (ValueError, RecursionError) as error:
         raise UnusableInput(f'{path} is not a JSON report: {error}') from None
     if not isinstance(found, dict) or not isinstance(found.get('receipt'), dict) or not isinstance(found.get('checks'), list):
-        raise UnusableInput(f'{path} is not a report with a receipt', help='edugrade FILE --json writes one, and edugrade batch')
+        raise UnusableInput(
+            f'{path} is not a report with a receipt', help='write one with edugrade FILE --json, or with edugrade batch'
+        )
     return found
 
 
@@ -241,7 +243,7 @@ def find_submission(report: dict[str, Any], path: str) -> str:
         except UnusableInput:
             continue
     raise UnusableInput(
-        f'{file}, as the report names it, is not found with the text that was graded', help='give --submission PATH'
+        f'{file}, which the report names, is missing or has changed since it was graded', help='give --submission PATH'
     )
 
 

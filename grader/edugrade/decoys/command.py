@@ -63,7 +63,7 @@ def main(argv: Sequence[str]) -> int:
         print(f'{paid.exercise:{width}}  {paid.kind:12}  {points:>8}  {mark}')
         if paid in too_much:
             print(f'{"":{width}}  paid for: {", ".join(paid.passed)}')
-    print(f'{len(found)} decoys, {len(too_much)} of them get more than their rubric allows')
+    print(f'{len(found)} decoys; {len(too_much)} of them get more points than their rubric allows')
     return 1 if too_much or not found else 0
 
 
@@ -77,12 +77,14 @@ def pay(folder: str, names: Sequence[str] = (), limit_s: float = 60.0, kinds: Se
     course = read_course(next((place for place in places if os.path.isfile(place)), places[1]))
     strange = [name for name in names if name not in {item.name for item in course}]
     if strange:
-        raise UnusableInput(f'the course has no exercise {strange[0]}', help=f'choose of: {", ".join(i.name for i in course)}')
+        raise UnusableInput(
+            f'the course has no exercise {strange[0]}', help=f'choose one of: {", ".join(i.name for i in course)}'
+        )
     rubrics = rubrics_in(course_rubrics(folder) or rubrics_folder())
     chosen = [item for item in course if not names or item.name in names]
     bare = [item.name for item in chosen if item.name not in rubrics]
     if bare:
-        raise UnusableInput(f'the rubric of {bare[0]} is missing', help='edugrade course says what belongs together')
+        raise UnusableInput(f'the rubric of {bare[0]} is missing', help='type edugrade course to see which files are missing')
     works = [plan_work(Submission(_solution(folder, item)), rubrics[item.name], SEED) for item in chosen]
     limits = Limits(limit_s)
     with TemporaryDirectory(prefix='edugrade-decoys-') as place:
@@ -109,7 +111,7 @@ def _made(works: Sequence[Work], place: str, limits: Limits, kinds: Sequence[str
 
 def _recording(work: Work, outcome: Outcome) -> Recording:
     if outcome.recording is None:
-        raise UnusableInput(f'the solution of {work.name} cannot be run: {outcome.text}', help='edugrade course says more')
+        raise UnusableInput(f'the solution of {work.name} cannot be run: {outcome.text}', help='type edugrade course for details')
     return outcome.recording
 
 

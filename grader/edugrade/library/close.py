@@ -27,7 +27,7 @@ def require_close(
     if off <= tolerance:
         return
     raise Mismatch(
-        f'{thing}, when launched with {run.scenario(scenario).words},',
+        f'{thing} in the run with {run.scenario(scenario).words}',
         f'{wanted:g} ± {tolerance:g}',
         f'{seen:g}',
         where=where or run.source.place,

@@ -68,7 +68,7 @@ def refuse_gone(run: Evidence) -> None:
             process = recording.processes[position]
             if process.ended_s is not None and process.ended_s < recording.duration_s:
                 raise Failure(
-                    f'{process.name} ends after {process.ended_s:.1f} s, when launched with {run.scenario(name).words}',
+                    f'{process.name} ends after {process.ended_s:.1f} s in the run with {run.scenario(name).words}',
                     expected='it runs until the end',
                     seen=f'something ends it, since {process.executable} never ends by itself',
                     where=process.origin,
@@ -117,7 +117,7 @@ def last_line(recording: Recording, name: str) -> str:
 
 
 def _failure(recording: Recording, death: Death, words: str) -> Failure:
-    rationale = f'{death.name} died after {death.when_s:.1f} s with exit code {death.returncode}, when launched with {words}'
+    rationale = f'{death.name} died after {death.when_s:.1f} s with exit code {death.returncode} in the run with {words}'
     origin = death.process.origin if death.process else None
     error = death.process.exception if death.process else None
     if error is not None:
@@ -144,7 +144,7 @@ def _broken_file(death: Death, broken: re.Match[str], at: str, words: str) -> Fa
     file, error = broken.groups()
     line = LINE.search(error)
     return Failure(
-        f'{death.name} died because it cannot read the parameter file {file}, when launched with {words}',
+        f'{death.name} died because it cannot read the parameter file {file} in the run with {words}',
         expected='a file of the form that ROS 2 reads',
         seen=error,
         where=Place(file, int(line[1]) if line else None),

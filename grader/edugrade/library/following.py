@@ -27,7 +27,7 @@ def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound
         name = follower.strip('/')
         seen = f'{worst[1]:.2f} m away at {worst[0]:.2f} s' if worst is not None and is_there else f'{name} does not exist then'
         raise Failure(
-            f'{name} is too far from its goal, when launched with {run.scenario(scenario).words}',
+            f'{name} is too far from its goal in the run with {run.scenario(scenario).words}',
             expected=f'at most {bound_m:g} m away after {since_s:g} s',
             seen=seen,
             where=run.source.place,
@@ -43,7 +43,7 @@ def require_arrival(run: Evidence, scenario: str, follower: str, try_: str) -> N
     track = driven_track(run, scenario, follower)
     if not length(track) >= LEAST_WAY_M:
         raise Failure(
-            f'{follower.strip("/")} does not drive to its goal, when launched with {run.scenario(scenario).words}',
+            f'{follower.strip("/")} does not drive to its goal in the run with {run.scenario(scenario).words}',
             expected=f'it drives at least {LEAST_WAY_M:g} m',
             seen=f'it drives {length(track):.2f} m: it was at the goal from the beginning',
             where=run.source.place,
@@ -89,7 +89,7 @@ def require_pursuit(run: Evidence, scenario: str, goal: str, follower: str, sinc
     way, towards = length(since(leader, since_s)), progress_towards(leader, track)
     if not towards >= LEAST_SHARE * way > 0.0:
         raise Failure(
-            f'{follower.strip("/")} does not follow {goal.strip("/")}, when launched with {run.scenario(scenario).words}',
+            f'{follower.strip("/")} does not follow {goal.strip("/")} in the run with {run.scenario(scenario).words}',
             expected=f'it drives towards {goal.strip("/")}, which drives {way:.2f} m after {since_s:g} s',
             seen=f'it drives {towards:.2f} m towards {goal.strip("/")}',
             where=run.source.place,
@@ -108,7 +108,7 @@ def require_copy(run: Evidence, original: str, copy: str, try_: str, hint_seen: 
         if not (there >= 0.5 and abs(here - there) <= 0.05 * there):
             seen = f'{original} drives {there:.2f} m, {copy} drives {here:.2f} m'
             raise Failure(
-                f'{copy} does not copy {original}, when launched with {run.scenario(scenario).words}',
+                f'{copy} does not copy {original} in the run with {run.scenario(scenario).words}',
                 expected='both drive the same distance',
                 seen='\n'.join(filter(None, (seen, hint_seen))),
                 where=run.source.place,
@@ -121,7 +121,7 @@ def driven_track(run: Evidence, scenario: str, turtle: str) -> Track:
     track = turtle_track(run[scenario], f'{turtle}/pose')
     if not fastest(track) <= FASTEST_M_S:
         raise Failure(
-            f'{turtle.strip("/")} jumps, when launched with {run.scenario(scenario).words}',
+            f'{turtle.strip("/")} jumps in the run with {run.scenario(scenario).words}',
             expected=f'it drives at {FASTEST_M_S:g} m/s or less',
             seen=f'it moves at {fastest(track):.0f} m/s between two poses',
             where=run.source.place,

@@ -76,7 +76,7 @@ def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: 
         if elsewhere is not None:
             now_and_then = any(item.frame.parent == parent for item in sent)
             raise Failure(
-                f'the frame {child} has another parent than {parent}, when launched with {words}',
+                f'the frame {child} has another parent than {parent} in the run with {words}',
                 expected=parent,
                 seen=elsewhere.frame.parent + (f' at {elsewhere.time_s:.2f} s' if now_and_then else ''),
                 where=run.source.place,
@@ -104,7 +104,7 @@ def _require_truth(run: Evidence, scenario: str, turtle: str, sent: Sequence[Sen
             wrong = next((sample for sample in track if not hypot(sample[1] - x, sample[2] - y) <= OFF_M), wrong)
         if wrong is not None:
             raise Failure(
-                f'the frame {turtle} is not where {turtle} is, when launched with {run.scenario(scenario).words}',
+                f'the frame {turtle} is not where {turtle} is in the run with {run.scenario(scenario).words}',
                 expected=f'{numbers(wrong[1:])} at {wrong[0]:.2f} s, the position in the simulator',
                 seen=numbers((x, y)),
                 where=run.source.place,
@@ -118,7 +118,7 @@ def _require_all_the_time(run: Evidence, scenario: str, child: str, sent: Sequen
     stays = all(item.frame.is_static for item in sent) or last_s >= duration_s - LAST_S
     if not (first_s <= duration_s / 2 and stays):
         raise Failure(
-            f'the frame {child} is not published all the time, when launched with {run.scenario(scenario).words}',
+            f'the frame {child} is not published all the time in the run with {run.scenario(scenario).words}',
             expected=f'it is published from {duration_s / 2:g} s at the latest until the end',
             seen=f'it is first published at {first_s:.2f} s, and last at {last_s:.2f} s',
             where=run.source.place,

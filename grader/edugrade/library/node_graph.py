@@ -71,7 +71,7 @@ def require_nodes(
         seen = ', '.join(found) or 'none'
         words = run.scenario(scenario).words
         raise Mismatch(
-            f'the list of nodes, when launched with {words},', ', '.join(sorted(names)), seen, where=run.source.place, try_=try_
+            f'the list of nodes in the run with {words}', ', '.join(sorted(names)), seen, where=run.source.place, try_=try_
         )
     for name, package in (packages or {}).items():
         if name in names:
@@ -139,7 +139,7 @@ def require_ended(
     recording = run[scenario]
     if ended_s is None:
         raise Failure(
-            f'{node} does not end, when launched with {run.scenario(scenario).words}',
+            f'{node} does not end in the run with {run.scenario(scenario).words}',
             expected='it ends before the end of the run',
             seen=f'it still runs after {recording.duration_s:.1f} s',
             where=run.source.place,
@@ -164,7 +164,7 @@ def require_topic(
         if found is not None:
             listeners, speakers = (', '.join(names) or 'none' for names in (found.subscriptions, found.publishers))
             raise Failure(
-                f'no message is on {name}',
+                f'no message was published on {name}',
                 expected=f'a node that publishes messages on {name}',
                 seen=f'publishers: {speakers}; subscribers: {listeners}',
                 where=run.source.place,

@@ -171,5 +171,7 @@ def next_step(report: Report) -> str:
     first = next(_of(FAILED, list(report.results)))
     if report.gaps and not any(outcome.recording is None for outcome in report.outcomes):
         lines = ', '.join(str(gap.line) for gap in report.gaps)
-        return f'Next: correct "{first.sentence}" and grade again. These lines still have a "# TODO" comment: {lines}'
-    return f'Next: correct "{first.sentence}" and grade again.'
+        return (
+            f'Next: fix the check "{first.sentence}", and grade the file again. Lines that still have a "# TODO" comment: {lines}'
+        )
+    return f'Next: fix the check "{first.sentence}", and grade the file again.'

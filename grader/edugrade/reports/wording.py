@@ -52,7 +52,7 @@ KINDS = {
 """Kinds of things to check, with the words of an advice or a reason that belong to each. The first kind that fits counts."""
 _INSIDE = ((re.compile(r'(?<=[\w=])\([^()\[\]]*\)'), '\0'), (re.compile(r'(?<=[\w=])\[[^()\[\]]*\]'), '\1'))
 _DEEPEST = 6
-LAUNCHED = ', when launched with '
+LAUNCHED = ' in the run with '
 _CORRECTED = re.compile(r'^write "[^"\n]*" instead of "[^"\n]*", or ')
 
 

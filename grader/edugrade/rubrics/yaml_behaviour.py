@@ -30,7 +30,7 @@ def counts(run: Evidence, wanted: Wanted) -> None:
         times = sorted(time_s for topic in _topics(one) for time_s in _message_times(one, topic))
         lines = _lines(one)
         seen = [(time_s, float(found[1])) for time_s, found in lines]
-        thing = f'the count that {wanted["executable"]} prints, when launched with {one.words},'
+        thing = f'the count that {wanted["executable"]} prints in the run with {one.words}'
         if not seen:
             asked = readable(str(wanted['pattern']))
             raise Failure(f'{wanted["executable"]} prints no count', expected=asked, seen=_last_lines(one), **one.advice)
@@ -51,12 +51,12 @@ def counts_up(run: Evidence, wanted: Wanted) -> None:
         for time_s, found in _lines(one):
             number, sent = float(found[1]), bisect_right(times, time_s + SENT_WITH_S)
             if not newest <= number <= sent:
-                thing = f'the number that {program} prints at {time_s:.2f} s, when launched with {one.words},'
+                thing = f'the number that {program} prints at {time_s:.2f} s in the run with {one.words}'
                 raise Mismatch(thing, f'{newest:g} to {sent}', f'{number:g}', **one.advice)
             newest = number
         if not newest >= one.number('at_least'):
             asked = readable(str(wanted['pattern']))
-            thing = f'{program} does not count to {one.number("at_least"):g}, when launched with {one.words}'
+            thing = f'{program} does not count to {one.number("at_least"):g} in the run with {one.words}'
             raise Failure(thing, expected=asked, seen=_last_lines(one), **one.advice)
 
 
@@ -67,7 +67,7 @@ def repeats(run: Evidence, wanted: Wanted) -> None:
         topic, lines, program = one.text('topic'), _lines(one), wanted['executable']
         if not lines:
             asked = wanted['example'] or readable(str(wanted['pattern']))
-            thing = f'{program} does not print the expected line, when launched with {one.words}'
+            thing = f'{program} does not print the expected line in the run with {one.words}'
             raise Failure(thing, expected=asked, seen=_last_lines(one), **one.advice)
         hidden = one.run.scenario(one.scenario).sent.get(topic, (0.0, ''))
         sent = [(time_s, str(getattr(message, 'data', ''))) for time_s, message in one.recording.messages(topic)]
@@ -76,14 +76,14 @@ def repeats(run: Evidence, wanted: Wanted) -> None:
             recent = [text for sent_s, text in sent if time_s - HEARD_AFTER_S <= sent_s <= time_s]
             own = next((each for each in unprinted if time_s - HEARD_AFTER_S <= each[0] <= time_s and each[1] == found[1]), None)
             if own is None:
-                thing = f'the line that {program} prints at {time_s:.2f} s, when launched with {one.words},'
+                thing = f'the line that {program} prints at {time_s:.2f} s in the run with {one.words}'
                 asked = 'one line for each message' if found[1] in recent else ' or '.join(dict.fromkeys(recent)) or 'no line'
                 raise Mismatch(thing, asked, found[1], **one.advice)
             unprinted.remove(own)
         first_s, last_s = lines[0][0], one.recording.duration_s - HEARD_AFTER_S
         missed = next((each for each in unprinted if first_s < each[0] < last_s or each == hidden), None)
         if missed is not None:
-            thing = f'{program} does not print the message of {missed[0]:.2f} s, when launched with {one.words}'
+            thing = f'{program} does not print the message of {missed[0]:.2f} s in the run with {one.words}'
             raise Failure(thing, expected=missed[1], seen=_last_lines(one), **one.advice)
 
 
@@ -96,7 +96,7 @@ def tells_place(run: Evidence, wanted: Wanted) -> None:
         if len(lines) < LEAST_LINES:
             asked = wanted['example'] or readable(str(wanted['pattern']))
             raise Failure(
-                f'{wanted["executable"]} prints {len(lines)} lines of the expected form, when launched with {one.words}',
+                f'{wanted["executable"]} prints {len(lines)} lines of the expected form in the run with {one.words}',
                 expected=f'at least {LEAST_LINES} lines such as\n{asked}',
                 seen=_last_lines(one),
                 **one.advice,
@@ -190,7 +190,7 @@ def bag(run: Evidence, wanted: Wanted) -> None:
         require_topic(one.run, one.scenario, topic, None, wanted['package'] or None, wanted.try_)
         times = [time_s for time_s, _ in one.recording.messages(topic)]
         late = [time_s for time_s in times if time_s >= times[0] + FOUND_AFTER_S]
-        thing = f'a bag with the messages of {topic}, when launched with {one.words},'
+        thing = f'a bag with the messages of {topic} in the run with {one.words}'
         if not bags:
             raise Missing(thing, seen='no bag after Ctrl-C', **one.advice)
         counts = [each['topics'][topic] for each in bags if topic in each['topics']]

@@ -127,7 +127,7 @@ def shuts_down(run: Evidence, wanted: Wanted) -> None:
         ]
         if not ended:
             raise Failure(
-                f'the launch does not shut down, when launched with {one.words}',
+                f'the launch does not shut down in the run with {one.words}',
                 expected=f'it shuts down after {one.number("at"):g} s',
                 seen='it continues until the end of the run',
                 **one.advice,
@@ -192,7 +192,7 @@ def node_parameter(run: Evidence, wanted: Wanted) -> None:
         if found is None or not is_right or origin not in found.origin:
             refuse_missing_file(one.alone, [found], wanted['package'])
             seen = 'no such parameter' if found is None else f'{found.value}, from {found.origin}'
-            thing = f'{wanted["name"]} of {one.text("node")}, when launched with {one.words},'
+            thing = f'{wanted["name"]} of {one.text("node")} in the run with {one.words}'
             raise Mismatch(thing, f'{asked}, from {origin}' if origin else str(asked), seen, where=run.source.place, try_=advice)
 
 
@@ -247,7 +247,7 @@ def logs(run: Evidence, wanted: Wanted) -> None:
         if not _fits(wanted, lines):
             seen = last_lines([f'{text}\n' for text in lines]) or 'it logs nothing'
             asked = wanted['example'] or readable(str(wanted['pattern']))
-            thing = f'{one.text("node")} does not log the expected line, when launched with {one.words}'
+            thing = f'{one.text("node")} does not log the expected line in the run with {one.words}'
             raise Failure(thing, expected=asked, seen=seen, **one.advice)
 
 
@@ -258,7 +258,7 @@ def prints(run: Evidence, wanted: Wanted) -> None:
         rows = rows_of(one.recording, 'output', wanted['package'], wanted['executable'])
         lines = [one.recording.output[row].text for row in rows]
         if not _fits(wanted, (line for text in lines for line in text.splitlines())):
-            thing = f'{wanted["executable"]} does not print the expected line, when launched with {one.words}'
+            thing = f'{wanted["executable"]} does not print the expected line in the run with {one.words}'
             asked = wanted['example'] or readable(str(wanted['pattern']))
             raise Failure(thing, expected=asked, seen=last_lines(lines) or 'no output', **one.advice)
 
@@ -282,7 +282,7 @@ def place(run: Evidence, wanted: Wanted) -> None:
                 'try_': wanted.try_ or f'find out what removes {wanted["turtle"]}: a call of /kill, /reset or /clear',
             }
             seen = f'its last pose is at {track[-1][0]:.2f} s'
-            raise Missing(f'the turtle {wanted["turtle"]}, at the end,', seen=seen, **advice)
+            raise Missing(f'the turtle {wanted["turtle"]} at the end of the run', seen=seen, **advice)
         samples = since(track, wanted['since']) if 'since' in wanted else track[-1:]
         for axis, key in enumerate(('x', 'y'), 1):
             if key in wanted:
@@ -321,7 +321,7 @@ def travels(run: Evidence, wanted: Wanted) -> None:
         if not way >= asked:
             share = way / asked if wanted['share'] and isfinite(way) else 0.0
             raise Failure(
-                f'{who} drives less than {asked:g} m, when launched with {one.words}',
+                f'{who} drives less than {asked:g} m in the run with {one.words}',
                 expected=f'at least {asked:g} m',
                 seen=f'{way:.2f} m',
                 share=min(share, wanted['share'] or 0.0),
@@ -337,7 +337,7 @@ def circle(run: Evidence, wanted: Wanted) -> None:
         radius = one.number('radius')
         if found is None or not found.residual <= max(one.tolerance(0.02 * radius), 0.05 * radius):
             raise Failure(
-                f'{who} does not drive a circle, when launched with {one.words}',
+                f'{who} does not drive a circle in the run with {one.words}',
                 expected=f'a circle with a radius of {radius:g} m',
                 seen=f'it drives {length(track):.2f} m, but not on a circle',
                 **one.advice,

@@ -76,7 +76,7 @@ class Wanted(dict[str, Any]):
                 raise ValueError(f'{key} is {value!r}; write a string')
         for key in MEASURES:
             if key in self and not (_is_number(self[key]) and self[key] >= 0):
-                raise ValueError(f'{key} is {self[key]!r}; write a number from 0 on')
+                raise ValueError(f'{key} is {self[key]!r}; write a number of at least 0')
         after = self.get('after')
         of_after = after if isinstance(after, dict) else {'node': after or ''}
         is_one = len({'node', 'topic'} & set(of_after)) == 1 and set(of_after) <= {'node', 'topic', 'package', 'executable'}

@@ -131,7 +131,7 @@ def deep(levels: int, last: str) -> dict[str, str]:
     'texts, told',
     [
         (deep(26, 'float64 x\n'), 'has more than 10000 values'),
-        (deep(3000, 'float64 x\n'), 'too many messages in each other|more than 10000 values'),
+        (deep(3000, 'float64 x\n'), 'too many nested messages|more than 10000 values'),
         ({'mine/msg/T0': 'T0 a\n'}, 'contains itself'),
         ({'mine/msg/T0': 'T0[] a\n'}, 'contains itself'),
         ({'mine/msg/T0': 'Gone a\n'}, 'unknown'),

@@ -173,14 +173,14 @@ def test_what_does_not_fit_is_left_out_and_counted(requests: None) -> None:
     [
         (protocol.Subscribe(((3, 9),)), 'subscribe: channel 9 is no channel of this server'),
         (protocol.Subscribe(((3, 1), (3, 1))), 'subscribe: channel 1 is subscribed already, or there are too many'),
-        (protocol.Publish(4, b'x'), 'this client publishes on no channel 4: advertise it first'),
+        (protocol.Publish(4, b'x'), 'this client has no channel 4: advertise it first'),
         (
             protocol.Advertise((protocol.ClientChannel(1, '/x', 'xml', TEXT),)),
             "/x: edulaunch takes messages in cdr or json, not in 'xml'",
         ),
         (
             protocol.Advertise((protocol.ClientChannel(1, '/x', 'cdr', TEXT),) * 2),
-            '/x: channel 1 is there already, or there are too many',
+            '/x: channel 1 already exists, or the client has too many channels',
         ),
         (
             protocol.WatchParameters(tuple(map(str, range(1001))), True),

@@ -149,9 +149,9 @@ def test_what_a_client_may_not_publish_is_refused_with_a_sentence(session: Sessi
         "'cmd vel' is not a topic name",
         "unknown interface 'geometry_msgs/msg/Twits'",
         'turtlesim/srv/Spawn is not a message type',
-        'this client publishes on no channel 3: advertise it first',
+        'this client has no channel 3: advertise it first',
         '/turtle1/cmd_vel: these 20 bytes are not a geometry_msgs/msg/Twist',
-        'this text is not JSON',
+        'this message is not JSON',
     )
     for status, beginning in zip(spoken.statuses(), beginnings, strict=True):
         assert status.startswith(beginning)

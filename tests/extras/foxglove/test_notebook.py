@@ -49,7 +49,7 @@ def test_a_recording_is_served_and_a_port_that_is_taken_is_named() -> None:
     async def talk() -> int:
         served = recording.foxglove()
         port = int(served.address.split(':')[2].partition('/')[0])
-        with pytest.raises(UnusableInput, match=f'cannot serve at port {port}'):
+        with pytest.raises(UnusableInput, match=f'cannot serve on port {port}'):
             recording.foxglove(port)
         client = await FoxgloveClient.connect(served.address)
         await client.subscribe(POSE, 1)

@@ -38,8 +38,8 @@ GOOD: list[tuple[str | bytes, Any]] = [
     (PLAY, protocol.Playback(True, 2.0, 5, 'x')),
 ]
 BAD: list[tuple[str | bytes, str]] = [
-    ('', 'this text is not JSON'),
-    ('[' * 100_000, 'this text is not JSON'),
+    ('', 'this message is not JSON'),
+    ('[' * 100_000, 'this message is not JSON'),
     ('[]', "edulaunch does not know the operation 'None'"),
     ('{"op":["subscribe"]}', 'edulaunch does not know the operation "[\'subscribe\']"'),
     ('{"op":"reboot"}', "edulaunch does not know the operation 'reboot'"),
@@ -48,7 +48,7 @@ BAD: list[tuple[str | bytes, str]] = [
     ('{"op":"unsubscribe","subscriptionIds":[-1]}', "unsubscribe: 'subscriptionIds' has to be a whole number of 32 bits"),
     ('{"op":"unsubscribe","subscriptionIds":[true]}', "unsubscribe: 'subscriptionIds' has to be a whole number of 32 bits"),
     ('{"op":"fetchAsset","uri":5,"requestId":3}', "fetchAsset: 'uri' has to be a string of at most 512 characters"),
-    ('{"op":"setParameters","parameters":[{"name":"a","value":NaN}]}', 'this text is not JSON'),
+    ('{"op":"setParameters","parameters":[{"name":"a","value":NaN}]}', 'this message is not JSON'),
     ('{"op":"setParameters","parameters":[{"name":"a","value":1e999}]}', 'setParameters: a number is too large'),
     (r'{"op":"getParameters","parameterNames":["\ud800"]}', 'getParameters: a string has half of a surrogate pair'),
     (
@@ -66,7 +66,7 @@ BAD: list[tuple[str | bytes, str]] = [
     (b'', 'edulaunch does not know binary messages of the kind (nothing)'),
     (b'\x09', 'edulaunch does not know binary messages of the kind 09'),
     (b'\x01\x05', 'a binary message is shorter than its length field says, or contains a string that is not UTF-8'),
-    (struct.pack('<BIII', 2, 7, 8, 4_000_000_000), 'a binary message is shorter than it says'),
+    (struct.pack('<BIII', 2, 7, 8, 4_000_000_000), 'a binary message is shorter than its length field says'),
     (
         struct.pack('<BIII', 2, 7, 8, 1) + b'\xff',
         'a binary message is shorter than its length field says, or contains a string that is not UTF-8',

@@ -169,7 +169,7 @@ def test_what_no_client_may_say_is_answered_and_does_not_reach_the_line(recordin
         await client.op('subscribeConnectionGraph')
         await client.until(lambda: client.said('connectionGraphUpdate'))
         sentences = [one['message'] for one in client.said('status')]
-        assert sentences == ['this text is not JSON', 'edulaunch does not know binary messages of the kind 09']
+        assert sentences == ['this message is not JSON', 'edulaunch does not know binary messages of the kind 09']
         assert kept.said == ['{"op": "subscribeConnectionGraph"}']
 
     with_server(recording, body)

@@ -116,7 +116,7 @@ def test_a_recording_plays_to_its_end(desk: Desk) -> None:
     ('words', 'sentence'),
     [
         (['nothing.rec', '--foxglove'], "cannot read the recording 'nothing.rec'"),
-        (['nothing.rec', '--origin', 'http://x'], 'view shows the machine, and no recording'),
+        (['nothing.rec', '--origin', 'http://x'], 'edulaunch view shows the machine, not a recording'),
         (['--foxglove', '--port', '99999'], 'cannot serve the page'),
     ],
 )

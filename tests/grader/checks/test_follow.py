@@ -114,7 +114,7 @@ def test_a_turtle_in_the_middle_of_the_square_does_not_follow() -> None:
 def test_a_turtle_that_was_spawned_at_its_goal_does_not_come_to_it() -> None:
     still = [(t, 0.1, 5.5) for t in TIMES]
     results = graded('follow', lambda scenario: run(scenario, tracks={'/turtle1/pose': leader(scenario), '/turtle2/pose': still}))
-    assert results['standing_leader_is_reached'].reason == 'turtle2 does not drive to its goal, when launched with no arguments'
+    assert results['standing_leader_is_reached'].reason == 'turtle2 does not drive to its goal in the run with no arguments'
 
 
 def test_a_frame_that_is_elsewhere_than_its_turtle_is_false() -> None:
@@ -126,10 +126,7 @@ def test_a_frame_that_is_elsewhere_than_its_turtle_is_false() -> None:
 
     assert graded('follow', false)['leader_is_on_tf'].status == 'passed'
     result = graded('follow', frozen)['leader_is_on_tf']
-    assert (result.status, result.reason) == (
-        'failed',
-        'the frame turtle1 is not where turtle1 is, when launched with no arguments',
-    )
+    assert (result.status, result.reason) == ('failed', 'the frame turtle1 is not where turtle1 is in the run with no arguments')
 
 
 @pytest.mark.parametrize('track', ['/turtle1/pose', '/turtle2/pose'])
@@ -148,4 +145,4 @@ def test_a_turtle_that_is_put_at_its_goal_does_not_drive_there() -> None:
 
     results = graded('follow', put)
     assert statuses(results) == {'standing_leader_is_reached': 'failed', 'moving_leader_is_followed': 'failed'}
-    assert results['standing_leader_is_reached'].reason == 'turtle2 jumps, when launched with no arguments'
+    assert results['standing_leader_is_reached'].reason == 'turtle2 jumps in the run with no arguments'

@@ -55,7 +55,7 @@ def test_names_are_paid_for_by_one_rubric_and_not_by_the_other(course: Path, cap
         ['driven', 'replay', '4', 'ok'],
         ['driven', 'swapped', '4', 'ok'],
     ]
-    assert lines[-1] == '6 decoys, 3 of them get more than their rubric allows'
+    assert lines[-1] == '6 decoys; 3 of them get more points than their rubric allows'
 
 
 def test_an_exercise_that_is_not_there_is_named(course: Path) -> None:

@@ -27,7 +27,7 @@ not run  because "It drives" failed:
 ok       It starts  [2 of 2]
 
 1 of 3 checks passed: 2 of 9 points.
-Next: correct "It drives" and grade again.
+Next: fix the check "It drives", and grade the file again.
 """
 
 
@@ -45,14 +45,14 @@ def test_the_next_step_follows_the_first_failure_and_open_gaps_are_listed() -> N
     recording: Any = object()
     outcome = Outcome(Scenario('s'), 'recorded', recording=recording)
     text = render(report(FAILED, outcome=outcome, gaps=(Gap(FILE, 4, '# TODO 1: drive'),)))
-    line = 'Next: correct "It drives" and grade again. These lines still have a "# TODO" comment: 4'
-    assert text.splitlines()[-1] == line
+    line = 'Next: fix the check "It drives", and grade the file again. Lines that still have a "# TODO" comment: 4'
+    assert ' '.join(text.split()).endswith(line)
 
 
 def test_an_open_gap_comes_after_a_file_that_cannot_run() -> None:
     unusable = Outcome(Scenario('s'), 'unusable')
     text = render(report(FAILED, outcome=unusable, gaps=(Gap(FILE, 4, '# TODO 1: drive'),)))
-    assert text.endswith('Next: correct "It drives" and grade again.\n')
+    assert text.endswith('Next: fix the check "It drives", and grade the file again.\n')
 
 
 def test_failures_of_one_cause_are_one_block() -> None:

@@ -152,7 +152,7 @@ def test_without_install_scripts_the_executable_is_not_found_and_a_warning_says_
                 "(a build stops with \"can't copy 'launch'\")"
             ),
         ),
-        ({'data_files': "['share/robo']"}, "data_files holds 'share/robo'; a pair (folder, [files]) was expected"),
+        ({'data_files': "['share/robo']"}, "data_files contains 'share/robo'; a pair (folder, [files]) was expected"),
         (
             {'entry_points': "{'console_scripts': ['talk = robo/talker:main']}"},
             "console_scripts has 'talk = robo/talker:main'; 'executable = package.module:function' was expected",

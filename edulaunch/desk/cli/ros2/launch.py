@@ -38,7 +38,7 @@ def add_launch_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         '-a', '--show-all-subprocesses-output', action='store_true', help="Show all launched subprocesses' output"
     )
-    parser.add_argument('--quiet', action='store_true', help='say nothing about mistakes that are found')
+    parser.add_argument('--quiet', action='store_true', help='do not report mistakes')
     parser.add_argument('--launch-prefix', help="Words in front of each program, in quotes, such as 'xterm -e gdb --args'")
     parser.add_argument('--launch-prefix-filter', help='Regular expression for the names of the programs that get the prefix')
 
@@ -113,7 +113,7 @@ def _launch_file(process: Process, arguments: argparse.Namespace) -> tuple[str, 
 def run_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options and arguments of `ros2 run`."""
     parser.add_argument('--prefix', help='Prefix command, which should go before the executable')
-    parser.add_argument('--quiet', action='store_true', help='say nothing about mistakes that are found')
+    parser.add_argument('--quiet', action='store_true', help='do not report mistakes')
     parser.add_argument('package_name', help='Name of the ROS package')
     parser.add_argument('executable_name', help='Name of the executable')
     parser.add_argument('argv', nargs=argparse.REMAINDER, help='Pass arbitrary arguments to the executable')

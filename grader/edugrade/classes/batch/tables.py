@@ -129,7 +129,15 @@ STYLE = PAGE + (
     'table{border-collapse:collapse}tr+tr{border-top:1px solid var(--line)}'
     'td,th{text-align:left;vertical-align:top;padding:.2em 1.2em .2em 0}'
 )
-SHOWN = ('exercise', 'verdict', 'earned', 'possible', 'sandbox', 'first_problem')
+SHOWN = {
+    'exercise': 'exercise',
+    'verdict': 'outcome',
+    'earned': 'earned',
+    'possible': 'possible',
+    'sandbox': 'sandbox',
+    'first_problem': 'first problem',
+}
+"""The columns of the table that the class page has, with their headings."""
 MOST_CAUSES = 20
 LONGEST_STEM = 80  # characters in the name of a student's page
 
@@ -153,17 +161,19 @@ def student_file(name: str, number: str = '') -> str:
 
 def class_page(results: Results, pages: dict[str, str]) -> str:
     """Return all marks, what went wrong most often, and how often each check passed and failed."""
-    table = [table_row('student', 'submission', *(column.replace('_', ' ') for column in SHOWN), kind='th')]
-    for (entry, _), row in zip(results, rows(results), strict=True):
+    table = [table_row('student', 'submission', *SHOWN.values(), kind='th')]
+    for (entry, found), row in zip(results, rows(results), strict=True):
+        if found and set((found.get('sandbox') or {}).values()) == {'held'}:
+            row['sandbox'] = 'complete'
         name = element('a', entry.student, href=quote(student_file(entry.student, entry.id)))
         table.append(table_row(name, _link(entry.path, pages), *(row[column] for column in SHOWN)))
     return html_page(
-        'edugrade: A class',
+        'edugrade: Marks of the class',
         STYLE,
-        element('h1', 'A class'),
+        element('h1', 'Marks of the class'),
         *(element('p', words) for words in _marks(results)),
         element('table', *table),
-        element('h2', 'Most frequent causes'),
+        element('h2', 'Most common causes'),
         element('table', *_causes(results)),
         element('h2', 'Checks'),
         element('table', *_checks(results)),
