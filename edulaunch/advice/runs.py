@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import math
 import os
 import re
 from functools import lru_cache
@@ -147,6 +148,8 @@ def is_ros_own(name: str, nodes: tuple[str, ...] = ()) -> bool:
 
 TF_TYPE = 'tf2_msgs/msg/TFMessage'
 TINY = 1e-9
+UNIT = 0.01
+"""tf2 rejects rotations whose squared length differs more from 1."""
 CLOCK_NS = 3_000_000_000
 """The largest plausible difference between a stamp and the time of the broadcast."""
 
@@ -155,7 +158,8 @@ class Broadcasts:
     """All transforms that one node broadcast for one frame in one parent.
 
     :ivar poses: the different values of static transforms, in order.
-    :ivar odd: the kinds of invalid transforms: 'zero', 'nan', 'unstamped', 'clock' -> (first time in s, how many).
+    :ivar length: the length of the first rotation that is not of length 1.
+    :ivar odd: the kinds of invalid transforms: 'zero', 'long', 'nan', 'unstamped', 'clock' -> (first time in s, how many).
     :ivar lag_s: the age in s of the first transform when it was broadcast; a negative age is in the future.
     """
 
@@ -166,6 +170,7 @@ class Broadcasts:
         self.poses: list[tuple[float, ...]] = []
         self.odd: dict[str, tuple[float, int]] = {}
         self.lag_s = 0.0
+        self.length = 0.0
 
     @property
     def first_s(self) -> float:
@@ -185,6 +190,9 @@ class Broadcasts:
             self._note('nan')
         elif square < TINY:
             self._note('zero')
+        elif abs(square - 1) > UNIT:
+            self._note('long')
+            self.length = self.length or math.sqrt(square)
         if self.is_static:
             if pose not in self.poses:
                 self.poses.append(pose)

@@ -35,7 +35,7 @@ def marks(request: pytest.FixtureRequest) -> dict[str, dict[str, str]]:
             (Path(place) / 'class' / name).mkdir(parents=True)
             (Path(place) / 'class' / name / f'circle.launch.{ending}').write_text(text)
         words = ['batch', f'{place}/class', '--csv', f'{place}/out/marks.csv', '--out', f'{place}/out/results', '--seed', '7']
-        for again in ([], ['--resume'], ['--resume']):  # a submission that a busy computer cut off has no mark, and can be graded again
+        for again in ([], ['--resume'], ['--resume']):  # what a busy computer cut off has no mark, and is graded again
             done = subprocess.run([*start, *words, *again], env=environment, cwd='/', capture_output=True, text=True)
             assert (Path(place) / 'out' / 'marks.csv').exists(), done.stdout + done.stderr
             with open(Path(place) / 'out' / 'marks.csv', newline='') as file:

@@ -251,14 +251,19 @@ def missing_comma(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.not-an-action',
     what='the list of actions contains {given}',
-    do='list only actions and launch descriptions: Node(...), LogInfo(...), IncludeLaunchDescription(...)',
+    do=(
+        'write RegisterEventHandler({handler}(...)), which is an action',
+        'list only actions and launch descriptions: Node(...), LogInfo(...), IncludeLaunchDescription(...)',
+    ),
     level='error',
 )
 def not_an_action(failure: Failure) -> Iterator[Finding]:
     """Report a string, a list or None in the list of a launch description."""
     match = re.match(r"'(\w+)' object has no attribute '(visit|describe_sub_entities)'", failure.message)
     if match is not None and failure.process is None:
-        yield report(failure, given='None' if match[1] == 'NoneType' else f'a {match[1]}')
+        handler = match[1] if match[1].startswith('On') and hasattr(class_named(match[1]), 'handle') else None
+        given = 'None' if match[1] == 'NoneType' else f'the event handler {handler}' if handler else f'a {match[1]}'
+        yield report(failure, given=given, handler=handler)
 
 
 @rule(
@@ -290,15 +295,19 @@ def no_event_actions(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.value-too-early',
     what='a {given} has no value yet while Python reads the launch file',
-    do="let launch compute the result later: PythonExpression([LaunchConfiguration('count'), ' > 1']), or an EqualsSubstitution",
+    do=(
+        'use its value in an OpaqueFunction: int({counted}(...).perform(context))',
+        "let launch compute the result later: PythonExpression([LaunchConfiguration('count'), ' > 1']), or an EqualsSubstitution",
+    ),
     level='error',
 )
 def value_too_early(failure: Failure) -> Iterator[Finding]:
     """Report code such as `LaunchConfiguration('count') > 1`, and `.perform()` of it."""
     match = re.match(r"'[<>]=?' not supported between instances of '(\w+)'|(\w+)\.perform\(\) missing 1 req", failure.message)
-    cls = class_named(match[1] or match[2]) if match is not None and failure.process is None else None
-    if match is not None and hasattr(cls, 'perform'):
-        yield report(failure, given=match[1] or match[2])
+    counted = re.match(r"'(\w+)' object cannot be interpreted as an integer", failure.message)
+    name = counted[1] if counted is not None else None if match is None else match[1] or match[2]
+    if name is not None and failure.process is None and hasattr(class_named(name), 'perform'):
+        yield report(failure, given=name, counted=counted and name)
 
 
 @rule(

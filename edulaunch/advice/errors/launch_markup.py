@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from linecache import getline
 
 from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.rule import Failure, Finding, rule
@@ -28,6 +29,8 @@ INSTEAD = {
     ('node', 'executable'): 'exec',
     ('node', 'package'): 'pkg',
     ('node', 'parameters'): 'param',
+    ('node', 'param_file'): '<param from="..."/>',
+    ('node', 'params_file'): '<param from="..."/>',
     ('node', 'arguments'): 'args',
     ('node', 'remappings'): 'remap',
     ('group', 'ns'): '<push_ros_namespace namespace="..."/>',
@@ -61,7 +64,7 @@ ROS_1_CALLS = {
 
 
 def _instead(failure: Failure, name: str) -> str | None:
-    return INSTEAD.get((str(failure.facts.get('element')).replace('-', '_'), name))
+    return INSTEAD.get((str(failure.facts.get('element')).replace('-', '_'), name.replace('-', '_')))
 
 
 @rule(
@@ -223,11 +226,29 @@ NOT_CLOSED = about(
     what='the element <{tag}> that starts in line {opened} is not closed',
     do=('write </{tag}> where the element ends'),
 )
-UNREADABLE = about(
+
+
+@rule(
     'launch.unreadable',
     what='launch cannot read this file: {problem}',
-    do='check brackets, quotes and indentation in that line and in the line above',
+    do=(
+        'write another sign than {dashes} in the comment: XML allows it only at the ends of a comment',
+        'write &amp; in place of each {ampersand} in that line, because & begins an entity in XML',
+        'check brackets, quotes and indentation in that line and in the line above',
+    ),
+    level='error',
 )
+def unreadable(failure: Failure) -> Iterator[Finding]:
+    """Report a file that is not valid XML or YAML. Two signs have a special meaning in XML."""
+    if failure.facts.get('about') == 'launch.unreadable':
+        line = getline(failure.file or '', failure.line or 0)
+        is_xml = not (failure.file or '').endswith(('.yaml', '.yml'))
+        inside = re.search('<!--(.*)', line) if is_xml else None
+        has_dashes = inside is not None and re.search('--(?!>)', inside[1]) is not None
+        has_ampersand = is_xml and not has_dashes and re.search(r'&(?!#?\w+;)', line) is not None
+        yield report(failure, dashes='--' if has_dashes else None, ampersand='&' if has_ampersand else None)
+
+
 YAML_TAB = about(
     'launch.yaml-tab', what='this line is indented with a tab', do=('indent with spaces, because YAML does not allow tabs')
 )

@@ -4,12 +4,14 @@ nodes.
 
 from __future__ import annotations
 
+import ast
 import linecache
 import re
 from collections.abc import Iterator
 
 from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.rule import Failure, Finding, found, rule
+from edulaunch.advice.run_sources import script_of
 from edulaunch.engine.nearest import nearest_spelling
 
 
@@ -125,10 +127,20 @@ HOMES = {
 _HOME_OF = {name: home for home, names in HOMES.items() for name in names.split()}
 
 
+def _methods_of(file: str | None) -> set[str]:
+    """Return the names of all methods that a program defines."""
+    classes = [node for node in ast.walk(script_of(file) or ast.Module([], [])) if isinstance(node, ast.ClassDef)]
+    return {node.name for klass in classes for node in klass.body if isinstance(node, ast.FunctionDef)}
+
+
 @rule(
     'programs.unknown-name',
     what='the name {missing} is not defined',
-    do=('add this line: {line}', 'check the spelling of the name, and whether its definition is inside another function'),
+    do=(
+        'add this line: {line}',
+        'write self.{method}: it is a method of the class',
+        'check the spelling of the name, and whether its definition is inside another function',
+    ),
     level='error',
     edits=(('', '{line}', 'import'), ('{missing}', '{near_bound}')),
 )
@@ -138,8 +150,10 @@ def unknown_name(failure: Failure) -> Iterator[Finding]:
     if match is not None and failure.process is not None and failure.type == 'NameError':
         home = 'rclpy' if match[1] == 'rclpy' else _HOME_OF.get(match[1])
         line = None if home is None else 'import rclpy' if match[1] == 'rclpy' else f'from {home} import {match[1]}'
-        near_bound = None if line else nearest_spelling(match[1], failure.facts.get('bound') or ())
-        yield report(failure, missing=match[1], line=line, near_bound=near_bound)
+        methods = _methods_of(failure.file)
+        method = match[1] if match[1] in methods and not line else None
+        near_bound = None if line or method else nearest_spelling(match[1], failure.facts.get('bound') or ())
+        yield report(failure, missing=match[1], line=line, method=method, near_bound=near_bound)
 
 
 @rule(

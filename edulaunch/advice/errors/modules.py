@@ -4,10 +4,12 @@ windows, sockets.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 
 from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.rule import Failure, Finding, rule
+from edulaunch.ros.sources.source_package import read_text
 
 ABSENT_MODULE = about(
     'packages.absent-module',
@@ -21,14 +23,28 @@ ABSENT_PACKAGE = about(
     why='on a robot the module may be installed; here this program ends, and the others continue',
     do='leave it out here, or give it a condition',
 )
-UNKNOWN_MODULE = about(
-    'programs.unknown-module',
-    what='the module {module} does not exist',
-    do=('write {near}', 'if you wrote the module, change to its workspace; otherwise, install it in this environment'),
-    edits=(('{module}', '{near}', 'near'),),
-)
 NEWER = {'turtlesim_msgs': 'turtlesim'}
 """Packages of interfaces in newer versions of ROS 2, and the packages in which Jazzy has these interfaces."""
+
+
+@rule(
+    'programs.unknown-module',
+    what=('{beside} is a module of a package, so its full name is {full}', 'the module {module} does not exist'),
+    do=(
+        'write the full name, as in: from {full} import ...',
+        'write {near}',
+        'if you wrote the module, change to its workspace; otherwise, install it in this environment',
+    ),
+    level='error',
+    edits=(('{module}', '{near}', 'near'),),
+)
+def unknown_module(failure: Failure) -> Iterator[Finding]:
+    """Report the import of a module that does not exist, or that is in the package of the importing file."""
+    if failure.facts.get('about') == 'programs.unknown-module':
+        module, folder = str(failure.facts.get('module')), os.path.dirname(failure.file or '')
+        is_beside = all(os.path.isfile(os.path.join(folder, name)) for name in (f'{module}.py', '__init__.py'))
+        full = f'{os.path.basename(folder)}.{module}' if is_beside else None
+        yield report(failure, beside=f'{module}.py' if is_beside else None, full=full)
 
 
 @rule(
@@ -48,16 +64,32 @@ def unknown_package(failure: Failure) -> Iterator[Finding]:
         yield report(failure, newer=module if module in NEWER else None, home=NEWER.get(module))
 
 
-MODULE_PART = about(
+@rule(
     'programs.module-part',
     what=(
+        'a build makes the module {generated}, but edulaunch does not run setup.py',
         'the module {module} does not exist; the nearest name is {parent}.{near}',
         'the module {module} does not exist; {parent} contains {known}',
         'the module {module} does not exist, because {parent} contains no modules',
     ),
-    do=('write {parent}.{near}', 'look into the folder of {parent}, and write the name of the file without .py'),
+    do=(
+        'run this program where its package is built: {generated} comes from generate_parameter_library',
+        'write {parent}.{near}',
+        'look into the folder of {parent}, and write the name of the file without .py',
+    ),
+    level='error',
     edits=(('{module}', '{parent}.{near}'),),
 )
+def module_part(failure: Failure) -> Iterator[Finding]:
+    """Report a module that an existing package does not contain, or that only its build makes."""
+    if failure.facts.get('about') == 'programs.module-part':
+        module = str(failure.facts.get('module'))
+        setup = os.path.join(os.path.dirname(os.path.dirname(failure.file or '')), 'setup.py')
+        text = read_text(setup) if os.path.isfile(setup) else ''
+        is_made = 'generate_parameter_module(' in text and module.rpartition('.')[2] in text
+        yield report(failure, generated=module if is_made else None)
+
+
 COMPILED = about(
     'programs.compiled-module',
     what='the module {module} is compiled code ({compiled}), but edulaunch runs only Python',
@@ -98,11 +130,31 @@ IMPORT_NAME = about(
 HIDES_MODULE = about(
     'programs.hides-module', what='Python imports {own_file} instead of its own module {module}', do='rename that file'
 )
-ENTRY_MODULE = about(
+
+
+@rule(
     'packages.entry-module',
-    what="the entry point '{entry}' of {package} (setup.py) names the module {missing}, which does not exist",
-    do=('write {near}', 'use one of its modules: {known}', 'put the file into the folder of that name, next to its __init__.py'),
+    what=(
+        "packages= in setup.py of {package} does not name '{unlisted}', so no build installs the module {missing}",
+        "the entry point '{entry}' of {package} (setup.py) names the module {missing}, which does not exist",
+    ),
+    do=(
+        "write packages=['{unlisted}'] in setup.py",
+        'write {near}',
+        'use one of its modules: {known}',
+        'put the file into the folder of that name, next to its __init__.py',
+    ),
+    level='error',
 )
+def entry_module(failure: Failure) -> Iterator[Finding]:
+    """Report an entry point whose module does not exist, or is in a folder that setup.py does not install."""
+    if failure.facts.get('about') == 'packages.entry-module':
+        *above, leaf = str(failure.facts.get('missing')).split('.')
+        source = failure.facts.get('source')
+        is_there = bool(source and above) and os.path.isfile(os.path.join(str(source), *above, f'{leaf}.py'))
+        yield report(failure, unlisted='.'.join(above) if is_there else None)
+
+
 ENTRY_FUNCTION = about(
     'packages.entry-function',
     what="the entry point '{entry}' of {package} (setup.py) names the function {missing}, which does not exist",

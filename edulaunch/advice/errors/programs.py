@@ -194,15 +194,19 @@ def called_too_early(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.no-depth',
-    what='{method}() was called without a queue depth',
-    do='add the number of messages that may wait as the last argument: 10',
+    what=('the queue depth must be a number or a QoSProfile, but it is a {given}', '{method}() was called without a queue depth'),
+    do=(
+        'write the number of messages that may wait, without quotes: {depth}',
+        'add the number of messages that may wait as the last argument: 10',
+    ),
     level='error',
 )
 def no_depth(failure: Failure) -> Iterator[Finding]:
     """Report a publisher or subscription without a queue depth, as in `create_subscription(String, 'chatter', self.heard)`."""
     match = re.match(r"Node\.(\w+)\(\) missing 1 required positional argument: 'qos_profile'", failure.message)
-    if match is not None and failure.process is not None:
-        yield report(failure, method=match[1])
+    other = re.match(r"Expected QoSProfile or int, but received <class '(\w+)'>", failure.message)
+    if failure.process is not None and (match or other):
+        yield report(failure, method=match and match[1], given=other and other[1], depth=other and 10)
 
 
 @rule(

@@ -137,19 +137,25 @@ def future_no_answer(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.init-misspelt',
-    what='Python never calls {method}() of {klass}, because a constructor has the name __init__',
-    do='write def __init__(self) with two underscores on each side',
+    what=(
+        'Python never calls {method}() of {klass}, because a constructor has the name __init__',
+        'this line calls {called}() of super(), but a constructor has the name __init__',
+    ),
+    do=('write {wanted} with two underscores on each side',),
     level='error',
 )
 def init_misspelt(failure: Failure) -> Iterator[Finding]:
-    """Report a misspelt constructor such as `def _init_(self):`. Python then calls the constructor of Node without a name."""
+    """Report a misspelt constructor such as `def _init_(self):`, or the call of one."""
+    called = re.match(r"'super' object has no attribute '(?:_[A-Za-z]\w*?)??(_{1,2}(?:init|int|inti)_{0,2})'", failure.message)
+    if called is not None:
+        yield report(failure, called=called[1], wanted='super().__init__(...)')
     tree = script_of(failure.file) if failure.message.startswith('Node.__init__() missing 1 required') else None
     for klass in [] if tree is None else ast.walk(tree):
         names = [node.name for node in klass.body if isinstance(node, ast.FunctionDef)] if isinstance(klass, ast.ClassDef) else []
         if '__init__' not in names:
             for name in names:
                 if re.fullmatch(r'_{0,3}(init|int|inti)_{0,3}', name):
-                    yield report(failure, method=name, klass=klass.name)  # type: ignore[attr-defined]
+                    yield report(failure, method=name, klass=klass.name, wanted='def __init__(self)')  # type: ignore[attr-defined]
 
 
 @rule(

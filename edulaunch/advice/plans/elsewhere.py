@@ -24,6 +24,7 @@ _ELEMENTS = {'gz_server': 'ros_gz_sim', 'gz_spawn_model': 'ros_gz_sim', 'ros_gz_
 """Elements of XML and YAML that a package adds to launch, with the package."""
 _VARIABLE = re.compile(r"environment variable '(\w+)' does not exist")
 _LEGACY = re.compile(r"cannot import name '(\w+)' from 'launch_testing.legacy'")
+_REFUSED = re.compile(r"not done in a dry run: '(.+?)'")
 _KEY = re.compile(r"KeyError: '(\w+)'")
 _ABOUT = (
     None,
@@ -111,7 +112,7 @@ def needs_keyboard(rehearsal: Rehearsal) -> Iterator[Finding]:
 @rule(
     'launch.needs-variable',
     what="this launch file needs the environment variable '{variable}', which is not set in this terminal",
-    why='the argument has no default, so you must pass a value when you launch the file',
+    why='a launch file cannot read a variable that is not set, unless it has a default value',
     do=(
         'run `export {variable}={example}`, and launch the file again',
         'run `export {variable}=...` with the value that the file expects, and launch the file again',
@@ -158,11 +159,15 @@ def is_test(rehearsal: Rehearsal) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def not_in_dry_run(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a change that a library tried to make. Changes by the launch file itself are not reported."""
+    """Report a change that a library tried to make. Changes by the launch file itself are not reported. The library may have
+    raised another exception with the same text.
+    """
     error = rehearsal.plan['error']
     facts: dict[str, Any] = (error or {}).get('facts') or {}
-    if error is not None and facts.get('about') == 'launch.not-in-dry-run':
-        yield found('file', os.path.basename(rehearsal.plan['file']), **_place(error), undone=facts['undone'])
+    path = _first(_REFUSED, error['text']) if error is not None else None
+    undone = facts['undone'] if facts.get('about') == 'launch.not-in-dry-run' else path and f'write {os.path.basename(path)}'
+    if error is not None and undone:
+        yield found('file', os.path.basename(rehearsal.plan['file']), **_place(error), undone=undone)
 
 
 def _first(pattern: re.Pattern[str], text: str) -> str | None:

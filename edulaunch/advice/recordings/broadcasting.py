@@ -110,8 +110,20 @@ def static_and_moving(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def slash_in_name(recording: Recording) -> Iterator[Finding]:
-    """Report a slash at the start of the name of a frame or of its parent."""
-    return (_found(recording, one) for one in broadcasts(recording) if one.child.startswith('/') or one.parent.startswith('/'))
+    """Report a slash at the start of the name of a frame or of its parent, once for each node. The frame_prefix '/' of a
+    robot_state_publisher without a namespace is usual, and tf2 removes it.
+    """
+    told: set[str] = set()
+    for one in broadcasts(recording):
+        is_slashed = one.child.startswith('/') or one.parent.startswith('/')
+        if is_slashed and one.node not in told and one.node not in _prefixing(recording):
+            told.add(one.node)
+            yield _found(recording, one)
+
+
+def _prefixing(recording: Recording) -> set[str]:
+    """Return the nodes with the parameter frame_prefix '/'."""
+    return {node for _, node, name, value, _ in recording.rows('parameters') if (name, value) == ('frame_prefix', '/')}
 
 
 @rule(
@@ -144,15 +156,24 @@ def nameless(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.zero-rotation',
-    what="{node} broadcasts '{frame}' with the invalid rotation (0, 0, 0, 0), in {times} of {count} messages",
+    what=(
+        "{node} broadcasts '{frame}' with an invalid rotation: a quaternion has the length 1, not {length}",
+        "{node} broadcasts '{frame}' with the invalid rotation (0, 0, 0, 0), in {times} of {count} messages",
+    ),
     why='tf2 rejects such a transform, so the frame never gets a position',
-    do='set rotation.w = 1.0 for no rotation, or compute it from an angle: x, y, z, w = quaternion_from_euler(0, 0, theta)',
+    do=(
+        'write z = math.sin(theta / 2) and w = math.cos(theta / 2) in place of a rotation of length {length}',
+        'set rotation.w = 1.0 for no rotation, or compute it from an angle: x, y, z, w = quaternion_from_euler(0, 0, theta)',
+    ),
     lesson=STATIC,
     level='error',
     hides=('tf.empty-buffer',),
 )
 def zero_rotation(recording: Recording) -> Iterator[Finding]:
-    """Report a rotation of four zeros, as after `Quaternion(x=0.0, y=0.0, z=0.0, w=0.0)`."""
+    """Report a rotation of four zeros, as after `Quaternion(x=0.0, y=0.0, z=0.0, w=0.0)`, or of another length than 1."""
+    for one in broadcasts(recording):
+        if 'long' in one.odd:
+            yield _found(recording, one, time_s=one.odd['long'][0], length=round(one.length, 2))
     counts = {(one.node, one.child): one.count for one in broadcasts(recording)}
     for finding in _odd(recording, 'zero'):
         yield finding._replace(facts={**finding.facts, 'count': counts[finding.facts['node'], finding.name]})

@@ -42,7 +42,7 @@ def never_spun(recording: Recording) -> Iterator[Finding]:
                 yield found('node', fact.data['node'], file=file, line=line, time_s=started[fact.data['node']], calls=calls)
 
 
-BLOCKING = ('wait_for_service', 'wait_for_server', 'wait_for_message', 'input', 'readline', 'read')
+BLOCKING = ('wait_for_service', 'wait_for_server', 'wait_for_message', 'private_input', 'readline', 'read')
 
 
 def _waits_for_somebody(recording: Recording, data: dict[str, object]) -> bool:
@@ -83,9 +83,11 @@ def ended_at_once(recording: Recording) -> Iterator[Finding]:
 )
 def not_taken(recording: Recording) -> Iterator[Finding]:
     """Report old messages, or a full queue of a student's node, that no callback processed before the end of the run or node.
-    Another rule reports a node that never spins.
+    Other rules report a node that never spins, or that waits for the keyboard.
     """
     unspun = {fact.data['node'] for fact in recording.facts if fact.kind == 'node not spun'}
+    asking = {fact.process for fact in recording.facts if fact.kind == 'waits for input'}
+    unspun |= {node.name for node in recording.nodes if node.process in asking}
     for fact in recording.facts:
         if fact.kind == 'messages wait' and fact.data['node'] not in unspun and fact.data['topic'] != '/parameter_events':
             file, line = end_place(recording, 'subscription', fact.data['topic'], fact.data['node'])

@@ -138,7 +138,11 @@ def nobody_publishes(recording: Recording) -> Iterator[Finding]:
             file, line = end_place(recording, end.kind, end.name, end.node)
             ends = {name: ends_by_name(recording)['publisher', name] for name in sent}
             fitting = [name for name in sent if ends[name][0].type == end.type and ends[name][0].node != end.node]
-            facts = {'node': speaker(recording, end.node), 'near': nearest(end.name, fitting), 'empty': _empty_part(end.name)}
+            facts = {
+                'node': speaker(recording, end.node),
+                'near': nearest_spelling(end.name, fitting),
+                'empty': _empty_part(end.name),
+            }
             yield found('topic', end.name, file=file, line=line, time_s=end.made_s, **facts)
 
 

@@ -186,7 +186,7 @@ def opaque_returns_nothing(scripts: list[Script]) -> Iterator[Finding]:
     'launch.not-added',
     what='the {action} {variable} is never added to the launch description, so launch does not run it',
     why='launch runs only the actions in the list of LaunchDescription([...]), or that add_action() adds',
-    do='add {variable} to the list of LaunchDescription([...])',
+    do=('write {description}.add_action({variable})', 'add {variable} to the list of LaunchDescription([...])'),
     lesson='01_first_launch',
     level='error',
 )
@@ -208,13 +208,26 @@ def _unread(function: ast.FunctionDef | ast.AsyncFunctionDef, read: set[str], fi
             target, made = node.targets[0], node.value.func.id
             is_left = isinstance(target, ast.Name) and target.id not in read and not _is_in_comment(target.id, file)
             if made in ACTIONS and len(node.targets) == 1 and isinstance(target, ast.Name) and is_left:
-                yield found('variable', target.id, file=file, line=node.lineno, action=made)
+                yield found('variable', target.id, file=file, line=node.lineno, action=made, description=_adds(function))
+
+
+def _adds(function: ast.FunctionDef | ast.AsyncFunctionDef) -> str | None:
+    """Return the variable whose add_action() a function calls."""
+    called = [node.func for node in ast.walk(function) if isinstance(node, ast.Call)]
+    adding = [one.value for one in called if isinstance(one, ast.Attribute) and one.attr == 'add_action']
+    return next((one.id for one in adding if isinstance(one, ast.Name)), None)
 
 
 def _is_in_comment(name: str, file: str) -> bool:
-    """Return whether a commented-out line uses the variable, which is a deliberate choice."""
+    """Return whether a line that is commented out, or inside a string, uses the variable, which is a deliberate choice."""
     from edulaunch.ros.sources.source_package import read_text
 
     name = re.escape(name)
     added, listed = rf'(?:\w+\.add_action\()?{name}\)?,?\s*(?:#.*)?$', rf'.*\bLaunchDescription\(\[.*\b{name}\b'
-    return re.search(rf'^\s*#\s*(?:{added}|{listed})', read_text(file), re.MULTILINE) is not None
+    text = read_text(file)
+    if re.search(rf'^\s*#\s*(?:{added}|{listed})', text, re.MULTILINE) is not None:
+        return True
+    left_out = [
+        one.value for one in ast.walk(ast.parse(text)) if isinstance(one, ast.Expr) and isinstance(one.value, ast.Constant)
+    ]
+    return any(re.search(rf'^\s*{added}', str(one.value), re.MULTILINE) for one in left_out)  # a text in three quotes

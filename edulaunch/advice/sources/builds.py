@@ -133,17 +133,17 @@ def _left_out(source: PackageInWorkspace) -> Iterator[str]:
     for path, text in _scripts(source) if source.is_certain else ():
         place = installed.get(os.path.realpath(path), '')
         is_hidden = os.path.basename(path).startswith('.')
-        if 'rclpy.init' in text and not is_hidden and not path.startswith(modules) and not place.startswith('lib/'):
+        if 'rclpy.init' in text and not is_hidden and not path.startswith(modules) and not place:
             yield path
 
 
 def executables_launched(source: PackageInWorkspace) -> set[str]:
-    """Return the values of `executable` or `exec` in the launch files of a package."""
+    """Return the values of `executable` or `exec` in the launch files of a package, and the modules after `python3 -m`."""
     texts = (read_text(path) for path in source.package.files() if source.package.is_launch_file(path))
     return {name for text in texts for name in _EXECUTABLE.findall(text)}
 
 
-_EXECUTABLE = re.compile(r"""\bexec(?:utable)?\s*[=:]\s*["']?([\w.-]+)""")
+_EXECUTABLE = re.compile(r"""(?:\bexec(?:utable)?\s*[=:]|["'\s]-m["',]*)\s*["']?([\w.-]+)""")
 
 
 @rule(

@@ -38,12 +38,23 @@ def entry_point_module(source: PackageInWorkspace) -> Iterator[Finding]:
     for executable, module, function in _entry_points(source):
         if module_file(package, module) is None and not _is_of_another(source, module):
             leaf = module.rpartition('.')[2]
-            near = nearest(module, [one for one in modules_of(package) if nearest_spelling(leaf, [one.rpartition('.')[2]])])
-            if leaf == 'py' and module_file(package, module[:-3]) is not None:
-                near = module[:-3]
+            near = _meant(package, executable, module)
+            near = None if any(near == other for _, other, _ in _entry_points(source)) else near
             lying = [package.relative(path) for path in package.python_files if os.path.basename(path) == f'{leaf}.py']
             facts: dict[str, Any] = {'near': near, 'lying': next(iter(lying), None), 'wanted': module.replace('.', '/') + '.py'}
             yield _of_entry(package, executable, module, function, **facts)
+
+
+def _meant(package: SourcePackage, executable: str, module: str) -> str | None:
+    """Return the module of a package that an entry point with a wrong module probably means."""
+    leaf, modules = module.rpartition('.')[2], modules_of(package)
+    if leaf == 'py' and module[:-3] in modules:
+        return module[:-3]
+    near = nearest(module, [one for one in modules if nearest_spelling(leaf, [one.rpartition('.')[2]])])
+    same = [
+        one for one, path in modules.items() if one.rpartition('.')[2] in (leaf, executable) and not path.endswith('__init__.py')
+    ]
+    return near or (same[0] if len(same) == 1 else None)
 
 
 def _is_of_another(source: PackageInWorkspace, module: str) -> bool:
@@ -158,10 +169,13 @@ def _unnamed(source: PackageInWorkspace) -> Iterator[Finding]:
     if not (source.is_readable and package.is_python):
         return
     modules = modules_of(package)
-    named = {module for _, module, _ in _entry_points(source)}
-    named |= {nearest(module, modules) or '' for module in named - modules.keys()}
+    run = executables_launched(source)
+    entries = [(name, module) for name, module, _ in _entry_points(source)]
+    named = {
+        module if module in modules else _meant(package, name, module) or nearest(module, modules) for name, module in entries
+    }
     for module, path in modules.items():
-        if module not in named and _is_node(path):
+        if module not in named and module not in run and _is_node(path):
             name, leaf = os.path.basename(path), module.rpartition('.')[2]
             yield found('file', name, file=path, package=package.name, module=module, executable=leaf)
 

@@ -41,7 +41,8 @@ def find_workspaces(folder: str, env: Mapping[str, str], launch_file: str | None
         found += _above(os.path.dirname(os.path.join(here, launch_file)))
     found += _above(here) or _below(here) or _around(here, launch_file)
     found += map(_of_prefix, filter(_is_overlay, [*_listed(env, 'COLCON_PREFIX_PATH'), *_listed(env, 'AMENT_PREFIX_PATH')]))
-    return list({os.path.realpath(path): os.path.normpath(path) for path in reversed(found)}.values())[::-1]
+    first = {os.path.realpath(path): os.path.normpath(path) for path in reversed(found)}
+    return [first[real] for real in dict.fromkeys(map(os.path.realpath, found))]
 
 
 def workspaces_of_command(given: Sequence[str | os.PathLike[str]], target: str | os.PathLike[str]) -> list[str]:

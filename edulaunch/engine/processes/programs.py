@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from edulaunch.engine.facts import with_facts
+from edulaunch.engine.facts import facts_of, with_facts
 from edulaunch.engine.nearest import nearest
 from edulaunch.engine.packages import Program
 from edulaunch.engine.processes.process import Process
@@ -58,6 +58,7 @@ def entry_function(process: Process, program: Program) -> Callable[[], object]:
             above, _, leaf = program.module.rpartition('.')
             if program.function or hasattr(process.loader.modules.get(above, os), '__path__'):
                 _add_facts(program, error, 'module', program.module, _modules_beside(process, program))
+                with_facts(error, **facts_of(error), source=process.index.source_folder(program.package))
             else:
                 _add_facts(program, error, 'no-function', near=f'{above}:{leaf}')
         raise

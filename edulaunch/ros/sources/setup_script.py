@@ -219,8 +219,9 @@ class _SetupScript:
                 )
         for name in self._known(options, 'py_modules') or ():
             if isinstance(name, str):
-                path = os.path.normpath(os.path.join(self.folder, folders.get('') or '', *name.split('.'))) + '.py'
-                self.contents.python_modules[name.partition('.')[0]] = path
+                top, _, inner = name.partition('.')
+                path = os.path.normpath(os.path.join(self.folder, folders.get('') or '', top)) + ('' if inner else '.py')
+                self.contents.python_modules.setdefault(top, path)
 
     def _executables(self, options: dict[str, Any]) -> None:
         groups = self._groups(options)

@@ -49,9 +49,9 @@ class SourcePackage:
     @property
     def is_python(self) -> bool:
         """Whether the package is built with setup.py, or would be if that file were not missing."""
-        if os.path.isfile(self.build_file('CMakeLists.txt')):
-            return False
         manifest = read_manifest(self.folder, [])
+        if os.path.isfile(self.build_file('CMakeLists.txt')):
+            return manifest is not None and manifest.build_type == 'ament_python'  # colcon then does not read CMakeLists.txt
         return os.path.isfile(self.build_file('setup.py')) or (manifest is not None and manifest.build_type == 'ament_python')
 
     def build_file(self, name: str | None = None) -> str:

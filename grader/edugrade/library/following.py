@@ -130,7 +130,7 @@ def driven_track(run: Evidence, scenario: str, turtle: str) -> Track:
     away = pushed(run[scenario], f'{turtle}/pose')
     if not away <= MOST_PUSHED_M:
         raise Failure(
-            f'{turtle.strip("/")} does not drive by itself, when launched with {run.scenario(scenario).words}',
+            f'{turtle.strip("/")} does not drive by itself in the run with {run.scenario(scenario).words}',
             expected='it moves only with the velocities on its topic cmd_vel',
             seen=f'it moves {away:.2f} m without a velocity',
             where=run.source.place,

@@ -52,6 +52,12 @@ def test_the_launch_files_own_workspace_comes_before_that_of_the_current_folder(
     assert found == [str(ws), str(tmp_path / 'here_ws')]
 
 
+def test_the_launch_files_own_workspace_comes_before_those_beside_it(ws: Path) -> None:
+    package(ws.parent / 'a_ws' / 'src' / 'robo')
+    found = find_workspaces(str(ws.parent), {}, launch_file=str(ws / 'src' / 'robo' / 'launch' / 'a.launch.py'))
+    assert found == [str(ws), str(ws.parent / 'a_ws')]
+
+
 def test_what_edulaunch_workspaces_names_comes_first(ws: Path, tmp_path: Path) -> None:
     named = tmp_path / 'named'
     named.mkdir()
