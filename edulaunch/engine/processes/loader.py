@@ -3,8 +3,8 @@
 Two copies of one node must not share globals, and each must have its own clock, arguments and streams. So each process executes
 its own copy of modules of a student's workspace, the main script and launch files. Their `__builtins__` have an `__import__` that
 calls this module first. Everything else (the standard library, numpy, the ROS packages) is shared. Views in
-`processes/module_views/` replace the few standard modules with time, random numbers, threads or the process itself. A few more are
-executed privately, so that they use those views.
+`processes/module_views/` replace the few standard modules with time, random numbers, threads or the process itself. A few more
+are executed privately, so that they use those views.
 """
 
 from __future__ import annotations
