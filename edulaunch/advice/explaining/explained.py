@@ -165,6 +165,10 @@ class Reason(Tree):
 def _name_sources(plan: dict[str, Any], source_path: Callable[[str], str]) -> None:
     """Name the student's own files in a plan instead of the links of a generated prefix."""
     plan['file'] = source_path(plan['file'])
+    here = os.path.join(os.getcwd(), '')
+    for item in plan['items']:
+        if item['kind'] == 'include':
+            item['file'] = source_path(item['file']).removeprefix(here)
     file, colon, line = ((plan['error'] or {}).get('origin') or '').rpartition(':')
     if colon:
         plan['error']['origin'] = f'{source_path(file)}:{line}'

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -77,6 +78,14 @@ class Balance(HTMLParser):
 
     def handle_endtag(self, tag: str) -> None:
         assert self.open.pop() == tag
+
+
+def test_an_include_from_a_workspace_is_named_as_the_student_wrote_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    shutil.copytree(Path(__file__).resolve().parents[3] / 'solutions' / 'convoy', tmp_path / 'src' / 'convoy')
+    monkeypatch.chdir(tmp_path)
+    lines = str(edulaunch.explain('convoy', 'convoy.launch.py')).splitlines()
+    included = [line.strip('│├└─ ').split('  ')[0] for line in lines if '─ include ' in line]
+    assert included == ['include src/convoy/launch/follower.launch.py']
 
 
 def test_a_notebook_gets_a_tree_that_opens_without_script_and_with_nothing_of_the_file_as_html(file: Path) -> None:
