@@ -98,7 +98,14 @@ def test_in_jupyterlab_the_view_and_its_3d_canvas_have_the_theme_of_jupyterlab(
     The contrast of colours is measured on the page alone: axe-core takes text in JupyterLab's scrolled panels as hidden.
     """
     code = "import edulaunch\nmachine = edulaunch.start('turtle_tf2_py', 'turtle_tf2_demo.launch.py')\nmachine.view('frames')"
-    cell = {'cell_type': 'code', 'id': 'theme', 'metadata': {}, 'source': code, 'outputs': [], 'execution_count': None}
+    cell: dict[str, Any] = {
+        'cell_type': 'code',
+        'id': 'theme',
+        'metadata': {},
+        'source': code,
+        'outputs': [],
+        'execution_count': None,
+    }
     kernel = {'kernelspec': {'name': 'python3', 'display_name': 'Python 3', 'language': 'python'}}
     notebook = {'cells': [cell], 'metadata': kernel, 'nbformat': 4, 'nbformat_minor': 5}
     (course / 'lessons' / 'theme.ipynb').write_text(json.dumps(notebook), encoding='utf-8')
