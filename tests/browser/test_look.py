@@ -14,6 +14,7 @@ from edulaunch.desk.view.page import recorded_page, script
 from edulaunch.desk.view.replay import timeline_of
 from edulaunch.engine.recording import Recording
 from tests.browser.desk import Desk
+from tests.browser.lab import Lab
 
 pytestmark = pytest.mark.browser
 TABS = ('launch', 'frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'parameters', 'terminal')
@@ -87,6 +88,56 @@ def test_a_widget_follows_the_theme_of_jupyterlab_until_somebody_chooses(live: D
     live.press('switch between dark and light')
     live.page.evaluate("document.body.dataset.jpThemeLight = 'false'; document.body.dataset.jpThemeLight = 'true'")
     assert live.page.evaluate(theme) == 'dark'
+
+
+def test_in_jupyterlab_the_view_and_its_3d_canvas_have_the_theme_of_jupyterlab(
+    lab: Lab, course: Path, shots: Path, axe: str
+) -> None:
+    """The system's theme is the other one each time. axe-core finds no violation in the widget.
+
+    The contrast of colours is measured on the page alone: axe-core takes text in JupyterLab's scrolled panels as hidden.
+    """
+    code = "import edulaunch\nmachine = edulaunch.start('turtle_tf2_py', 'turtle_tf2_demo.launch.py')\nmachine.view('frames')"
+    cell: dict[str, Any] = {
+        'cell_type': 'code',
+        'id': 'theme',
+        'metadata': {},
+        'source': code,
+        'outputs': [],
+        'execution_count': None,
+    }
+    kernel = {'kernelspec': {'name': 'python3', 'display_name': 'Python 3', 'language': 'python'}}
+    notebook = {'cells': [cell], 'metadata': kernel, 'nbformat': 4, 'nbformat_minor': 5}
+    (course / 'lessons' / 'theme.ipynb').write_text(json.dumps(notebook), encoding='utf-8')
+    brightness = """canvas => { const { data } = canvas.getContext('2d').getImageData(3, 3, 1, 1);
+        return data[3] ? (data[0] + data[1] + data[2]) / 3 : null; }"""
+    with lab.open('theme') as opened:
+        page = opened.page
+        page.evaluate("() => { window.jupyterapp.commands.execute('notebook:run-all-cells') }")
+        canvas, found = page.locator('.panel canvas').first, []
+        canvas.wait_for()
+        page.add_script_tag(content=axe)
+        for name, system in (('dark', 'light'), ('light', 'dark')):
+            page.emulate_media(color_scheme=system)
+            page.evaluate(
+                "theme => window.jupyterapp.commands.execute('apputils:change-theme', { theme })", f'JupyterLab {name.title()}'
+            )
+            page.locator(f'.desk[data-theme={name}]').wait_for()
+            page.wait_for_timeout(500)  # JupyterLab loads the style of the theme
+            shade = canvas.evaluate(brightness)
+            assert shade is not None and (shade < 80 if name == 'dark' else shade > 200), (name, shade)
+            page.screenshot(path=shots / f'theme-lab-{name}.png')
+            for tab in ('launch', 'frames', 'tree', 'graph', 'plot', 'parameters'):
+                page.locator(f'[data-tab={tab}]').click()
+                page.wait_for_timeout(300)
+                result = page.evaluate(
+                    """() => axe.run([...document.querySelectorAll('*')].find(one => one.shadowRoot?.querySelector('.desk')),
+                        { resultTypes: ['violations'], rules: { 'color-contrast': { enabled: false } } })"""
+                )
+                found += [(name, tab, one['id'], [node['target'] for node in one['nodes']]) for one in result['violations']]
+            page.locator('[data-tab=frames]').click()
+        page.emulate_media(color_scheme='light')
+    assert found == []
 
 
 def test_arrow_keys_while_time_is_paused_say_why_nothing_happens(live: Desk) -> None:

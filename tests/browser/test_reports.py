@@ -83,8 +83,11 @@ def test_the_launch_can_be_read_and_opened_by_keyboard_without_a_script(
     if name == 'report':
         outside.focus()
         work.keyboard.press('Enter')
-    assert work.get_by_text('left out: if LaunchConfig').is_visible()
-    assert work.get_by_text('never fired').is_visible()
+    assert work.get_by_text("left out: second is 'false'").is_visible()
+    never, runs = work.get_by_text('never fired'), work.get_by_text('running, pid').first
+    assert never.is_visible() and never.get_attribute('class') == 'idle'
+    colour = 'text => getComputedStyle(text).color'
+    assert never.evaluate(colour) != runs.evaluate(colour), 'it is marked'
     origin = work.get_by_text('— default').first
     assert origin.is_hidden()
     inner = work.locator('summary', has_text="argument second = 'false'")

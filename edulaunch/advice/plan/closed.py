@@ -146,7 +146,7 @@ class Closed:
                 self._folders.add(place)
                 if os.path.isdir(place):
                     return
-            self.note(CHANGES[name].format(place))
+            self.note(CHANGES[name].format(second[0] if name in ('link', 'symlink') else place))
 
         seem.__name__ = name
         return seem

@@ -22,14 +22,15 @@ MOST_ROWS = 1000
 MOST_EVENTS = 200
 """Limits for a page that stays readable: levels of the tree, steps, and events."""
 STYLE = """<style>
-.launch-outline{--bad:#a3231f;--soft:#555;--rule:#8a8a8a;overflow-wrap:anywhere}
-@media(prefers-color-scheme:dark){.launch-outline{--bad:#ff8f86;--soft:#b4b8be;--rule:#767b84}}
+.launch-outline{--bad:#a3231f;--lit:#8a4500;--soft:#555;--rule:#8a8a8a;overflow-wrap:anywhere}
+@media(prefers-color-scheme:dark){.launch-outline{--bad:#ff8f86;--lit:#ffb454;--soft:#b4b8be;--rule:#767b84}}
 .launch-outline ul,.launch-outline ol{padding-left:1.3em;margin:.1em 0}
 .launch-outline ul{list-style:none}
 .launch-outline p{margin:.1em 0 .1em 1.3em}
 .launch-outline small{color:var(--soft)}
 .launch-outline .left-out{text-decoration:line-through}
 .launch-outline .failed{color:var(--bad);font-weight:bold}
+.launch-outline small.idle{color:var(--lit);font-weight:bold}
 .launch-outline td,.launch-outline th{text-align:left;vertical-align:top;padding:.1em .8em .1em 0}
 .launch-outline th{font-weight:normal;color:var(--soft)}
 </style>"""
@@ -71,7 +72,7 @@ def _branch(below: Mapping[int, list[Row]], steps: Mapping[int, Row], number: in
             continue
         look, words = state_of(row, steps, end_us)
         line = (
-            f'<span class="{look}">{_text(titled(row))}</span> <small class="{look if look == "failed" else "state"}">'
+            f'<span class="{look}">{_text(titled(row))}</span> <small class="{look if look in ("failed", "idle") else "state"}">'
             f'{_text(words)}</small> <small>{_text(place_of(row))}</small>'
         )
         facts = ''.join(_facts(row))

@@ -148,7 +148,8 @@ class Viewer:
         self._time.go_on()
         if not sim.is_suspended:
             trace.stepper.go('go')
-            self._say({'said': 'The launch did not reach that place within 10 s of simulated time.'})
+            missing = {'event': 'No event follows', 'line': 'The launch does not reach this line'}.get(way, 'No action follows')
+            self._say({'said': f'{missing} within 10 s of simulated time.'})
 
     def _stops(self, request: dict[str, Any]) -> None:
         """Make new launches stop before their first action, or not. With `again`, run this launch again and stop there."""

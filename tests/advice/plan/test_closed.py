@@ -89,7 +89,7 @@ CHANGES = [
     ("shutil.rmtree('FOLDER/full')", 'remove '),
     ("os.rename('FOLDER/kept', 'FOLDER/made')", 'rename '),
     ("os.makedirs('FOLDER/made/deep', exist_ok=True)", 'make the folder '),
-    ("os.symlink('FOLDER/kept', 'FOLDER/made')", 'make '),
+    ("os.symlink('FOLDER/kept', 'FOLDER/made')", 'make {}/made'),
     ("os.chmod('FOLDER/kept', 0)", 'change '),
     ("shutil.copy('FOLDER/kept', 'FOLDER/made')", 'write '),
     ("os.replace(tempfile.mkstemp()[1], 'FOLDER/kept')", 'rename '),
@@ -104,7 +104,7 @@ def test_a_file_is_not_changed(plan: Plan, tmp_path: Path, line: str, note: str)
     (tmp_path / 'full/inner').write_text('old', encoding='utf-8')
     found = plan(f"{line}\nreturn LaunchDescription([LogInfo(msg='on')])")
     assert (found['error'], logs(found)) == (None, ['on'])
-    assert found['not_done'][0].startswith(note)
+    assert found['not_done'][0].startswith(note.format(tmp_path))
     assert sorted(str(path.relative_to(tmp_path)) for path in tmp_path.rglob('*')) == [
         'a.launch.py',
         'full',

@@ -263,7 +263,9 @@ def test_a_launch_is_stepped_and_its_processes_stopped_and_restarted() -> None:
         desk.go(0.5)
         assert (len(one.runs), one.is_running, two.runs[0][3]) == (2, True, -9)
         desk.ask('launch', pid=trace.pid, way='line', file='multisim.launch.py', line=1)
-        assert desk.said[-1] == {'said': 'The launch did not reach that place within 10 s of simulated time.'}
+        assert desk.said[-1] == {'said': 'The launch does not reach this line within 10 s of simulated time.'}
+        desk.ask('launch', pid=trace.pid, way='into')
+        assert desk.said[-1] == {'said': 'No action follows within 10 s of simulated time.'}
         desk.ask('launch', pid=trace.pid, way='there')
         desk.ask('launch', pid=1, way='into')
         desk.ask('process', pid=trace.pid, number=0, what='kill')

@@ -42,6 +42,7 @@ class Desk {
     this.save = button('Export', 'save the run so far as a page that replays it, from disk and without a network', () => this.send({ op: 'export' }));
     this.save.hidden = !this.live;
     this.net = button('Network', 'join the real ROS 2 network, or leave it', () => this.send({ op: 'network', on: !this.machine.network }));
+    this.net.hidden = true;
     this.dark = button('◐', 'switch between dark and light', () => { this.own = true; this.theme(this.box.dataset.theme === 'dark' ? 'light' : 'dark'); });
     this.box.append(make('header', {}, this.title, this.state, this.alerts.box, this.alerts.ask, this.net, this.save, this.dark));
   }
