@@ -117,3 +117,9 @@ def test_what_a_student_calls_may_raise_anything() -> None:
             call('it', function, *given, wanted=3)
     with pytest.raises(Failure, match='three is missing'):
         defined(type('Run', (), {'names': {'four': 4}})(), 'three')  # type: ignore[arg-type]
+
+
+def test_a_launch_that_starts_nothing_is_judged_by_the_checks(lessons: Path) -> None:
+    empty = 'from launch import LaunchDescription\n\n\ndef generate_launch_description():\n    return LaunchDescription([])\n'
+    (lessons / 'my_launch' / 'water.launch.py').write_text(empty)
+    assert statuses('water') == ['passed', 'failed']

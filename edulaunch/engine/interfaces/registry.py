@@ -11,7 +11,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.engine.underlay_place import underlay_prefix
+from edulaunch.engine.underlay_place import help_text, underlay_prefix
 from edulaunch.errors import InterfaceError
 
 if TYPE_CHECKING:
@@ -135,8 +135,6 @@ class Registry:
 
     def _made(self, type_name: str) -> type[Any]:
         if type_name in self._making:
-            from edulaunch.engine.underlay_place import help_text
-
             ring = ' -> '.join([*self._making[self._making.index(type_name) :], type_name])
             raise InterfaceError(f'{type_name} contains itself: {ring}', help=help_text('endless'))
         self._making.append(type_name)

@@ -9,6 +9,7 @@ from typing import Any
 from edulaunch.engine.interfaces.layout import is_byte_like
 from edulaunch.engine.interfaces.registry import Registry
 from edulaunch.engine.interfaces.spec import FieldType, MessageSpec
+from edulaunch.engine.underlay_place import help_text
 from edulaunch.errors import InterfaceError
 
 Check = Callable[[Collection[Any]], bool]
@@ -35,8 +36,6 @@ class WireChecks:
         """
         if type_name not in self._known:
             if type_name in self._open:
-                from edulaunch.engine.underlay_place import help_text
-
                 raise InterfaceError(f'{type_name} contains itself', help=help_text('endless'))
             self._open.append(type_name)
             try:

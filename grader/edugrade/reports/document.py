@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.runtime.version import __version__
 
 from ..evidence import Outcome
+from ..repeated import digest_of
 from ..results import CheckResult, Refusal, Report
 from ..source import Place
 from ..worker import Exceeded, TooLong, cpu_limit, in_worker
@@ -83,7 +84,6 @@ def receipt(made: Work | Report) -> dict[str, Any]:
 
 
 FORMAT = 2
-LONGEST_DIGEST_S = 5.0  # the digest usually takes a hundredth of this
 
 
 def document(report: Report) -> dict[str, Any]:
@@ -155,22 +155,6 @@ def _scenario(outcome: Outcome, digest: str | None, paths: ShortPaths) -> dict[s
         'text': paths.text(outcome.text) or None,
         'detail': paths.text(outcome.detail) or None,
     }
-
-
-def digest_of(outcome: Outcome) -> str | None:
-    """Return the hash of a recording, or None without a recording or for a recording that is too large."""
-    try:
-        with cpu_limit(LONGEST_DIGEST_S):
-            return None if outcome.recording is None else outcome.recording.digest()
-    except (
-        TooLong,
-        ValueError,
-        TypeError,
-        AttributeError,
-        LookupError,
-        RecursionError,
-    ):  # a hostile recording can make its reader raise these
-        return None
 
 
 def _cause(finding: Finding, paths: ShortPaths) -> dict[str, Any]:

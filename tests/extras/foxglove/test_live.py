@@ -15,6 +15,7 @@ from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.processes.streams import streams_of_programs
 from edulaunch.extras.foxglove import conversation
 from edulaunch.extras.foxglove.conversation import MOST_ROWS, Conversation, TooMuch
+from edulaunch.extras.foxglove.feed import Refused
 from edulaunch.extras.foxglove.live import ANSWER_NS, LiveFeed
 from edulaunch.ros.serialization.cdr import deserialize, serialize
 from edulaunch.runtime.session import Session
@@ -295,3 +296,11 @@ def test_another_session_on_the_machine_begins_anew(session: Session) -> None:
         machine.session = other
         spoken.turn()
         assert len({one['sessionId'] for one in spoken.texts('serverInfo')}) == 2
+
+
+@pytest.mark.parametrize(
+    ('topic', 'why'), [('chatter', 'it has to begin with a slash'), ('/two words', "'/two words' is not a topic name")]
+)
+def test_a_client_may_publish_only_on_a_full_topic_name(session: Session, topic: str, why: str) -> None:
+    with pytest.raises(Refused, match=why):
+        LiveFeed(Machine(session), 1).advertise(topic, TWIST, 'cdr')
