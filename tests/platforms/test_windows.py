@@ -41,7 +41,7 @@ def on_windows(folder: Path, code: str, *words: str, known: str = '') -> subproc
     script.write_text(code, encoding='utf-8')
     temporary = folder / 'tmp'
     temporary.mkdir(exist_ok=True)
-    return subprocess.run(
+    process = subprocess.Popen(
         [sys.executable, '-X', 'warn_default_encoding', '-m', 'tests.platforms.windows', str(script), *words],
         cwd=ROOT,
         env={
@@ -50,13 +50,43 @@ def on_windows(folder: Path, code: str, *words: str, known: str = '') -> subproc
             'TMPDIR': str(temporary),
             'KNOWN_THERE': known,
         },
-        capture_output=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
         text=True,
         encoding='utf-8',
-        timeout=300,
     )
+    output, errors = ended(process)
+    return subprocess.CompletedProcess(process.args, process.returncode, output, errors)
 
 
+def ended(process: subprocess.Popen[str]) -> tuple[str, str]:
+    """Return what a process has printed, when it ends or has only waited for half a minute. A busy computer may take its time."""
+    looks, used = 0, 0.0
+    while True:
+        try:
+            return process.communicate(timeout=LOOK_S)
+        except subprocess.TimeoutExpired:
+            now = processor_time(process.pid)
+            looks, used = (looks + 1 if now - used < LEAST_WORK_S else 0), now
+            if looks == MOST_IDLE_LOOKS:
+                process.kill()
+
+
+def processor_time(pid: int) -> float:
+    """Return the processor time in seconds that a running process has used."""
+    fields = Path(f'/proc/{pid}/stat').read_text().rpartition(')')[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf('SC_CLK_TCK')
+
+
+def test_a_process_that_only_waits_is_ended(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys.modules[__name__], 'LOOK_S', 0.2)
+    code = "import time; print('said', flush=True); time.sleep(900)"
+    process = subprocess.Popen([sys.executable, '-c', code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert ended(process) == ('said\n', '')
+    assert process.returncode == -9
+
+
+LOOK_S, MOST_IDLE_LOOKS, LEAST_WORK_S = 5.0, 6, 0.02
 COMMAND = 'import sys; from {} import main; sys.exit(main(sys.argv[1:]))'
 EDULAUNCH, EDUGRADE = COMMAND.format('edulaunch.desk.cli.main'), COMMAND.format('edugrade.cli')
 ROS2 = 'import sys; from edulaunch.desk.machine.command import ros2; sys.exit(ros2())'
