@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import cos, hypot, sin
 from random import Random
+from typing import TYPE_CHECKING
 
 from edugrade import Evidence, Failure, Mismatch, Missing, Rubric, Scenario, check
 from edugrade.library.deaths import refuse_dead, refuse_gone
@@ -16,6 +17,9 @@ from edugrade.library.following import driven_track, require_driver
 from edugrade.library.identity import processes_of
 from edugrade.library.movement import length, since
 from edugrade.library.node_graph import require_started
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording.records import NodeRecord
 
 FOLLOWER, SIMULATOR = ('convoy', 'follower'), ('turtlesim', 'turtlesim_node')
 LATEST_S, NEAR_M, BEHIND_M = 20.0, 0.8, 1.0
@@ -77,16 +81,16 @@ def everybody_is_there(run: Evidence) -> None:
 @check(points=2, needs=[no_node_dies])
 def everybody_came_after_the_simulator(run: Evidence) -> None:
     """No follower starts before the simulator"""
+    if not any(_of_followers(run, scenario) for scenario in run):
+        raise Missing(
+            'a follower',
+            seen='no node whose name begins with follower or carrot_of',
+            where=run.source.place,
+            try_='include follower.launch.py for each follower',
+        )
     for scenario in run:
         sim = require_started(run, scenario, '/sim', 'give the simulator the name sim', 'turtlesim')
-        nodes = [node for node in run[scenario].nodes if node.name.startswith(('/follower', '/carrot_of'))]
-        if not nodes:
-            raise Missing(
-                'a follower',
-                seen='no node whose name begins with follower or carrot_of',
-                where=run.source.place,
-                try_='include follower.launch.py for each follower',
-            )
+        nodes = _of_followers(run, scenario)
         early = [node.name for node in nodes if node.started_s < sim]
         calls = [call for call in run[scenario].service_calls if call.service == '/spawn' and not call.served]
         if early or calls or not _after(run, scenario):
@@ -99,6 +103,10 @@ def everybody_came_after_the_simulator(run: Evidence) -> None:
                     'write OnProcessStart(target_action=sim, on_start=row)',
                 ],
             )
+
+
+def _of_followers(run: Evidence, scenario: str) -> list[NodeRecord]:
+    return [node for node in run[scenario].nodes if node.name.startswith(('/follower', '/carrot_of'))]
 
 
 def _after(run: Evidence, scenario: str) -> bool:

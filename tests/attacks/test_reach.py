@@ -125,6 +125,11 @@ FEW = {
     'descriptors': 'dup_all()',
 }
 """Each has an end, long before others of this user find none."""
+NULL = {
+    'the user': 'os.getuid()',
+    'the null device': '(os.stat("/dev/null").st_dev, os.stat("/dev/null").st_ino)',
+    'what the null device does': '(os.write(os.open("/dev/null", os.O_RDWR), b"abc"), os.read(os.open("/dev/null", os.O_RDWR), 9))',
+}
 ENDS = (11, 24)
 PROBE = """
 import ctypes, fcntl, json, os, posix, resource, shutil, socket, sqlite3, struct, subprocess, sys, tempfile, threading
@@ -187,7 +192,7 @@ def found(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
     (folder / 'b').mkdir()
     (folder / 'b' / 'circle.launch.py').write_text(CIRCLE.read_text())
     settings = {
-        'attempts': {**REFUSED, **READ_ONLY, **OWN, **HARMLESS, **UNSEEN, **FULL, **FEW},
+        'attempts': {**REFUSED, **READ_ONLY, **OWN, **HARMLESS, **UNSEEN, **FULL, **FEW, **NULL},
         'neighbour': str(folder / 'b' / 'circle.launch.py'),
         'rubric': str(ROOT / 'grader' / 'checks' / 'circle.py'),
         'grader': str(ROOT / 'grader' / 'edugrade' / 'cli.py'),
@@ -242,6 +247,14 @@ def test_there_is_an_end_to_it(found: dict[str, Any], name: str) -> None:
 @pytest.mark.parametrize('name', FEW)
 def test_there_are_few_of_it(found: dict[str, Any], name: str) -> None:
     assert found[name] in ENDS
+
+
+def test_root_gives_each_run_its_own_devices(found: dict[str, Any]) -> None:
+    """Else a run could lock a part of /dev/null, and the next one would see it."""
+    who = os.stat('/dev/null')
+    is_own = found['the null device'] != repr((who.st_dev, who.st_ino))
+    assert is_own == (found['the user'] == '0'), found['the null device']
+    assert found['what the null device does'] == "(3, b'')"
 
 
 def test_the_report_names_the_calls(found: dict[str, Any]) -> None:

@@ -99,6 +99,7 @@ def test_a_class_is_graded_by_the_variant_of_each_and_told_of_another_one_s(
         (tmp_path / 'class' / student / 'tower.launch.py').write_text(handed_in)
     words = ['batch', str(tmp_path / 'class'), '--personal', '--sandbox', 'off']
     assert main(words) == 2 and '--course-secret-file FILE' in capsys.readouterr().err
+    words += ['--csv', str(tmp_path / 'marks.csv')]
     assert main([*words, '--course-secret-file', str(secret)]) == 3  # somebody has to look at one of them
     results = {
         name: json.loads((tmp_path / 'class.results' / name / 'tower.launch.py.json').read_text())
@@ -109,6 +110,7 @@ def test_a_class_is_graded_by_the_variant_of_each_and_told_of_another_one_s(
     assert told == ["this is another student's variant, which gets no mark until a teacher has looked at it"]
     assert results['carl']['points']['earned'] is None
     assert all(check['name'] != 'own_variant' for check in results['ada']['checks'])
+    assert 'carl,,carl/tower.launch.py,tower,not graded,,' in (tmp_path / 'marks.csv').read_text()  # the grader did not break
 
 
 def test_nothing_is_read_from_what_is_handed_in(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

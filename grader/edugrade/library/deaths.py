@@ -31,6 +31,7 @@ ENDLESS = {
 }
 """Programs of edulaunch that never end by themselves, by package."""
 ENDED_BY_LAUNCH = (-2, -15)  # SIGINT and SIGTERM, which launch sends at shutdown
+INTERRUPTED = (2, 130)  # exit codes of programs that handle SIGINT themselves
 
 
 class Death(NamedTuple):
@@ -80,7 +81,7 @@ def deaths(recording: Recording) -> Iterator[Death]:
     """Yield the programs that died: the simulated ones in the order of their start, then the real ones."""
     known = launched(recording)
     for process in known:
-        if process.returncode:
+        if process.returncode and not _ends_with_launch(recording, process):
             yield Death(process.name, process.returncode, process, process.ended_s or 0.0)
     names = {process.name for process in known}
     for output in getattr(recording, 'output', ()):
@@ -88,6 +89,13 @@ def deaths(recording: Recording) -> Iterator[Death]:
             for name, code, _ in DIED.findall(output.text):
                 if name not in names and int(code) not in ENDED_BY_LAUNCH:
                     yield Death(name, int(code), None, output.time_s)
+
+
+def _ends_with_launch(recording: Recording, process: ProcessRecord) -> bool:
+    """Return whether the shutdown of launch itself has interrupted a program. `ros2` commands then return the signal's number."""
+    launch = recording.processes[0]
+    is_over = launch.name == 'launch' and launch.ended_s is not None and process.ended_s == launch.ended_s
+    return is_over and process.exception is None and process.returncode in (*ENDED_BY_LAUNCH, *INTERRUPTED)
 
 
 def words_on_deaths(run: Evidence) -> str:

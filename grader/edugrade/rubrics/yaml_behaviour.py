@@ -52,7 +52,8 @@ def counts_up(run: Evidence, wanted: Wanted) -> None:
             number, sent = float(found[1]), bisect_right(times, time_s + SENT_WITH_S)
             if not newest <= number <= sent:
                 thing = f'the number that {program} prints at {time_s:.2f} s in the run with {one.words}'
-                raise Mismatch(thing, f'{newest:g} to {sent}', f'{number:g}', **one.advice)
+                asked = f'{sent}' if newest == sent else f'{newest:g} to {sent}'
+                raise Mismatch(thing, asked, f'{number:g}', **one.advice)
             newest = number
         if not newest >= one.number('at_least'):
             asked = readable(str(wanted['pattern']))

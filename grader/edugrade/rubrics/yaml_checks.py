@@ -139,6 +139,10 @@ def _happens(run: Evidence, wanted: Wanted, what: str, require: Callable[..., fl
     for one in wanted.of_each(run):
         time_s = require(run, one.scenario, one.text('node'), wanted.try_, *one.program())
         since_s, words = _moment(one)
+        if words and time_s < since_s - one.tolerance(0.3) and one.number('at') >= 0.0:
+            raise Mismatch(
+                f'the {what} of {one.text("node")}', words.strip(), f'{since_s - time_s:.2f} s before it', **one.advice
+            )
         one.require_close(f'the {what} of {one.text("node")}{words} (in s)', time_s - since_s, one.number('at'), 0.3)
         other, *program = one.other('after')
         if other and _place(one, other, *program) > _place(one, one.text('node'), *one.program()):

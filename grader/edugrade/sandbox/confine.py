@@ -85,7 +85,7 @@ class Confinement:
             (self._readable, landlock.READ),
             (landlock.open_paths(readable), landlock.READ),
             (self._listable, landlock.READ_DIR),
-            (self._devices, landlock.OF_DEVICES),
+            ([*self._devices, *landlock.open_paths(DEVICES)], landlock.OF_DEVICES),  # the view may have its own nodes
             (landlock.open_paths([home]), landlock.EVERYTHING),
         ]
         return landlock.restrict(rules)

@@ -9,7 +9,9 @@ from __future__ import annotations
 
 import ctypes
 import os
+import stat
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 
 from .allowance import MOST_BYTES, MOST_FILES
 from .system import IS_LINUX, effective_capabilities, libc, syscall
@@ -20,6 +22,7 @@ TREE_BYTES = 16 << 20
 MOUNT_SETATTR, HERE, WITH_ALL_BELOW, READ_ONLY = 442, -100, 0x8000, 1
 PIVOT_ROOT = {'x86_64': 155, 'aarch64': 41}
 MOST_LINKS = 40
+TERMINAL = '/dev/tty'  # can be opened only by a process with a terminal
 READ_ALL = 1 << 1 | 1 << 2  # CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH
 
 
@@ -36,6 +39,9 @@ def enter(home: str, shown: Iterable[str], hidden: Sequence[str]) -> None:
     _unshare()
     _mount('none', '/', None, RECURSIVE | PRIVATE)
     _mount('tmpfs', home, 'tmpfs', NO_SETUID | NO_DEVICES, f'size={TREE_BYTES},mode=755')
+    if os.geteuid() == 0:
+        os.makedirs(home + '/dev')
+        _mount('tmpfs', home + '/dev', 'tmpfs', NO_SETUID, f'size={TREE_BYTES},mode=755')
     tree = _Tree(home)
     for place in sorted({os.path.abspath(place) for place in shown}, key=lambda place: (len(os.path.realpath(place)), place)):
         tree.show(place)
@@ -87,9 +93,32 @@ class _Tree:
             os.makedirs(there, exist_ok=True)
         else:
             os.makedirs(os.path.dirname(there), exist_ok=True)
+            if _is_own_device(path, there):
+                self._bound.append(path)
+                return
             os.close(os.open(there, os.O_CREAT | os.O_WRONLY, 0o644))
         _mount(path, there, None, BIND | RECURSIVE)
         self._bound.append(path)
+
+
+def _is_own_device(path: str, there: str) -> bool:
+    """Create a node of this run for a device, if root may do so. Return False for other files and in most containers.
+
+    With locks on a node that all runs share, runs could send each other messages.
+    """
+    found = os.stat(path)
+    if os.geteuid() != 0 or not stat.S_ISCHR(found.st_mode):
+        return False
+    try:
+        os.mknod(there, stat.S_IFCHR, found.st_rdev)
+        os.chmod(there, stat.S_IMODE(found.st_mode))
+        if path != TERMINAL:
+            os.close(os.open(there, os.O_RDWR))
+    except PermissionError:
+        with suppress(FileNotFoundError):
+            os.remove(there)
+        return False
+    return True
 
 
 def _unshare() -> None:

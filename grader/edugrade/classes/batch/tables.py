@@ -15,7 +15,7 @@ from urllib.parse import quote
 from ...files import write_whole
 from ...reports.markup import Markup, element, html_page, table_row
 from ...reports.theme import PAGE
-from ...results import BROKEN_GRADER
+from ...results import BROKEN_GRADER, OWN_VARIANT
 
 if TYPE_CHECKING:
     from .store import Store
@@ -46,12 +46,13 @@ def rows(results: Results) -> list[dict[str, str]]:
 
 def _row(entry: Entry, found: Result) -> dict[str, str]:
     points, made = found.get('points', {}), found.get('receipt') or {}
+    is_copied = any(check['name'] == OWN_VARIANT for check in found.get('checks', ()))
     values = {
         'student': entry.student,
         'student_id': entry.id,
         'submission': entry.path,
         'exercise': found.get('rubric', {}).get('name'),
-        'verdict': found.get('verdict') if 'checks' in found else 'not graded',
+        'verdict': found.get('verdict') if 'checks' in found and not is_copied else 'not graded',
         'earned': points.get('earned'),
         'possible': points.get('possible'),
         'first_problem': first_problem(found),
