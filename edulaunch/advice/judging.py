@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
@@ -139,6 +140,7 @@ def _behind_failure(rehearsal: Rehearsal) -> list[Finding]:
     file, _, line = (error['origin'] or '').rpartition(':')
     if not line.isdigit():
         file, line = rehearsal.plan['file'], ''
+    file = os.path.realpath(file)  # an included file is a link to the student's file
     return judge_failure(Failure(cause['type'], cause['text'], file, int(line) if line else None, facts=error['facts']))
 
 

@@ -36,7 +36,14 @@ def nearest_spelling(name: str, names: Iterable[str]) -> str | None:
     """
     most = max(2, len(name) // 5)
     folded = _folded(name.removesuffix('.py'))  # a program may be named with the ending of its file, or without
-    return next((near for near in nearest_few(name, names, 3) if _edits(folded, _folded(near.removesuffix('.py'))) <= most), None)
+    close = [near for near in nearest_few(name, names, 3) if _edits(folded, _folded(near.removesuffix('.py'))) <= most]
+    return next((near for near in close if not _has_other_word(name, near)), None)
+
+
+def _has_other_word(name: str, near: str) -> bool:
+    """Return whether one word of two names is another word, as in `color_qos` and `color_fps`."""
+    pairs = zip(name.split('_'), near.split('_'), strict=True) if name.count('_') == near.count('_') > 0 else ()
+    return any(_edits(one, two) > max(1, len(one) // 2) and sorted(one) != sorted(two) for one, two in pairs)
 
 
 def _edits(one: str, other: str) -> int:

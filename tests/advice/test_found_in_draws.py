@@ -253,3 +253,36 @@ def test_a_file_of_parameters_in_an_element_of_its_own(tmp_path: Path) -> None:
     (tmp_path / 'main.launch.xml').write_text(f'<launch>{node}</launch>')
     with pytest.raises(LaunchFileError, match='write <param from="..."/>'):
         edulaunch.run(tmp_path / 'main.launch.xml', duration_s=1.0, workspaces=[], console=lambda *_: None)
+
+
+def test_no_place_of_a_simulated_build_is_shown(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    opens = "open(get_package_share_directory('robo') + '/arm.urdf')"
+    text = 'from ament_index_python.packages import get_package_share_directory\n' + launch(SIM)
+    opening = text.replace('    return', f'    {opens}\n    return')
+    includes = '<launch><include file="$(find-pkg-share robo)/launch/wrong.launch.py"/></launch>'
+    folder = write(
+        package(tmp_path, '[]', more=''), launch__open_launch_py=opening, launch__wrong_launch_py=launch("Node(package='x')")
+    )
+    setup = (
+        (folder / 'setup.py').read_text().replace("['package.xml'])", "['package.xml']), ('share/robo/launch', glob('launch/*'))")
+    )
+    (folder / 'setup.py').write_text('from glob import glob\n' + setup)
+    (folder / 'launch' / 'main.launch.xml').write_text(includes)
+    main(['doctor', str(folder)])
+    printed = capsys.readouterr().out
+    assert 'the file share/robo/arm.urdf does not exist' in printed
+    assert 'edulaunch-' not in printed and printed.count('Node needs the argument executable=') == 1
+
+
+def test_a_remapping_is_not_reversed_where_the_call_with_its_first_name_has_several_lines(tmp_path: Path) -> None:
+    imports = 'from std_msgs.msg import String\n'
+    body = """        self.publisher = self.create_publisher(
+            String, 'numbers', 10
+        )
+        self.create_timer(0.5, lambda: self.publisher.publish(String()))
+"""
+    hears = "        self.create_subscription(String, 'numbers', print, 10)\n"
+    remapped = WALKER.replace("'walker.py')", "'walker.py'), '--ros-args', '-r', '/numbers:=/others'")
+    files = {'walker_py': program(body, imports), 'hearer_py': program(hears, imports, "super().__init__('hearer')")}
+    found = told(write(tmp_path, main_launch_py=launch(remapped, WALKER.replace('walker', 'hearer')), **files))
+    assert 'give /hearer the same remapping' in found[0]

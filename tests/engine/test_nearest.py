@@ -57,3 +57,8 @@ def test_files_are_alike_by_their_names_and_not_by_their_endings(name: str, expe
 )
 def test_a_misspelt_package_is_near_and_another_one_is_not(name: str, expected: str | None) -> None:
     assert nearest_spelling(name, ['sensor_msgs', 'visualization_msgs']) == expected
+
+
+def test_another_word_in_a_name_is_no_misspelling() -> None:
+    assert nearest_spelling('color_qos', ['color_fps']) is None
+    assert nearest_spelling('cmd_vle', ['cmd_vel']) == 'cmd_vel'

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -23,6 +24,11 @@ def about(
             yield report(failure)
 
     return rule(name, what=what, do=do, **{'level': 'error', **options})(look)
+
+
+def in_share(text: str) -> str:
+    """Return a path, or a command with paths, that begins at `share` in place of the folder of a simulated build."""
+    return re.sub(r'\S*/edulaunch-[^/\s]+/[^/]+/(?=share/)', '', text)
 
 
 def report(failure: Failure, **facts: Any) -> Finding:

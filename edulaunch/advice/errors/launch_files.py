@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Iterator
 
-from edulaunch.advice.errors.about import about, report
+from edulaunch.advice.errors.about import about, in_share, report
 from edulaunch.advice.launch_names import MODULES, home_of, import_line, names_in, nearest_anywhere
 from edulaunch.advice.rule import Failure, Finding, rule
 from edulaunch.engine.nearest import nearest, nearest_spelling
@@ -94,7 +94,8 @@ def no_file(failure: Failure) -> Iterator[Finding]:
     if failure.type == 'FileNotFoundError' and failure.process is None and failure.facts.get('wanted'):
         built = re.search(r'/(?:install|share)/([\w-]+)/', failure.facts['wanted'] + '/')
         package = built[1] if built and failure.facts.get('no_folder') else None
-        yield report(failure, package=package)
+        facts = {name: in_share(str(failure.facts[name])) for name in ('wanted', 'no_folder') if failure.facts.get(name)}
+        yield report(failure, package=package, **facts)
 
 
 ABSENT_FILE = about(

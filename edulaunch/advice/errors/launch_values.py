@@ -7,7 +7,7 @@ import os
 import re
 from collections.abc import Iterator
 
-from edulaunch.advice.errors.about import about, report
+from edulaunch.advice.errors.about import about, in_share, report
 from edulaunch.advice.launch_names import class_named
 from edulaunch.advice.rule import Failure, Finding, rule
 from edulaunch.advice.run_sources import name_of_call, script_of
@@ -28,7 +28,7 @@ def command_failed(failure: Failure) -> Iterator[Finding]:
     if matched is not None:
         words = [os.path.realpath(word) if os.path.exists(word) else word for word in matched[1].split()]
         lines = [line.strip() for line in (matched[2] or '').splitlines() if line.strip()]
-        yield report(failure, command=' '.join(words), said=lines[0] if lines else None)
+        yield report(failure, command=in_share(' '.join(words)), said=lines[0] if lines else None)
 
 
 @rule(

@@ -241,9 +241,9 @@ def remapping_reversed(recording: Recording) -> Iterator[Finding]:
 
 
 def _has_first_name(recording: Recording, end: EndRecord, old: str) -> bool:
-    """Return whether the line that creates an endpoint contains the name that a remapping replaced."""
+    """Return whether the call that creates an endpoint contains the name that a remapping replaced."""
     file, line = end_place(recording, end.kind, end.name, end.node)
-    code = linecache.getline(file or '', line or 0)
+    code = ''.join(linecache.getline(file or '', (line or 0) + number) for number in range(3))  # the call may have several lines
     first, second = (name.rpartition('/')[2] for name in (old, end.name))
     return first != second and re.search(rf'\b{re.escape(first)}[\'"]', code) is not None
 

@@ -243,7 +243,7 @@ class _CMakeLists:
             if word.endswith(_INTERFACES):
                 self._file_at(line, word, f'share/{self.package}/{os.path.splitext(word)[1][1:]}')
         self.contents.interfaces |= any(word.endswith(_INTERFACES) for word in words)
-        if words and words[0] != self.package:
+        if words and words[0] != self.package and 'LIBRARY_NAME' not in words:
             self.warn(line, f'rosidl_generate_interfaces({words[0]} ...) must name the package, {self.package}')
 
     def _add_subdirectory(self, line: int, words: list[str]) -> None:

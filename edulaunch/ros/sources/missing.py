@@ -8,12 +8,11 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.nearest import nearest_spelling
-from edulaunch.engine.packages.reading import find_packages, read_manifest
+from edulaunch.engine.packages.reading import PackageWarning, find_packages, read_manifest
 from edulaunch.ros.sources.source_package import SourcePackage, install_facts, read_text
 
 if TYPE_CHECKING:
     from edulaunch.engine.packages import Index
-    from edulaunch.engine.packages.reading import PackageWarning
 
 
 Facts = dict[str, Any]
@@ -174,6 +173,10 @@ def _not_built(index: Index, package: str, executable: str) -> Facts:
         return {}
     if found.contents.broken is not None:
         return _broken(found.contents.broken)
+    manifest = read_manifest(found.folder, [])
+    if found.is_python and manifest is not None and manifest.build_type != 'ament_python':
+        reason = f'names the build type {manifest.build_type}, but the package has only a setup.py; write ament_python'
+        return _broken(PackageWarning(found.manifest_file, 0, reason))
     if found.is_python and any(not place.startswith(f'lib/{package}/') for place in found.contents.entry_points):
         return {'about': 'packages.no-setup-cfg', 'package': package}
     name = executable.removesuffix('.py')

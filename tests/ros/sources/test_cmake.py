@@ -126,6 +126,12 @@ def test_what_cannot_be_built_is_a_warning_with_its_line(workspace: Any, line: s
     assert workspace.warnings('robo') == [f'robo/CMakeLists.txt:2: {sentence}']
 
 
+def test_interfaces_may_have_a_target_of_their_own(workspace: Any) -> None:
+    text = 'project(robo)\nrosidl_generate_interfaces(other "msg/Num.msg" LIBRARY_NAME robo)\n'
+    workspace.cmake_package('robo', text, {**FILES, 'msg/Num.msg': 'int32 n\n'})
+    assert workspace.warnings('robo') == []
+
+
 def test_programs_have_the_names_under_which_they_are_built(workspace: Any) -> None:
     workspace.cmake_package(
         'robo',
