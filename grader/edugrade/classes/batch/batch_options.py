@@ -33,7 +33,7 @@ def read_batch_options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument('--csv', metavar='FILE', help='also write all marks as a table')
     parser.add_argument('--html', metavar='DIR', help='also write a page for the class and one for each submission')
     parser.add_argument(
-        '--replays', action='store_true', help='also put replays into the pages of --html, which makes them ten times as large'
+        '--replays', action='store_true', help='also put replays into the pages of --html, which makes them twenty times as large'
     )
     parser.add_argument('--junit', metavar='FILE', help='also write all results as JUnit XML')
     add_common(parser)
