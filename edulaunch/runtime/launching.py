@@ -44,7 +44,7 @@ def _existing_file(path: str) -> str:
     if os.path.isdir(absolute):
         inside = sorted(name for name in os.listdir(absolute) if name.endswith(LAUNCH_SUFFIXES))
         raise UnusableInput(
-            f'{path!r} is a directory, not a launch file.',
+            f'{path!r} is a folder, not a launch file.',
             help=f'name a file in it: {", ".join(inside[:5])}' if inside else 'give the path of a launch file',
         )
     if not os.path.isfile(absolute):

@@ -85,7 +85,7 @@ def _parser() -> argparse.ArgumentParser:
         prog='edugrade course', description='Check that exercises, solutions, rubrics and manifest of a course belong together.'
     )
     parser.add_argument(
-        'folder', nargs='?', default='.', metavar='FOLDER', help='directory of the course (default: the current one)'
+        'folder', nargs='?', default='.', metavar='FOLDER', help='folder of the course (default: the current one)'
     )
     parser.add_argument('--quick', action='store_true', help='launch nothing')
     return parser

@@ -105,8 +105,8 @@ def find_exercise(name: str) -> str:
                 return os.path.normpath(place)
         folder = os.path.join(folder, os.pardir)
     raise UnusableInput(
-        f'there is no exercises/{entry.path} in {os.getcwd()} or in a directory above it',
-        help=f'write the path, such as check("some/directory/{entry.path}")',
+        f'there is no exercises/{entry.path} in {os.getcwd()} or in a folder above it',
+        help=f'write the path, such as check("some/folder/{entry.path}")',
     )
 
 

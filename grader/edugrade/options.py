@@ -47,7 +47,7 @@ def edugrade_parser() -> argparse.ArgumentParser:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument('--version', action='version', version=f'edugrade {__version__}')
-    parser.add_argument('paths', metavar='PATH', nargs='+', help='a launch file, or the directory of a package')
+    parser.add_argument('paths', metavar='PATH', nargs='+', help='a launch file, or the folder of a package')
     parser.add_argument('--json', metavar='FILE', help='also write the report as JSON')
     parser.add_argument('--junit', metavar='FILE', help='also write the report as JUnit XML, for CI servers')
     parser.add_argument('--html', metavar='FILE', help='also write the report as a web page, with pictures and a replay')

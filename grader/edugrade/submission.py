@@ -127,7 +127,7 @@ def _launch_path(path: str) -> str:
         return path
     package = package_at(path)
     if package is None:
-        raise UnusableInput(f'{path} is a directory; edugrade grades launch files and packages', help=_files_in(path))
+        raise UnusableInput(f'{path} is a folder; edugrade grades launch files and packages', help=_files_in(path))
     if not os.path.isfile(package.launch_file):
         raise UnusableInput(
             f'the package {package.name} has no file launch/{package.name}.launch.py',

@@ -38,7 +38,7 @@ def test_a_missing_file_is_unusable_input(capsys: pytest.CaptureFixture[str]) ->
 def test_a_directory_is_unusable_input(capsys: pytest.CaptureFixture[str]) -> None:
     code, text = refused(capsys, str(REPOSITORY / 'exercises'))
     assert code == 2
-    assert 'is a directory' in text
+    assert 'is a folder' in text
     assert 'circle.launch.py' in text
 
 

@@ -39,7 +39,7 @@ def test_a_file_beside_the_notebook_goes_first(lessons: Path) -> None:
 
 def test_a_missing_file_says_where_it_was_looked_for(lessons: Path) -> None:
     shutil.rmtree(lessons.parent / 'exercises')
-    with pytest.raises(UnusableInput, match=r'there is no exercises/circle\.launch\.py in .* or in a directory above it'):
+    with pytest.raises(UnusableInput, match=r'there is no exercises/circle\.launch\.py in .* or in a folder above it'):
         find_exercise('circle')
 
 

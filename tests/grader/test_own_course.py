@@ -95,7 +95,7 @@ def test_a_rubric_that_was_handed_in_is_not_run(
     assert main(['submissions/mallory/spin.launch.py']) == 1
     monkeypatch.chdir(handed)
     assert main(['spin.launch.py']) == 2
-    assert 'is in the directory of the submission' in capsys.readouterr().err
+    assert 'is in the folder of the submission' in capsys.readouterr().err
 
 
 def test_a_manifest_is_parsed_once_until_it_changes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

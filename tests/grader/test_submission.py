@@ -45,7 +45,7 @@ def test_a_missing_file_in_a_missing_folder_names_the_folder(folder: Path) -> No
 
 
 def test_a_directory_names_its_launch_files(folder: Path) -> None:
-    assert refusal('.') == ('. is a directory; edugrade grades launch files and packages', 'try one of: ./circle.launch.py')
+    assert refusal('.') == ('. is a folder; edugrade grades launch files and packages', 'try one of: ./circle.launch.py')
 
 
 def test_a_huge_file_is_no_launch_file(folder: Path) -> None:

@@ -274,7 +274,7 @@ YAML_ITEM = about(
     'launch.yaml-item',
     what=(
         "{below} is not below '{opened}', because it is not indented more than '{opened}'",
-        'one item of {shown} contains {several}',
+        'one item of {shown} contains several elements: {several}',
         'an item of {shown} is not an element',
     ),
     do=(

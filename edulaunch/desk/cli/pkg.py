@@ -113,7 +113,7 @@ def check(path: str) -> int:
     from edulaunch.advice.source_package import workspace_at
 
     if not os.path.isdir(path):
-        raise UnusableInput(f'{path!r} is not a directory.', help='name a workspace, or the folder of a package')
+        raise UnusableInput(f'{path!r} is not a folder.', help='name a workspace, or the folder of a package')
     workspace = workspace_at(path)
     findings = judge_workspace(workspace)
     reader = reader_here()._replace(folder=workspace.path)

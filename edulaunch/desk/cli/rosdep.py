@@ -32,7 +32,7 @@ def rosdep_verb(arguments: argparse.Namespace) -> int:
     from edulaunch.advice.workspace.dependencies import missing_dependencies
 
     if not os.path.isdir(arguments.path):
-        raise UnusableInput(f'{arguments.path!r} is not a directory.', help='name a workspace, or the folder of a package')
+        raise UnusableInput(f'{arguments.path!r} is not a folder.', help='name a workspace, or the folder of a package')
     packages, missing = missing_dependencies(arguments.path)
     for package, (name, tag, line), near in missing:
         place = f'{os.path.relpath(package.manifest_file)}:{line}' if line else os.path.relpath(package.manifest_file)

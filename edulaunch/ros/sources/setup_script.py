@@ -170,7 +170,8 @@ class _SetupScript:
         value = options.get(name)
         for unknown in _unknowns(value):
             self.warn(
-                f'{name}= contains {unknown.why}, which is not followed without running the file; write the value out',
+                f'{name}= contains {unknown.why}, which edulaunch cannot compute without running the file; '
+                'write the value itself',
                 unknown.line,
             )
         return None if isinstance(value, Unknown) else value

@@ -74,8 +74,8 @@ def find_rubric(
     if name in known:
         if submission and os.path.realpath(known[name]).startswith(os.path.join(os.path.realpath(submission), '')):
             raise UnusableInput(
-                f'the rubric {known[name]} is in the directory of the submission',
-                help='keep rubrics in another directory than exercises',
+                f'the rubric {known[name]} is in the folder of the submission',
+                help='keep rubrics in another folder than exercises',
             )
         return name, _by_the_course(name, load_rubric(known[name], personal))
     from edulaunch.engine.nearest import nearest

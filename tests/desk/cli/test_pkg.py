@@ -67,7 +67,7 @@ def test_check_prints_findings_and_counts_them(here: Path, capsys: pytest.Captur
 
 def test_check_of_no_folder_is_unusable_input(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['pkg', 'check', 'nowhere']) == 2
-    assert "'nowhere' is not a directory" in capsys.readouterr().err
+    assert "'nowhere' is not a folder" in capsys.readouterr().err
 
 
 def test_in_a_course_it_says_how_to_make_a_package_in_python(here: Path, capsys: pytest.CaptureFixture[str]) -> None:

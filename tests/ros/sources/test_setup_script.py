@@ -101,9 +101,9 @@ def test_what_cannot_be_known_costs_only_its_own_entry_and_names_the_line(worksp
     assert workspace.installed('robo') == ['launch/c.launch.xml', 'package.xml']
     assert workspace.warnings('robo') == [
         (
-            "robo/setup.py:8: data_files= contains shared.download('x'), which is not followed without running "
+            "robo/setup.py:8: data_files= contains shared.download('x'), which edulaunch cannot compute without running "
             'the file; '
-            'write the value out'
+            'write the value itself'
         )
     ]
 
