@@ -99,7 +99,7 @@ class LaunchTrace(Watch):
         """Store when the visit of a step begins, and what has changed since the previous step."""
         self._order += 1
         step.order, step.at_ns, step.state = self._order, self._now(), 'visiting'
-        configurations = {name: _kept(value) for name, value in context.launch_configurations.items()}
+        configurations = {name: _copied(value) for name, value in context.launch_configurations.items()}
         if self._environment_at_start is None:
             self._environment_at_start = self._environment = dict(context.environment)
         if configurations != self._configurations:
@@ -339,7 +339,7 @@ def _is_from_a_file(handler: Any, step: Step) -> bool:
     return type(handler).__name__ == 'OnActionEventBase'  # the handler for a process's on_exit=
 
 
-def _kept(value: Any) -> Any:
+def _copied(value: Any) -> Any:
     """Return a copy of the value of a launch configuration, because `SetRemap` and `SetParameter` append to a list."""
     return tuple(value) if isinstance(value, list) else value
 

@@ -76,8 +76,10 @@ def key_for_no_node(recording: Recording) -> Iterator[Finding]:
     containers = {process.name for process in recording.processes if '/component_container' in process.argv[0]}
     for file, facts in passed_over.items():
         without = {fact.data['node'] for fact in facts}
-        given = {process.name for process in recording.processes if any(os.path.basename(word) == file for word in process.argv)}
-        if not given & containers and all(node.name in without for node in recording.nodes if node.process in given):
+        readers = {
+            process.name for process in recording.processes if any(os.path.basename(word) == file for word in process.argv)
+        }
+        if not readers & containers and all(node.name in without for node in recording.nodes if node.process in readers):
             node, keys, line = facts[0].data['node'], facts[0].data['keys'], max(facts[0].data['line'] - 2, 1)
             near = nearest_spelling(node, keys) or (keys[0] if len(keys) == 1 else None)
             is_made = file.startswith('launch_params_')  # launch generates this file, so nobody can edit it
