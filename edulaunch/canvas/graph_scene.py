@@ -185,9 +185,9 @@ class TreeScene(NamedTuple):
         boxes = self.boxes
         links = [f'{boxes[parent].name} -> {boxes[child].name} ({", ".join(boxes[child].lines)})' for parent, child in self.links]
         roots = [box.name for box in boxes if box.kind == 'root']
-        apart = f'; {len(roots)} trees that are not connected: {", ".join(roots)}' if len(roots) > 1 else ''
+        split = f'; {len(roots)} trees that are not connected: {", ".join(roots)}' if len(roots) > 1 else ''
         wrong = [f'; {box.name}: {box.mark}' for box in boxes if box.mark]
-        return '; '.join(links) + apart + ''.join(wrong)
+        return '; '.join(links) + split + ''.join(wrong)
 
 
 def tree_scene(recording: Recording) -> TreeScene:

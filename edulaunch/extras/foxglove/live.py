@@ -225,14 +225,14 @@ class LiveFeed:
         parameter = underlay.get('rcl_interfaces/msg/Parameter')(name=name, value=typed)
         request = cls.Request(parameters=[parameter])
 
-        def heard(reply: bytes | str) -> None:
+        def answer_with(reply: bytes | str) -> None:
             if isinstance(reply, str):
                 done(f'{full}: {reply}')
                 return
             (successful, reason), *_ = decode(cls.Response, reply)[0]
             done('' if successful else f'{full}: {reason or "the node refused the value"}')
 
-        self._ask(service.service_name, cls, cls.Request.to_wire(request), heard)
+        self._ask(service.service_name, cls, cls.Request.to_wire(request), answer_with)
 
     def play(self, request: Playback) -> tuple[bytes, bool]:
         raise Refused('this is a running machine, not a recording: `edulaunch machine pause` stops the time of a machine')

@@ -64,7 +64,7 @@ class BagTopics:
         queue: deque[tuple[bytes]] = deque()
         kind = self._class(topic, cls.TYPE)
 
-        def heard(data: bytes, info: Any) -> None:
+        def on_message(data: bytes, info: Any) -> None:
             taken: Any = (data, info)
             for _ in range(AT_ONCE):
                 if taken is None:
@@ -74,5 +74,5 @@ class BagTopics:
             on_ready()
 
         silent = SubscriptionEventCallbacks(use_default_callbacks=False)
-        made = self._node.create_subscription(kind, topic, heard, to_rclpy(qos), raw=True, event_callbacks=silent)
+        made = self._node.create_subscription(kind, topic, on_message, to_rclpy(qos), raw=True, event_callbacks=silent)
         return SimpleNamespace(queue=queue)

@@ -146,7 +146,7 @@ class Side:
         return node.create_publisher(cls, name, qos, event_callbacks=silent)
 
     def _add_subscription(self, handle: int, node: Any, name: str, cls: Any, qos: QoSProfile) -> Any:
-        def heard(data: bytes, info: Any) -> None:
+        def on_message(data: bytes, info: Any) -> None:
             """Pass on a message and all waiting ones, because a turn of the executor takes longer than that."""
             self.say(wire.MESSAGE, handle, info['source_timestamp'], data)
             for _ in range(AT_ONCE):
@@ -157,7 +157,7 @@ class Side:
 
         silent = SubscriptionEventCallbacks(use_default_callbacks=False)
         qos.depth = max(qos.depth, WAITING)
-        made = node.create_subscription(cls, name, heard, qos, raw=True, event_callbacks=silent)
+        made = node.create_subscription(cls, name, on_message, qos, raw=True, event_callbacks=silent)
         return made
 
     def _add_service(self, handle: int, node: Any, name: str, cls: Any, qos: QoSProfile) -> Any:

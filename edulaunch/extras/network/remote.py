@@ -62,7 +62,7 @@ class RemotePublisher(Publisher):
         self.published = 0
         self._channel: Callable[[Any], object] | None = None
 
-    def heard(self, wire: Any) -> None:
+    def record(self, wire: Any) -> None:
         """Record a message of it."""
         if self._channel is None:
             self._channel = self.graph.tracer.channel(self)

@@ -109,11 +109,11 @@ def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
         unknown = next((one for topic in texts for one in ARGUMENT.findall(topic) if one not in values), None)
         if unknown is not None:
             raise problem(parts['sends'], f'the run {name} has no argument {unknown}')
-        said = {
+        sent = {
             ARGUMENT.sub(lambda found: values[found[1]], topic): (round(random.uniform(*SENT) * length_s, 2), of(random))
             for topic, of in texts.items()
         }
-        return Scenario(name, values, length_s, seed, is_interrupted, defaults, hidden, said)
+        return Scenario(name, values, length_s, seed, is_interrupted, defaults, hidden, sent)
 
     return chosen
 
