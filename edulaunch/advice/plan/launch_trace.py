@@ -147,7 +147,7 @@ class LaunchTrace(Watch):
             return None
         try:
             return item_of(action, context, self._environment_at_start or {}, 0)
-        except Exception:  # an item that cannot be shown must not end a running launch
+        except Exception:  # an item without a valid description must not end a running launch
             return {'kind': 'action', 'name': type(action).__name__}
 
     def _process_item(self, action: Any, context: LaunchContext) -> dict[str, Any]:

@@ -202,7 +202,7 @@ class Bridge:
     # Messages from the network
 
     def take(self) -> None:
-        """Pass on what has arrived."""
+        """Pass what the link has received to the simulation: messages, requests, responses, diagnostics, changes of the graph."""
         if not self._is_open:
             return
         for event in self.link.take():

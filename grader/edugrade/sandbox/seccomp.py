@@ -35,10 +35,10 @@ REQUESTS = (*range(0x5401, 0x5405), 0x540F, 0x5410, 0x5413, 0x5414, 0x541B, 0x54
 close-on-exec.
 """
 COMMANDS = (*range(5), 6, 7, 37, 38, 1030, 1032, 1033, 1034)
-"""The allowed commands of fcntl: copies of a descriptor, its flags, locks and seals. Owners of signals, leases, notifications
-and sizes of pipes are refused. F_GETLK, which reports the owner of a lock, is refused too: with read locks on files that all
-runs may read, runs could send each other messages. A read lock alone has no effect there, because a run can write-lock only its
-own files. `flock` is refused altogether.
+"""The allowed commands of fcntl: copies of a descriptor, its flags, locks and seals. Owners of signals, leases, notifications and
+sizes of pipes are refused. F_GETLK, which reports the owner of a lock, is refused, too. With read locks on files that all runs
+may read, runs could send each other messages. A read lock alone has no effect there, because a run can write-lock only its own
+files. `flock` is refused altogether.
 """
 SOCKET_OPTIONS = (1, 2, 4, 9, 13, 16, 20, 21, 66, 67)
 """The allowed options of setsockopt, such as credentials and timeouts. Sizes of buffers are refused, because their memory
