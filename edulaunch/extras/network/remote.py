@@ -45,7 +45,7 @@ class NullQueue:
         self.last = item
 
     def clear(self) -> None:
-        """Return 0: the queue is always empty."""
+        """Do nothing: the queue is always empty."""
 
     def extend(self, items: Any) -> None:
         """Do nothing: the link itself sends old samples."""

@@ -204,7 +204,7 @@ class _SetupScript:
             self.warn(f'data_files lists {source!r}, which is {kind} (a build stops with "can\'t copy {source!r}")')
 
     def _modules(self, options: dict[str, Any]) -> None:
-        """Return the top-level import names from packages= and py_modules=."""
+        """Record the folders and files of the top-level import names in packages= and py_modules=."""
         folders = self._known(options, 'package_dir') or {}
         for name in self._known(options, 'packages') or ():
             if not isinstance(name, str) or '.' in name:
