@@ -18,6 +18,7 @@ from tests.house import ROOT, modules, wing
 from tests.words import (
     Text,
     allowed,
+    comments,
     counted,
     files,
     in_text,
@@ -111,15 +112,25 @@ def test_markdown_is_read_by_paragraph_item_and_cell() -> None:
 
 
 def test_docstrings_help_and_advice_are_read(tmp_path: Path) -> None:
-    source = 'def f():\n    """It goes on.\n\n    :param x: a text\n    """\nrule("a.b", what="{x} shall", do=("no", f"tell {y}"))\nadd(help="anew")\n'
+    source = 'def f():\n    """It goes on.\n\n    :param x: a text\n    """\nrule("a.b", what="{x} shall", do=("no", f"tell {y}"))\nadd(help="anew")\nMOST = 3\n"""So many."""\n'
     (tmp_path / 'some.py').write_text(source)
     assert sorted(text.words for text in python(tree(tmp_path / 'some.py'))) == [
         'Code shall',
         'It goes on.',
+        'So many.',
         'a text',
         'anew',
         'no',
         'tell Code',
+    ]
+
+
+def test_comments_are_read_and_lines_below_each_other_are_one_text() -> None:
+    source = 'one = 1  # so many\n# first part,\n# second part\n\n# apart\n'
+    assert [(text.line, text.words) for text in comments(source)] == [
+        (1, 'so many'),
+        (2, 'first part, second part'),
+        (5, 'apart'),
     ]
 
 

@@ -7,9 +7,11 @@ what is true today. It never raises one.
 from __future__ import annotations
 
 import ast
+import io
 import json
 import re
 import sys
+import tokenize
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from functools import cache
@@ -91,7 +93,8 @@ def texts(path: Path) -> list[Text]:
     if path.suffix == '.ipynb':
         cells = json.loads(path.read_text(encoding='utf-8'))['cells']
         return [text for cell in cells if cell['cell_type'] == 'markdown' for text in markdown(''.join(cell['source']))]
-    return list(python(tree(path)) if path.suffix == '.py' else markdown(path.read_text(encoding='utf-8')))
+    source = path.read_text(encoding='utf-8')
+    return [*python(tree(path)), *comments(source)] if path.suffix == '.py' else list(markdown(source))
 
 
 def markdown(source: str) -> Iterator[Text]:
@@ -136,19 +139,29 @@ def plain(text: str) -> str:
 
 
 def python(module: ast.Module) -> Iterator[Text]:
-    """Yield the docstrings of a file, the templates of its rules of advice, and the help texts of its commands."""
+    """Yield the docstrings of a file, also those below its constants, the templates of its rules, and the help texts of its commands."""
     for node in ast.walk(module):
-        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef) and ast.get_docstring(
-            node, clean=False
-        ):
-            expression = node.body[0]
-            assert isinstance(expression, ast.Expr) and isinstance(expression.value, ast.Constant)
-            yield from docstring(expression.lineno, str(expression.value.value))
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str):
+            yield from docstring(node.lineno, node.value.value)
         elif isinstance(node, ast.Call):
             is_rule = isinstance(node.func, ast.Name) and node.func.id == 'rule'
             for keyword in node.keywords:
                 if keyword.arg in (TEMPLATES if is_rule else HELP):
                     yield from (Text(line, plain(words)) for line, words in strings(keyword.value))
+
+
+def comments(source: str) -> Iterator[Text]:
+    """Yield the comments of a file. Comment lines below each other are one text."""
+    held: list[tuple[int, bool, str]] = []
+    for token in tokenize.generate_tokens(io.StringIO(source).readline):
+        if token.type == tokenize.COMMENT:
+            line, alone = token.start[0], not token.line[: token.start[1]].strip()
+            if held and not (alone and held[-1][:2] == (line - 1, True)):
+                yield Text(held[0][0], plain(' '.join(words for _, _, words in held)))
+                held = []
+            held.append((line, alone, token.string.lstrip('#! ')))
+    if held:
+        yield Text(held[0][0], plain(' '.join(words for _, _, words in held)))
 
 
 def docstring(line: int, text: str) -> Iterator[Text]:

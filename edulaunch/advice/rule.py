@@ -47,7 +47,7 @@ def found(
 
 GROUPS = ('launch', 'programs', 'messages', 'packages', 'tf', 'time', 'turtlesim', 'grader')
 LEVELS = ('error', 'warning', 'info')
-"""The levels, worst first: it does not work; it works only by chance or not as written; it is worth knowing."""
+"""The levels, worst first: it does not work, it works only by chance or not as written, or it is worth knowing."""
 CONFIDENCES = ('stated', 'asked')
 """A rule that states is certain. A rule that asks may be wrong about the intention, so its sentence is a question or contains
 'if'.

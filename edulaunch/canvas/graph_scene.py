@@ -82,7 +82,7 @@ def _shown(recording: Recording) -> dict[Key, NodeRecord]:
     """Return the nodes at the end or, if all have ended, all nodes; two nodes with one name at the same time are two."""
     nodes = [node for node in recording.nodes if not node.name.rpartition('/')[2].startswith('_')]
     alive = [node for node in nodes if node.ended_s is None]
-    if not alive:  # if a node was started again, only its last life is shown
+    if not alive:  # if a node was started again, the graph contains only its last life
         alive = [
             node for node in nodes if not any(node.name == other.name and _ended(node) <= other.started_s for other in nodes)
         ]
@@ -185,9 +185,9 @@ class TreeScene(NamedTuple):
         boxes = self.boxes
         links = [f'{boxes[parent].name} -> {boxes[child].name} ({", ".join(boxes[child].lines)})' for parent, child in self.links]
         roots = [box.name for box in boxes if box.kind == 'root']
-        unconnected = f'; {len(roots)} trees that are not connected: {", ".join(roots)}' if len(roots) > 1 else ''
+        split = f'; {len(roots)} trees that are not connected: {", ".join(roots)}' if len(roots) > 1 else ''
         wrong = [f'; {box.name}: {box.mark}' for box in boxes if box.mark]
-        return '; '.join(links) + unconnected + ''.join(wrong)
+        return '; '.join(links) + split + ''.join(wrong)
 
 
 def tree_scene(recording: Recording) -> TreeScene:

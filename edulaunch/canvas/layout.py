@@ -288,17 +288,17 @@ def _centres(layers: Layers, breadths: list[float], count: int) -> list[float]:
             near[b].append(a)
     centres = [0.0] * len(breadths)
     for layer in layers.layers:
-        for item, centre in zip(layer, _spread([0.0] * len(layer), layer, breadths, count), strict=True):
+        for item, centre in zip(layer, _spread_out([0.0] * len(layer), layer, breadths, count), strict=True):
             centres[item] = centre
     for sweep in range(SWEEPS):
         for layer in layers.layers if sweep % 2 == 0 else layers.layers[::-1]:
             wanted_places = [mean([centres[other] for other in near[item]] or [centres[item]]) for item in layer]
-            for item, centre in zip(layer, _spread(wanted_places, layer, breadths, count), strict=True):
+            for item, centre in zip(layer, _spread_out(wanted_places, layer, breadths, count), strict=True):
                 centres[item] = centre
     return centres
 
 
-def _spread(wanted_places: list[float], layer: list[int], breadths: list[float], count: int) -> list[float]:
+def _spread_out(wanted_places: list[float], layer: list[int], breadths: list[float], count: int) -> list[float]:
     """Return the positions nearest to the desired ones (least squares) that keep the order and the distances.
 
     Without the distances, the problem is to find rising numbers: neighbours in the wrong order get their common mean.

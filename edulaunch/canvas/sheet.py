@@ -107,7 +107,7 @@ def _cost(box: Box, placed: Sequence[Box], bounds: Box) -> float:
 
 
 def along(start: tuple[float, float], end: tuple[float, float], half: float = 3.0) -> list[Box]:
-    """Yield small boxes that together cover a line, so that labels avoid it."""
+    """Return small boxes that together cover a line, so that labels avoid it."""
     steps = max(1, round(max(abs(end[0] - start[0]), abs(end[1] - start[1])) / (2 * half)))
     points = [
         (start[0] + (end[0] - start[0]) * step / steps, start[1] + (end[1] - start[1]) * step / steps)

@@ -82,7 +82,7 @@ def system_scene(
 ) -> SystemScene:
     """Return one system, or two with the same layout.
 
-    :param changed: for each node that both have and that differs, the names of the parameters that do.
+    :param changed: for each node that is in both systems, the names of the parameters whose values differ.
     :param services: show services that a node calls, too.
     """
     systems = [system] if other is None else [system, other]

@@ -122,7 +122,7 @@ def _window(world: World, time_s: float, colours: bool) -> Window:
 
 
 def trails_of(track: Track, from_s: float, until_s: float, tolerance_m: float) -> list[Trail]:
-    """Yield the line of a track between two times, split where the pen changed or the turtle did not exist."""
+    """Return the line of a track between two times, split where the pen changed or the turtle did not exist."""
     trails: list[Trail] = []
     ends = [*(pen.from_s for pen in track.pens[1:]), float('inf')]
     for pen, end_s in zip(track.pens, ends, strict=True):

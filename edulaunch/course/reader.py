@@ -136,7 +136,10 @@ def _write_replays(target: str, page: Page) -> dict[str, str]:
 
 
 def _make_room(target: str) -> None:
-    """Return a folder for pages: a new one, or one with an older reader, which is deleted."""
+    """Create a folder for pages, or delete the pages of an older reader in it.
+
+    :raises UnusableInput: if the folder contains other files.
+    """
     if os.path.isdir(target) and os.listdir(target):
         if not os.path.isfile(os.path.join(target, 'reader.css')):
             raise UnusableInput(f'{target} contains other files', help='name a new folder')

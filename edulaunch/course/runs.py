@@ -50,7 +50,7 @@ def run_lessons(course: str, names: list[str], wanted: list[str], say: Say = lam
     if missing:
         say(f'running {len(missing)} {"lesson" if len(missing) == 1 else "lessons"}')
     try:
-        run = dict(_isolated_run(files, names, missing, say))
+        run = dict(_run_separately(files, names, missing, say))
     except UnusableInput:
         say('a lesson needs more than the files of earlier lessons: all lessons run in order')
         run = {name: gave for name, gave in _in_order(files, names, say) if name in wanted}
@@ -59,7 +59,7 @@ def run_lessons(course: str, names: list[str], wanted: list[str], say: Say = lam
     return {**found, **run}
 
 
-def _isolated_run(files: dict[str, bytes], names: list[str], missing: list[str], say: Say) -> Iterator[tuple[str, Outputs]]:
+def _run_separately(files: dict[str, bytes], names: list[str], missing: list[str], say: Say) -> Iterator[tuple[str, Outputs]]:
     """Run each lesson in a folder with the files of the lessons before it, with one process for each processor."""
 
     def one(name: str) -> Outputs:

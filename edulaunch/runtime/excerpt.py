@@ -108,7 +108,7 @@ class Excerpt:
 
     def _topics(self, endpoints: list[Row]) -> Iterator[dict[str, Any]]:
         """Return the messages of publishers of that time, including earlier ones that they keep for late subscriptions."""
-        recorded = {row[4] for row in endpoints if row[0] == 'publisher'}
+        publishers = {row[4] for row in endpoints if row[0] == 'publisher'}
         kept = {row[4] for row in endpoints if row[0] == 'publisher' and 'transient_local' in row[6]}
         named = {(row[1], row[2]) for row in endpoints if row[0] == 'publisher'}
         start_ns = self._recorder.sim.start_ns
@@ -119,7 +119,7 @@ class Excerpt:
             since = bisect_left(numbers, start_ns + self._since, key=lambda number: flat[3 * number])
             until = bisect_right(numbers, start_ns + self._until, key=lambda number: flat[3 * number])
             chosen = [number for number in range(since) if flat[3 * number + 1] in kept] if kept else []
-            chosen += [number for number in range(since, until) if flat[3 * number + 1] in recorded]
+            chosen += [number for number in range(since, until) if flat[3 * number + 1] in publishers]
             yield {
                 'topic': topic,
                 'type': kind,

@@ -40,7 +40,7 @@ class Frames:
         self._at = 0
 
     def feed(self, data: bytes) -> Iterator[tuple[int, bytes]]:
-        """Add received bytes, and return the complete frames as (kind, payload); those not taken now come at the next call.
+        """Add received bytes, and return the complete frames as (kind, payload); a frame not consumed stays for the next call.
 
         :raises BadFrame: for an unknown kind or a payload that is too long, once the frames before it are taken.
         """

@@ -164,7 +164,7 @@ def note_unread_arguments(process: Process, given: Iterable[str]) -> None:
 
 
 def _unread_arguments(process: Process, given: Iterable[str]) -> list[UnreadArgument]:
-    """Yield launch arguments that no launch file declares or reads, and arguments of an include that its file does not declare.
+    """Return launch arguments that no launch file declares or reads, and arguments of an include that its file does not declare.
 
     ROS 2 accepts them silently.
     """

@@ -260,7 +260,7 @@ def function(place: str) -> Any:
 
 
 def _lacking(name: str) -> str:
-    """Return the plug-in, or a missing plug-in that it needs."""
+    """Return the name of the first missing plug-in that this one needs, or else of this one."""
     found = next((_loaded(entry) for entry in entries() if entry.name == name), None)
     lacking = [need for need in found.needs if not is_here(need)] if found is not None else []
     return lacking[0].rpartition('.')[2] if lacking else name

@@ -15,6 +15,6 @@ def _nobody(*arguments: Any) -> Any:
 run: Callable[[Any], Any] = _nobody
 """Called with the process of a `ros2` command line; returns its exit code."""
 complete: Callable[[list[str], str, Callable[[], Any], Callable[[str], list[str]]], Iterable[str]] = _nobody
-"""Called with the words after `ros2`, the typed part of the next word, a function that returns the index of packages, and one
-that returns the lines which a command prints. Returns the candidates for the next word.
+"""Called with the words after `ros2`, the typed part of the next word, and two functions. The first one returns the index of
+packages, and the second one the lines which a command prints. Returns the candidates for the next word.
 """

@@ -81,7 +81,7 @@ class Outcome(NamedTuple):
     text: str = ''
     try_: str | None = None
     where: Place | None = None
-    sandbox: Mapping[str, str] | None = MappingProxyType({})  # for each layer 'held', or why not; None: nothing was run
+    sandbox: Mapping[str, str] | None = MappingProxyType({})  # for each layer 'held', or why not; None if nothing was run
     detail: str = ''  # for the course author: a traceback of the engine, or the output of the program
     refused: tuple[str, ...] = ()  # names of forbidden system calls that the run tried
     bags: Sequence[Mapping[str, Any]] = ()  # content of the bags that the run wrote; see `sandbox.bags`

@@ -165,7 +165,7 @@ def _report(work: Work, runner: Runner | InPlace, job: GradingJob, workspaces: S
     submission = work.submission
     try:
         outcomes, results, looked = _judged(work, outcomes, again, for_documents)
-        results[1:1] = [*_whose(work), *_repeated(work, outcomes, again)]
+        results[1:1] = [*_other_variant(work), *_repeated(work, outcomes, again)]
     except Exceeded as error:
         fault = runner.fault()
         results = [no_mark(fault)] if fault else too_much(work.rubric.checks, str(error), submission.source)
@@ -248,7 +248,7 @@ def is_copied(work: Work) -> bool:
     return work.variant is not None and any(map(work.variant.is_of_another, work.submission.source.texts().values()))
 
 
-def _whose(work: Work) -> list[CheckResult]:
+def _other_variant(work: Work) -> list[CheckResult]:
     """Return the result of a submission that is based on another student's exercise. It has no mark, because a teacher must
     decide.
     """

@@ -190,7 +190,7 @@ DIED = ' died with exit code '
 COVERED_BY_CHECKS = ('launch.unknown-argument', 'programs.died', 'programs.interrupted', 'programs.rule-failed')
 """Rubrics report dead programs and missing arguments themselves. The arguments of a run come from the grader."""
 SHORTEST_NAME = 4
-"""Fewest characters of a name that may be searched in a sentence."""
+"""The fewest characters of a name that may be searched in a message."""
 
 
 def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckResult]:

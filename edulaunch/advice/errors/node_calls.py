@@ -35,11 +35,15 @@ def type_as_text(failure: Failure) -> Iterator[Finding]:
     if not failure.message.startswith("type object 'str' has no attribute '_TYPE_SUPPORT'"):
         return
     for call in calls_on_line(failure):
-        given = [*call.args, *[ast.Constant(None)] * 2][:2]
-        if name_of_call(call).startswith('create_') and isinstance(given[0], ast.Constant) and isinstance(given[0].value, str):
-            second = ast.unparse(given[1]) if isinstance(given[1], (ast.Name, ast.Attribute)) else None
-            word = re.split(r'[/.]', given[0].value)[-1]
-            yield report(failure, method=name_of_call(call), text=repr(given[0].value), second=second, word=word)
+        arguments = [*call.args, *[ast.Constant(None)] * 2][:2]
+        if (
+            name_of_call(call).startswith('create_')
+            and isinstance(arguments[0], ast.Constant)
+            and isinstance(arguments[0].value, str)
+        ):
+            second = ast.unparse(arguments[1]) if isinstance(arguments[1], (ast.Name, ast.Attribute)) else None
+            word = re.split(r'[/.]', arguments[0].value)[-1]
+            yield report(failure, method=name_of_call(call), text=repr(arguments[0].value), second=second, word=word)
             return
 
 
@@ -105,8 +109,10 @@ def local_not_attribute(failure: Failure) -> Iterator[Finding]:
         if isinstance(owner, ast.ClassDef) and owner.name == match[1]:
             stores = [node for node in ast.walk(owner) if isinstance(node, (ast.Name, ast.Attribute))]
             local = [node for node in stores if isinstance(node, ast.Name) and node.id == match[2] and _is_stored(node)]
-            kept = [node for node in stores if isinstance(node, ast.Attribute) and node.attr == match[2] and _is_stored(node)]
-            if local and not kept:
+            attributes = [
+                node for node in stores if isinstance(node, ast.Attribute) and node.attr == match[2] and _is_stored(node)
+            ]
+            if local and not attributes:
                 yield report(failure, attribute=match[2], made=local[0].lineno)
 
 

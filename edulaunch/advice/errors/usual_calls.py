@@ -71,8 +71,8 @@ def brackets_missing(failure: Failure) -> Iterator[Finding]:
         for holder in holders[:1]:
             yield report(failure, called=ast.unparse(holder))
         return
-    given = [word for call in nodes if isinstance(call, ast.Call) for word in call.args]
-    owners = [node.value for node in nodes if isinstance(node, ast.Attribute)] if match is not None else given
+    arguments = [word for call in nodes if isinstance(call, ast.Call) for word in call.args]
+    owners = [node.value for node in nodes if isinstance(node, ast.Attribute)] if match is not None else arguments
     classes = [node.id for node in owners if isinstance(node, ast.Name) and node.id[:1].isupper()]
     for name in classes[:1]:
         yield report(failure, klass=name)

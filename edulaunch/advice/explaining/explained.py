@@ -148,8 +148,8 @@ class Comparison(Tree):
 
 
 def _subject(explanation: Explanation) -> str:
-    given = ' '.join(f'{name}:={value}' for name, value in explanation.data['given'].items())
-    return ' '.join(filter(None, (os.path.basename(explanation.data['file']), given)))
+    words_of_arguments = ' '.join(f'{name}:={value}' for name, value in explanation.data['given'].items())
+    return ' '.join(filter(None, (os.path.basename(explanation.data['file']), words_of_arguments)))
 
 
 class Reason(Tree):
@@ -196,8 +196,8 @@ def explain(
     where = workspaces_of_command(workspaces, path_or_package)
     with Session(workspaces=where, near=folder_of(path_or_package)) as session:
         path = find_launch_file(session.index, path_or_package, file)
-        given = {name: str(value) for name, value in (arguments or {}).items()}
+        values = {name: str(value) for name, value in (arguments or {}).items()}
         host = session.host
-        rehearsal = rehearse(path, given, session.index, host.env, assume_packages=assume_packages, command_set=host.command_set)
+        rehearsal = rehearse(path, values, session.index, host.env, assume_packages=assume_packages, command_set=host.command_set)
         _name_sources(rehearsal.plan, session.index.source_path)
     return Explanation(rehearsal, where)

@@ -35,14 +35,14 @@ def _reason(name: str, steps: list[Step]) -> dict[str, Any]:
 def _of_node(node: Branch, parameter: str | None, declared: Declared) -> list[dict[str, Any]]:
     item = node.item
     assert item is not None
-    given = {one.name for one in node.action.given_parameters()}
+    set_names = {one.name for one in node.action.given_parameters()}
     defaults = declared(item['package'], item['executable']) if item['package'] else {}
     if parameter is None:
-        names = sorted(given)
-    elif parameter in given or parameter in defaults:
+        names = sorted(set_names)
+    elif parameter in set_names or parameter in defaults:
         names = [parameter]
     else:
-        known = sorted({*given, *defaults})
+        known = sorted({*set_names, *defaults})
         help = did_you_mean(parameter, known) or (f'its parameters are {", ".join(known)}' if known else None)
         raise UnusableInput(
             f"'{name_of(node)}' has no parameter '{parameter}': it declares none with this name, and the launch file sets none.",

@@ -101,9 +101,9 @@ def rehearse(
 
     :raises UnusableInput: for an argument that is not of the form 'name:=value'.
     """
-    given = _given(arguments)
+    by_name = _by_name(arguments)
     assuming = AssumingIndex(index) if assume_packages else None
-    planner = Planner(os.path.abspath(os.fspath(path)), given, assuming or index, environ, command_set)
+    planner = Planner(os.path.abspath(os.fspath(path)), by_name, assuming or index, environ, command_set)
     planner.assumptions = None if assuming is None else assuming.assumptions
     plan = planner.plan()
     missing = planner.assumptions
@@ -112,13 +112,13 @@ def rehearse(
     return Rehearsal(plan, planner.outline, (missing.packages, missing.others), missing.share, list(planner.read))
 
 
-def _given(arguments: Mapping[str, str] | Iterable[str]) -> dict[str, str]:
+def _by_name(arguments: Mapping[str, str] | Iterable[str]) -> dict[str, str]:
     if isinstance(arguments, Mapping):
         return dict(arguments)
-    given = {}
+    by_name = {}
     for text in arguments:
         name, separator, value = text.partition(':=')
         if not (name and separator and value):
             raise UnusableInput(f"malformed launch argument '{text}', expected format '<name>:=<value>'")
-        given[name] = value
-    return given
+        by_name[name] = value
+    return by_name

@@ -109,7 +109,7 @@ def kind_and_text(branch: Branch) -> tuple[str, str]:
 
 
 def add_facts(found: Entry, branch: Branch) -> None:
-    """Return the entries of an action that was executed."""
+    """Add the details of an executed action to its entry."""
     item = branch.item
     assert item is not None
     kind = item['kind']

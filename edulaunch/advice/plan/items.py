@@ -78,7 +78,7 @@ def _timer(action: Any, context: LaunchContext) -> Item:
 
 def _event_handler(action: Any, context: LaunchContext) -> Item:
     handler = action.event_handler
-    description = _ADDRESS.sub(' at 0x', handler.describe()[0])  # without addresses, equal plans have equal texts
+    description = _ADDRESS.sub(' at 0x', handler.describe()[0])  # without addresses, equal plans are equal strings
     return {'kind': 'event_handler', 'handler': type(handler).__name__, 'description': description}
 
 

@@ -99,7 +99,7 @@ class LaunchTrace(Watch):
         """Store when the visit of a step begins, and what has changed since the previous step."""
         self._order += 1
         step.order, step.at_ns, step.state = self._order, self._now(), 'visiting'
-        configurations = {name: _kept(value) for name, value in context.launch_configurations.items()}
+        configurations = {name: _copied(value) for name, value in context.launch_configurations.items()}
         if self._environment_at_start is None:
             self._environment_at_start = self._environment = dict(context.environment)
         if configurations != self._configurations:
@@ -147,7 +147,7 @@ class LaunchTrace(Watch):
             return None
         try:
             return item_of(action, context, self._environment_at_start or {}, 0)
-        except Exception:  # an item that cannot be shown must not end a running launch
+        except Exception:  # an item without a valid description must not end a running launch
             return {'kind': 'action', 'name': type(action).__name__}
 
     def _process_item(self, action: Any, context: LaunchContext) -> dict[str, Any]:
@@ -339,7 +339,7 @@ def _is_from_a_file(handler: Any, step: Step) -> bool:
     return type(handler).__name__ == 'OnActionEventBase'  # the handler for a process's on_exit=
 
 
-def _kept(value: Any) -> Any:
+def _copied(value: Any) -> Any:
     """Return a copy of the value of a launch configuration, because `SetRemap` and `SetParameter` append to a list."""
     return tuple(value) if isinstance(value, list) else value
 

@@ -116,13 +116,13 @@ def add_names_and_parameters(item: Item, entries_of: Callable[[str], Sequence[En
     """
     command = item['cmd'][len(item['prefix']) :]
     try:
-        given = parse_ros_arguments(command, entries_of)
+        arguments = parse_ros_arguments(command, entries_of)
     except RosArgumentsError as error:
-        given, item['parameter_error'] = RosArguments(), str(error)
-    name = remapped_node_name(given.remap_rules, '') or None
-    namespace = remapped_namespace(given.remap_rules, name or '', '') or None
+        arguments, item['parameter_error'] = RosArguments(), str(error)
+    name = remapped_node_name(arguments.remap_rules, '') or None
+    namespace = remapped_namespace(arguments.remap_rules, name or '', '') or None
     full_name = fully_qualified_name(namespace or '/', name or UNNAMED)
-    overrides = given.overrides_for(full_name)
+    overrides = arguments.overrides_for(full_name)
     item['name'], item['namespace'] = name, namespace
     item['runtime_name'] = None if name is None else full_name
     item['parameters'] = {parameter: override.value for parameter, override in sorted(overrides.items())}

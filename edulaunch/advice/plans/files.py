@@ -131,9 +131,9 @@ def _given_behind(item: dict[str, Any], file: str, parameter: str) -> Any:
     first = next((number for number, source in enumerate(sources) if source['file'] == file), len(sources))
     for source in sources[first + 1 :]:
         content = source['content'] if not os.path.isfile(source['file']) else None
-        for given in (content or {}).values():
-            if parameter in given.get('ros__parameters', {}):
-                return given['ros__parameters'][parameter]
+        for section in (content or {}).values():
+            if parameter in section.get('ros__parameters', {}):
+                return section['ros__parameters'][parameter]
     return None
 
 
@@ -158,8 +158,8 @@ def relative_path(rehearsal: Rehearsal) -> Iterator[Finding]:
             if not os.path.isabs(location) and os.path.isfile(location):
                 yield _of_path(location, place_of(branch))
     for branch, item in nodes(rehearsal):
-        given = [source['file'] for source in item['parameter_sources']]
-        for path in (*given, *branch.action.missing_parameter_files()):
+        paths = [source['file'] for source in item['parameter_sources']]
+        for path in (*paths, *branch.action.missing_parameter_files()):
             if not os.path.isabs(path):
                 yield _of_path(path, place_of(branch))
 

@@ -53,8 +53,8 @@ def dollar_in_python(rehearsal: Rehearsal) -> Iterator[Finding]:
         if item.get('shell'):
             continue
         if item.get('kind') == 'node':
-            given = {one.name: one.value for one in branch.action.given_parameters() if not one.is_of_a_file}
-            item = {'arguments': item['arguments'], 'remappings': item['remappings'], 'parameters': given}
+            parameters = {one.name: one.value for one in branch.action.given_parameters() if not one.is_of_a_file}
+            item = {'arguments': item['arguments'], 'remappings': item['remappings'], 'parameters': parameters}
         match = next(filter(None, map(_DOLLAR.search, _texts(item))), None)
         if match is not None:
             word = match[0].strip('$()').split()

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
 
 FEWEST = 5
-"""The number of one-letter words from which a command line is suspicious, because programs rarely get so many."""
+"""The number of one-letter words from which a command line is suspicious, because programs rarely get five of them."""
 ROS_FLAGS = ('-r', '--remap', '-p', '--param', '--params-file')
 
 

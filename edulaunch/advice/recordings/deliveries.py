@@ -196,6 +196,6 @@ def _actions(recording: Recording) -> list[str]:
 
 
 def _parameters(recording: Recording) -> set[tuple[str, str]]:
-    """Yield the clients of parameter services whose nodes exist."""
+    """Return the node and service name of each client of the parameter services of existing nodes."""
     nodes = tuple(f'{name}/' for name in programs(recording))
     return {(end.node, end.name) for end in recording.ends if end.kind == 'client' and is_ros_own(end.name, nodes)}

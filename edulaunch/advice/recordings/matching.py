@@ -90,15 +90,15 @@ def different_types(recording: Recording) -> Iterator[Finding]:
             continue
         publishers, subscriptions = ends['publisher', mismatch.topic], ends['subscription', mismatch.topic]
         sent = {end.type for end in publishers}
-        received = {end.type for end in subscriptions if end.node == mismatch.subscriber}
+        expected = {end.type for end in subscriptions if end.node == mismatch.subscriber}
         offered = {end.type for end in publishers if end.node == mismatch.publisher}
         wanted = {end.type for end in subscriptions}
-        if not received & sent or not offered & wanted:
+        if not expected & sent or not offered & wanted:
             is_mine = mismatch.subscriber in own_nodes(recording)
             mine = ('subscription', mismatch.subscriber) if is_mine else ('publisher', mismatch.publisher)
             file, line = end_place(recording, mine[0], mismatch.topic, mine[1])
             pair = {'node': speaker(recording, mismatch.publisher), 'other': speaker(recording, mismatch.subscriber)}
-            types = {'sent': sorted(offered), 'heard': sorted(received)}
+            types = {'sent': sorted(offered), 'heard': sorted(expected)}
             yield found('topic', mismatch.topic, file=file, line=line, time_s=mismatch.note.time_s, **pair, **types)
 
 

@@ -76,11 +76,13 @@ def key_for_no_node(recording: Recording) -> Iterator[Finding]:
     containers = {process.name for process in recording.processes if '/component_container' in process.argv[0]}
     for file, facts in passed_over.items():
         without = {fact.data['node'] for fact in facts}
-        given = {process.name for process in recording.processes if any(os.path.basename(word) == file for word in process.argv)}
-        if not given & containers and all(node.name in without for node in recording.nodes if node.process in given):
+        readers = {
+            process.name for process in recording.processes if any(os.path.basename(word) == file for word in process.argv)
+        }
+        if not readers & containers and all(node.name in without for node in recording.nodes if node.process in readers):
             node, keys, line = facts[0].data['node'], facts[0].data['keys'], max(facts[0].data['line'] - 2, 1)
             near = nearest_spelling(node, keys) or (keys[0] if len(keys) == 1 else None)
-            is_made = file.startswith('launch_params_')  # launch generates this file, so nobody can edit it
+            is_made = file.startswith('launch_params_')  # launch generates this file, so the student cannot edit it
             places = node_place(recording, node) if is_made else (file, line)
             details = {'node': node, 'keys': keys[:5], 'near': near, 'launched': keys[0] if is_made else None}
             yield found('file', file, file=places[0], line=places[1], time_s=facts[0].time_s, **details)

@@ -99,11 +99,11 @@ def _commands(recording: Recording) -> set[str]:
 )
 def nobody_listens(recording: Recording) -> Iterator[Finding]:
     """Report a topic of velocities without a subscription. Most other topics may lack one."""
-    received = [name for kind, name in ends_by_name(recording) if kind == 'subscription']
+    subscribed = [name for kind, name in ends_by_name(recording) if kind == 'subscription']
     for end in lone_ends(recording, 'publisher'):
         if end.type in COMMANDS and _sent(recording, end):
             file, line = end_place(recording, end.kind, end.name, end.node)
-            listening = [name for name in received if ends_by_name(recording)['subscription', name][0].type == end.type]
+            listening = [name for name in subscribed if ends_by_name(recording)['subscription', name][0].type == end.type]
             near = nearest(end.name, listening) if len(listening) > 1 else next(iter(listening), None)
             facts = {'node': speaker(recording, end.node), 'near': near, 'empty': _empty_part(end.name)}
             yield found('topic', end.name, file=file, line=line, time_s=end.made_s, **facts)
@@ -170,17 +170,19 @@ def too_early(recording: Recording) -> Iterator[Finding]:
         if kind != 'subscription' or topic not in last or publishers is None or is_ros_own(topic):
             continue
         first = subscriptions[0]
-        kept = first.qos[2] == 'transient_local' and any(end.qos[2] == 'transient_local' for end in publishers)
+        is_latched = first.qos[2] == 'transient_local' and any(end.qos[2] == 'transient_local' for end in publishers)
         at_once = (
-            first.made_s == last[topic] and order[id(first)] > order[id(publishers[-1])] and _apart(recording, first, publishers)
+            first.made_s == last[topic]
+            and order[id(first)] > order[id(publishers[-1])]
+            and _is_in_other_program(recording, first, publishers)
         )
-        if (first.made_s > last[topic] or at_once) and not kept:
+        if (first.made_s > last[topic] or at_once) and not is_latched:
             file, line = end_place(recording, 'publisher', topic, publishers[0].node)
             pair = {'node': speaker(recording, publishers[0].node), 'other': speaker(recording, first.node)}
             yield found('topic', topic, file=file, line=line, time_s=last[topic], **pair)
 
 
-def _apart(recording: Recording, end: EndRecord, others: list[EndRecord]) -> bool:
+def _is_in_other_program(recording: Recording, end: EndRecord, others: list[EndRecord]) -> bool:
     """Return whether an endpoint belongs to another program than all others."""
     return all(programs(recording).get(other.node) != programs(recording).get(end.node) for other in others)
 

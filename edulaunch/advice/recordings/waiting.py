@@ -22,7 +22,7 @@ def _of(recording: Recording, kind: str) -> list[Fact]:
 
 
 def _late(recording: Recording) -> list[Fact]:
-    """Yield timers whose calls were skipped repeatedly, and topics with waiting messages."""
+    """Return the facts about timers whose calls were skipped repeatedly, and about topics with waiting messages."""
     skipped = [fact for fact in _of(recording, 'timer skipped') if fact.times >= OFTEN]
     return [*skipped, *_of(recording, 'messages wait')]
 

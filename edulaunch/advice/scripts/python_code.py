@@ -58,7 +58,7 @@ def python_if(scripts: list[Script]) -> Iterator[Finding]:
 
 
 def _in_function(finding: Finding, function: Function) -> Finding:
-    """Yield the parts of a function that launch calls with its context, in which `perform` returns the value."""
+    """Return a finding. In a function that launch calls with its context, it gets the fact that advises `perform`."""
     arguments = [] if isinstance(function, ast.Module) else function.args.args
     if not arguments or arguments[0].arg != 'context':
         return finding

@@ -120,8 +120,8 @@ def main_wants_arguments(source: PackageInWorkspace) -> Iterator[Finding]:
         called = main_of(tree, function)
         if called is None:
             continue
-        given = called.args
-        wanted = [one.arg for one in (*given.posonlyargs, *given.args)][: -len(given.defaults) or None]
+        signature = called.args
+        wanted = [one.arg for one in (*signature.posonlyargs, *signature.args)][: -len(signature.defaults) or None]
         if wanted:
             facts = {'wanted': wanted, 'first': wanted[0]}
             yield _of_entry(package, executable, module, function, path, called.lineno, **facts)

@@ -106,7 +106,7 @@ def _arguments(text: Text, call: ast.Call, cls: Any) -> Iterator[Foreseen]:
     known = keywords_of(cls)
     if not known or any(isinstance(one, ast.Starred) for one in call.args):
         return
-    given = [keyword.arg for keyword in call.keywords if keyword.arg]
+    keywords = [keyword.arg for keyword in call.keywords if keyword.arg]
     unknown = [keyword for keyword in call.keywords if keyword.arg and keyword.arg not in known]
     for keyword in unknown:
         message = f"{cls.__name__}.__init__() got an unexpected keyword argument '{keyword.arg}'"
@@ -122,9 +122,9 @@ def _arguments(text: Text, call: ast.Call, cls: Any) -> Iterator[Foreseen]:
         yield Foreseen(Failure('TypeError', message, text.path, call.lineno), text.of_node(call.args[most]))
         return
     for name in needed:
-        if has_all and name not in given and not nearest(name, [one.arg or '' for one in unknown]):
+        if has_all and name not in keywords and not nearest(name, [one.arg or '' for one in unknown]):
             message = f"{cls.__name__}.__init__() missing 1 required keyword-only argument: '{name}'"
-            failure = Failure('TypeError', message, text.path, call.lineno, facts={'given_names': given})
+            failure = Failure('TypeError', message, text.path, call.lineno, facts={'given_names': keywords})
             yield Foreseen(failure, text.of_node(call.func))
 
 

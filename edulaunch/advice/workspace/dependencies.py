@@ -17,7 +17,7 @@ NOT_NEEDED = (
     *('qtbase5-dev', 'libqt5-*', 'python3-pytest', 'python3-setuptools', 'ros2[a-z]*'),
 )
 """Dependencies that edulaunch does not need: tools to build, lint and generate, libraries of C++ programs, and the parts of the
-`ros2` command, which edulaunch has. `*` matches any text.
+`ros2` command. `*` matches any text.
 """
 SAME = {'tf2_ros_py': 'tf2_ros'}
 """Packages whose Python part has another name."""

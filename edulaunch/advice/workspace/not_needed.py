@@ -52,21 +52,23 @@ def answer(words: Sequence[str], folder: str = os.curdir) -> str | None:
     :return: None for any other command.
     """
     rest = [word for word in words if word != 'sudo']
-    command, given = (rest or [''])[0], rest[1:]
+    command, arguments = (rest or [''])[0], rest[1:]
     if command == 'colcon':
-        return _colcon(given, folder)
-    if command == 'rosdep' and given[:1] != ['check']:
+        return _colcon(arguments, folder)
+    if command == 'rosdep' and arguments[:1] != ['check']:
         return 'rosdep: you do not need to install anything; `rosdep check` lists the dependencies that edulaunch does not have.'
-    if command in ('apt', 'apt-get') and (names := [found['package'] for word in given if (found := _DEBIAN.fullmatch(word))]):
+    if command in ('apt', 'apt-get') and (
+        names := [found['package'] for word in arguments if (found := _DEBIAN.fullmatch(word))]
+    ):
         return _apt([name.replace('-', '_') for name in names])
     if command in WINDOWS:
         return shown_by(command)
     if command in ABSENT:
         return f'{command} {ABSENT[command]}.'
-    if command in ('source', '.') and given:
-        return _source(given[0])
+    if command in ('source', '.') and arguments:
+        return _source(arguments[0])
     if command == 'ls':
-        return _absent_folder([word for word in given if word[:1] != '-' and not os.path.exists(os.path.join(folder, word))])
+        return _absent_folder([word for word in arguments if word[:1] != '-' and not os.path.exists(os.path.join(folder, word))])
     return None
 
 

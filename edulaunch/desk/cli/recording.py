@@ -275,7 +275,7 @@ def summarise(recording: Recording) -> dict[str, Any]:
 
 
 def lines(summary: dict[str, Any]) -> list[str]:
-    """Yield the lines of the summary for people."""
+    """Return the lines of the summary for people."""
     arguments = ' '.join(f'{name}:={value}' for name, value in summary['arguments'].items())
     text = [
         f'Launch file:  {summary["launch_file"]} {arguments}'.rstrip(),

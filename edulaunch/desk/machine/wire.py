@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 HELLO = ord(b'H')
-"""From the terminal, first: token, folder, columns, lines, which of stdin, stdout and stderr are terminals, number of words, the
-words, and the environment as NAME=VALUE; see :func:`pack`."""
+"""The terminal's first frame. Its fields are the token, the folder, the columns, the lines, and which of stdin, stdout and stderr
+are terminals. Then come the number of words, the words, and the environment as NAME=VALUE. See :func:`pack`.
+"""
 INPUT = ord(b'I')
 """Typed bytes; empty at the end of the input."""
 SIGNAL = ord(b'S')

@@ -20,8 +20,8 @@ def main() -> None:
     for line in sys.stdin:
         who, linear, angular = line.split()
         topic = f'{who}/cmd_vel'.replace('//', '/')
-        received = {end.topic_type for end in node.get_subscriptions_info_by_topic(topic)}
-        kind = next((name for name in TYPES if name in received), 'geometry_msgs/msg/Twist')
+        subscribed_types = {end.topic_type for end in node.get_subscriptions_info_by_topic(topic)}
+        kind = next((name for name in TYPES if name in subscribed_types), 'geometry_msgs/msg/Twist')
         if (topic, kind) not in publishers:
             publishers[topic, kind] = node.create_publisher(TYPES[kind], topic, 10)
         message: Any = TYPES[kind]()

@@ -80,7 +80,7 @@ class RecordingSource:
         return rows
 
     def numbers(self, name: str) -> Sequence[int]:
-        """Return 0: a recording has dropped nothing."""
+        """Return 0, 1, 2, ...: a recording has dropped nothing."""
         return range(len(self.part(name)))
 
     def forgotten(self, topic: tuple[str, str]) -> int:

@@ -241,9 +241,9 @@ class Timeline:
             key = ('scan', topic)
             if time // 1000 - self._last.get(key, -SCAN_EVERY_US) >= SCAN_EVERY_US:
                 self._last[key] = time // 1000
-                near = wire[places['range_min']]
-                far = wire[places['range_max']]
-                ranges = [round(value * 100) if near <= value <= far else None for value in wire[places['ranges']]]
+                range_min = wire[places['range_min']]
+                range_max = wire[places['range_max']]
+                ranges = [round(value * 100) if range_min <= value <= range_max else None for value in wire[places['ranges']]]
                 angles = (round(wire[places[name]], 5) for name in ('angle_min', 'angle_increment'))
                 found.append([topic, time // 1000, wire[places['header.frame_id']], *angles, ranges])
         return found

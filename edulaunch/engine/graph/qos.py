@@ -9,7 +9,7 @@ VOLATILE, TRANSIENT_LOCAL = 'volatile', 'transient_local'
 KEEP_LAST, KEEP_ALL = 'keep_last', 'keep_all'
 AUTOMATIC, MANUAL_BY_TOPIC = 'automatic', 'manual_by_topic'
 INFINITE_NS = 0
-"""A deadline, lifespan or lease of 0 ns means that there is none, as in rmw."""
+"""As in rmw, 0 ns means that an endpoint has no deadline, lifespan or lease."""
 
 
 class QoS(NamedTuple):

@@ -14,7 +14,7 @@ _TABLE = underlay_data('absent.json')
 KINDS: dict[str, dict[str, list[str]]] = _TABLE['kinds']
 """For each kind of software, the names of its `packages` (`*` matches any text) and its Python `modules`."""
 REFUSED: frozenset[str] = frozenset(_TABLE['refused'])
-"""Modules that would open windows on the real screen, take the real keyboard or not see the student's packages, so they are not
+"""Modules that would open windows on the real screen, use the real keyboard or not see the student's packages. So they are not
 found even where they are installed. `tkinter` has a view.
 """
 

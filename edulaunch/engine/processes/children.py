@@ -66,7 +66,7 @@ class Child:
             self._sinks['stdout'] if stderr == subprocess.STDOUT else _sink(process, 'stderr', stderr, self.stderr)
         )
         program: Any = process.host.start(spec_of(process, args, **options), self._on_output, self._on_exit)
-        program.is_recorded = False  # the caller writes the output that nobody captures, so it is recorded once
+        program.is_recorded = False  # the caller writes the output that no program captures, so it is recorded once
         self._program = program
         self.stdin: InputEnd | None = None
         if input is not None:

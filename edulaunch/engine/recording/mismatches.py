@@ -34,6 +34,6 @@ def mismatches(records: Iterable[NodeRecord], notes: Iterable[Note]) -> Iterator
         if match is None or match['publisher'] not in nodes or match['subscriber'] not in nodes:
             continue
         sent = {kind for name, kind in nodes[match['publisher']].publishers if name == match['topic']}
-        received = {kind for name, kind in nodes[match['subscriber']].subscriptions if name == match['topic']}
-        if match['why'] != 'TYPE' or not sent & received:
+        expected = {kind for name, kind in nodes[match['subscriber']].subscriptions if name == match['topic']}
+        if match['why'] != 'TYPE' or not sent & expected:
             yield Mismatch(note, match['topic'], match['why'], match['publisher'], match['subscriber'])

@@ -160,9 +160,9 @@ class Recorder(Tracer):
         self._forget_ended(since)
 
     def _forget_ended(self, since: int) -> None:
-        recorded = {publisher for flat in self.columns.values() for publisher in flat[1::3]}
-        recorded |= {end.index for node in self._node_row for end in node.endpoints}
-        self._keep('endpoints', lambda row: row[5] > since or row[4] in recorded)
+        publishers = {publisher for flat in self.columns.values() for publisher in flat[1::3]}
+        publishers |= {end.index for node in self._node_row for end in node.endpoints}
+        self._keep('endpoints', lambda row: row[5] > since or row[4] in publishers)
         used = {row[3] for row in self.endpoints}
         self._keep('nodes', lambda row: row[3] is None or row[3] > since or row[4] in used)
         self._keep('processes', lambda row: row['ended'] is None or row['ended'] > since)

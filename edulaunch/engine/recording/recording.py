@@ -49,8 +49,9 @@ class Recording(Messages, Views):
     beside: Mapping[str, str] = {}
     """The commands that started the other programs of an excerpt, by launch name."""
     owners: dict[str, list[int]] | None = None
-    """For 'nodes', 'parameters', 'logs' and 'output': the position in `processes` of the process behind each row, as a
-    trusted peer (`edulaunch.runtime.link`) knows it; None if all of them ran in one process."""
+    """For 'nodes', 'parameters', 'logs' and 'output', the position in `processes` of the process behind each row. A trusted peer
+    (`edulaunch.runtime.link`) knows these positions. If all rows come from one process, this has the value None.
+    """
     hosted: dict[int, tuple[str, str]] | None = None
     """The package and the executable of each program that a trusted peer ran itself, by position in `processes`."""
 

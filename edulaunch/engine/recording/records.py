@@ -126,7 +126,7 @@ class TopicRecord(NamedTuple):
     type: str
     publishers: list[str]
     subscriptions: list[str]
-    count: int  # type: ignore[assignment]  # hides tuple.count, which nobody needs here
+    count: int  # type: ignore[assignment]  # this hides tuple.count, which is not needed here
 
 
 class Parameter(NamedTuple):

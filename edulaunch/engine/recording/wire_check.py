@@ -64,7 +64,7 @@ class WireChecks:
         return found
 
     def check(self, type_name: str) -> Check:
-        """Return whether values are wires of messages of that type. Raise the same errors as :meth:`entries`."""
+        """Return the check whether values are wires of messages of that type. Raise the same errors as :meth:`entries`."""
         checks = self.entries(type_name)
 
         def fit(values: Collection[Any]) -> bool:

@@ -142,11 +142,11 @@ class DrawingLayer:
             x0, y0, x1, y1 = visible
         dx = x1 - x0
         dy = y1 - y0
-        apart = pen.reach
+        spacing = pen.reach
         if x0 != pen.last_x or y0 != pen.last_y:
             self._stamp(pen, x0, y0)
-        if not (-apart < dx < apart and -apart < dy < apart):
-            steps = int(max(abs(dx), abs(dy)) / apart) + 1
+        if not (-spacing < dx < spacing and -spacing < dy < spacing):
+            steps = int(max(abs(dx), abs(dy)) / spacing) + 1
             for step in range(1, steps):
                 self._stamp(pen, x0 + dx * step / steps, y0 + dy * step / steps)
         self._stamp(pen, x1, y1)

@@ -145,7 +145,7 @@ def _flows(simulated: Observation, real: Observation, late_s: float) -> Iterator
 
 
 def _values(kind: str, name: str, here: Flow, there: Flow, late_s: float) -> Iterator[Difference]:
-    """Return whether every real value also occurred in simulation, and the real run had all values of the simulation.
+    """Yield the fields with a real value that did not occur in simulation, or without a value that occurred in simulation.
 
     Only values since the first real subscription count.
     """

@@ -24,25 +24,25 @@ class Row(NamedTuple):
     :ivar words: as for `edulaunch compare`.
     :ivar found: differences that are not known.
     :ivar known: the rows that explain the other differences.
-    :ivar trouble: the reason why there is no result.
+    :ivar problem: the reason why there is no result.
     """
 
     words: tuple[str, ...]
     found: tuple[Difference, ...] = ()
     known: tuple[Known, ...] = ()
-    trouble: str = ''
+    problem: str = ''
 
     @property
     def verdict(self) -> str:
         """Return the result in a word or two."""
-        if self.trouble:
+        if self.problem:
             return 'not compared'
         return 'differs' if self.found else 'known' if self.known else 'equal'
 
     @property
     def is_well(self) -> bool:
         """Return whether there is no unknown difference."""
-        return not self.trouble and not self.found
+        return not self.problem and not self.found
 
 
 def launch_files(folder: str) -> Iterator[str]:
@@ -99,19 +99,19 @@ def _row(
             output, complaint = child.communicate(timeout=seconds + LONGEST_S)
         except subprocess.TimeoutExpired:
             child.kill()  # this also ends the programs that it has started
-            return Row(words, trouble=f'it took more than {seconds + LONGEST_S:g} s')
+            return Row(words, problem=f'it took more than {seconds + LONGEST_S:g} s')
         finally:
             running.remove(child)
     if child.returncode not in (0, 1) or not output:
         lines = [line for line in complaint.splitlines() if line.strip()] or ['no result']
-        return Row(words, trouble=next((line for line in lines if 'error: ' in line), lines[-1]))
+        return Row(words, problem=next((line for line in lines if 'error: ' in line), lines[-1]))
     rows = json.loads(output)
     return Row(words, tuple(Difference(**each) for each in rows['differences']), tuple(Known(**each) for each in rows['known']))
 
 
 def gone(known: Sequence[Known], rows: Sequence[Row]) -> list[Known]:
     """Return known differences of these launch files that did not occur, except differences that depend on chance."""
-    compared = [row for row in rows if not row.trouble]
+    compared = [row for row in rows if not row.problem]
     return [
         each
         for each in known

@@ -141,7 +141,7 @@ def table(rows: Sequence[Row]) -> str:
     lines: list[tuple[str, ...]] = []
     for row in rows:
         name = ' '.join(row.words)
-        lines += [(name, row.trouble, '', '', '')] if row.trouble else []
+        lines += [(name, row.problem, '', '', '')] if row.problem else []
         lines += [(name, *each[:4]) for each in row.found]
         lines += [(name, 'known', each.why, '', '') for each in row.known]
     verdicts = [row.verdict for row in rows]
@@ -159,7 +159,7 @@ def _print_rows_as_json(rows: Sequence[Row]) -> None:
             'verdict': row.verdict,
             'differences': [each._asdict() for each in row.found],
             'known': [each.why for each in row.known],
-            'trouble': row.trouble,
+            'trouble': row.problem,
         }
         for row in rows
     ]

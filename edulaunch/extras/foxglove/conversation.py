@@ -101,11 +101,11 @@ class Conversation:
         data = self._data()  # read before `_look`, which may remove topics
         self._look()
         self._tell_changes()
-        received, self._waiting, self._waiting_bytes = self._waiting, [], 0
+        replies, self._waiting, self._waiting_bytes = self._waiting, [], 0
         now_ns = self._feed.now_ns()
         clock = [server_messages.time(now_ns)] if now_ns != self._time_ns and 'time' in self._feed.capabilities else []
         self._time_ns = now_ns
-        return [*received, *clock, *data, *messages]  # the state "ended" comes after the last message
+        return [*replies, *clock, *data, *messages]  # the state "ended" comes after the last message
 
     def _renew(self) -> None:
         if self._feed.session() != self._session:

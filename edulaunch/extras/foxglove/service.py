@@ -38,8 +38,8 @@ class Client:
             return
         for mark, data in self._frames.feed(payload):
             if mark == TURN:
-                received = b''.join(map(packed, self._conversation.turn()))
-                self._connection.send(wire.OUTPUT, received + END)
+                messages = b''.join(map(packed, self._conversation.turn()))
+                self._connection.send(wire.OUTPUT, messages + END)
             elif mark in (TEXT, BYTES):
                 self._conversation.take(data.decode() if mark == TEXT else data)
 

@@ -44,7 +44,7 @@ def install(faces: str) -> None:
 
 
 def _messages() -> None:
-    """Return wire tuples instead of messages, to avoid creating messages."""
+    """Let publishers accept and subscriptions return wire tuples, which avoids creating messages."""
     from rclpy.context import Context
     from rclpy.publisher import Publisher
     from rclpy.subscription import Subscription

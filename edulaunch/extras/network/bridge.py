@@ -64,7 +64,7 @@ class Bridge:
         self.diagnostics = LinkDiagnostics(tell, self.note)
         registry = session.host.overlay(session.index).registry
         self.mirror = Mirror(self.graph, registry, crossing, self._ask, self.diagnostics.add)
-        self.sent = self.heard = 0
+        self.sent = self.received = 0
         self._is_changed = True
         self._is_open = False
         self._nodes: dict[NodeEntry, int] = {}
@@ -202,7 +202,7 @@ class Bridge:
     # Messages from the network
 
     def take(self) -> None:
-        """Pass on what has arrived."""
+        """Pass what the link has received to the simulation: messages, requests, responses, diagnostics, changes of the graph."""
         if not self._is_open:
             return
         for event in self.link.take():
@@ -252,8 +252,8 @@ class Bridge:
         if len(subscription.queue) == subscription.queue.maxlen:
             self.session.sim.run(self.session.sim.now_ns)  # let the program take messages before the full queue drops the oldest
         if is_new:
-            self.heard += 1
-            publisher.heard(wire)
+            self.received += 1
+            publisher.record(wire)
             if abs(event.source_ns - self.session.sim.now_ns) > CLOCKS_DIFFER_NS:
                 self._compare_clocks(publisher, event.source_ns)
         subscription.queue.append((wire, self.session.sim.now_ns, publisher, publisher.published))
@@ -280,7 +280,7 @@ class Bridge:
         if asker is not None:
             wire = self._decoded(asker.cls.Request, event.cdr, asker.service_name)
             if wire is not None:
-                self.heard += 1
+                self.received += 1
                 asker.ask(event.who, wire)
 
     def _response(self, event: Response) -> None:
@@ -289,7 +289,7 @@ class Bridge:
             wire = self._decoded(client.cls.Response, event.cdr, client.service_name)
             server = next((each for each in client.servers() if is_remote(each.node)), None)
             if wire is not None and server is not None:
-                self.heard += 1
+                self.received += 1
                 server.respond((client, event.number), wire)
 
 

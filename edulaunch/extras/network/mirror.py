@@ -35,7 +35,7 @@ from edulaunch.extras.network.remote import (
 )
 
 CLAIMED_WITHIN_NS = 10**9
-"""After this time, an endpoint that no node has claimed is shown without a node: most nodes announce theirs a little later."""
+"""After this time, an endpoint that no node has claimed is listed without a node. Most nodes announce theirs a little later."""
 
 
 class Mirror:

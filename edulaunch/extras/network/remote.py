@@ -45,7 +45,7 @@ class NullQueue:
         self.last = item
 
     def clear(self) -> None:
-        """Return 0: the queue is always empty."""
+        """Do nothing: the queue is always empty."""
 
     def extend(self, items: Any) -> None:
         """Do nothing: the link itself sends old samples."""
@@ -62,7 +62,7 @@ class RemotePublisher(Publisher):
         self.published = 0
         self._channel: Callable[[Any], object] | None = None
 
-    def heard(self, wire: Any) -> None:
+    def record(self, wire: Any) -> None:
         """Record a message of it."""
         if self._channel is None:
             self._channel = self.graph.tracer.channel(self)

@@ -167,7 +167,7 @@ class Switch:
         others = f' and {simulated} simulated by other machines' if simulated else ''
         lines = [
             f'network: {self.where()}',
-            f'crossing: {self._request.crossing}; {bridge.sent} messages sent, {bridge.heard} heard',
+            f'crossing: {self._request.crossing}; {bridge.sent} messages sent, {bridge.received} heard',
             f'real nodes: {len(remote.nodes) - simulated}{others}, with {len(remote.endpoints)} endpoints',
             *(
                 f'  {node.namespace.rstrip("/")}/{node.name}{" (simulated)" if node.is_simulated else ""}'

@@ -22,9 +22,9 @@ def read_source(manifest: Manifest) -> Contents:
 
         return read_setup_script(manifest)
     if manifest.build_type not in ('ament_cmake', 'catkin', 'cmake'):
-        sentence = f'names the build type {manifest.build_type!r}, which colcon cannot build; write ament_python or ament_cmake'
+        message = f'names the build type {manifest.build_type!r}, which colcon cannot build; write ament_python or ament_cmake'
         contents = Contents()
-        contents.broken = PackageWarning(os.path.join(manifest.folder, 'package.xml'), 0, sentence)
+        contents.broken = PackageWarning(os.path.join(manifest.folder, 'package.xml'), 0, message)
         contents.warnings.append(contents.broken)
         return contents
     from edulaunch.ros.sources.cmake import read_cmake_lists

@@ -148,10 +148,10 @@ class _CMakeLists:
     def _call(self, command: Command) -> None:
         """Evaluate the body of a function or macro of the file with its arguments. A recursive call is skipped."""
         names, body = self.functions.pop(command.name)
-        given = expand(command, self.variables, lambda name: None)
-        values = {'ARGN': given[len(names) :], 'ARGV': given}
+        expanded = expand(command, self.variables, lambda name: None)
+        values = {'ARGN': expanded[len(names) :], 'ARGV': expanded}
         before = dict(self.variables)
-        self.variables.update(values, **{name: [value] for name, value in zip(names, given, strict=False)})
+        self.variables.update(values, **{name: [value] for name, value in zip(names, expanded, strict=False)})
         self._follow(body)
         self.variables = before
         self.functions[command.name] = (names, body)

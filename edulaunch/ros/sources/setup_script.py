@@ -205,7 +205,7 @@ class _SetupScript:
             self.warn(f'data_files lists {source!r}, which is {kind} (a build stops with "can\'t copy {source!r}")')
 
     def _modules(self, options: dict[str, Any]) -> None:
-        """Return the top-level import names from packages= and py_modules=."""
+        """Record the folders and files of the top-level import names in packages= and py_modules=."""
         folders = self._known(options, 'package_dir') or {}
         for name in self._known(options, 'packages') or ():
             if not isinstance(name, str) or '.' in name:
@@ -256,10 +256,10 @@ class _SetupScript:
 
     def _groups(self, options: dict[str, Any]) -> dict[Any, Any]:
         """Return the lines of entry_points= by group. The argument may be text in ini format."""
-        given = self._known(options, 'entry_points')
-        if isinstance(given, str):
-            return dict(_ini_sections(given))
-        return given if isinstance(given, dict) else {}
+        value = self._known(options, 'entry_points')
+        if isinstance(value, str):
+            return dict(_ini_sections(value))
+        return value if isinstance(value, dict) else {}
 
     def _console_scripts(self, groups: dict[Any, Any]) -> Iterator[tuple[str, str, str]]:
         """Yield (executable, module, function) of each console script; setuptools also installs one without a function."""

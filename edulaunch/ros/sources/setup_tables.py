@@ -40,13 +40,15 @@ def setup_cfg_options(folder: str, parser: ConfigParser) -> dict[str, Any]:
     def section(name: str) -> dict[str, str]:
         return dict(parser[name]) if parser.has_section(name) else {}
 
-    given = section('options')
-    options: dict[str, Any] = {name: _listed(given[name]) for name in ('packages', 'py_modules', 'scripts') if name in given}
-    folders = [line.partition('=') for line in _listed(given.get('package_dir', ''))]
+    section_options = section('options')
+    options: dict[str, Any] = {
+        name: _listed(section_options[name]) for name in ('packages', 'py_modules', 'scripts') if name in section_options
+    }
+    folders = [line.partition('=') for line in _listed(section_options.get('package_dir', ''))]
     options['package_dir'] = {name.strip(): place.strip() for name, _, place in folders}
-    if given.get('packages', '').strip() in ('find:', 'find_namespace:'):
+    if section_options.get('packages', '').strip() in ('find:', 'find_namespace:'):
         wanted = {name: _listed(text) for name, text in section('options.packages.find').items()}
-        options['packages'] = _found(folder, wanted, namespaces='find_namespace' in given['packages'])
+        options['packages'] = _found(folder, wanted, namespaces='find_namespace' in section_options['packages'])
     options['entry_points'] = {group: _listed(text) for group, text in section('options.entry_points').items()}
     options['data_files'] = _pairs(folder, {name: _listed(text) for name, text in section('options.data_files').items()})
     return {name: value for name, value in options.items() if value}
@@ -82,10 +84,10 @@ def pyproject_options(folder: str, warn: Warn) -> dict[str, Any]:
     return {name: value for name, value in options.items() if value}
 
 
-def _toml_packages(folder: str, given: Any) -> Any:
-    if not isinstance(given, dict):
-        return given
-    wanted = given.get('find', {})
+def _toml_packages(folder: str, value: Any) -> Any:
+    if not isinstance(value, dict):
+        return value
+    wanted = value.get('find', {})
     return _found(folder, wanted, namespaces=wanted.get('namespaces', True))
 
 

@@ -202,7 +202,7 @@ class _Listing:
         return found if os.path.isabs(pattern) else [os.path.relpath(path, self._folder) for path in found]
 
     def walk(self, top: str) -> list[tuple[str, list[str], list[str]]]:
-        """Yield folders as os.walk does."""
+        """Return folders as os.walk yields them, sorted."""
         start = self.local(top)
         found = sorted((path, sorted(folders), sorted(files)) for path, folders, files in os.walk(start))
         return [

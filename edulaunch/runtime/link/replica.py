@@ -54,7 +54,7 @@ class RemoteQueue:
         """Append nothing, because the other peer already has old samples."""
 
     def clear(self) -> None:
-        """Return 0: the queue is always empty."""
+        """Do nothing: the queue is always empty."""
 
     def __bool__(self) -> bool:
         return False

@@ -36,7 +36,7 @@ class SimulatedShell:
 
 
 def _outside_quotes(line: str) -> str:
-    """Yield the characters of a shell line outside quotation marks."""
+    """Return the characters of a shell line outside quotation marks."""
     kept, quote = [], ''
     for character in line:
         if quote:

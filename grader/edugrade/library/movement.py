@@ -117,9 +117,9 @@ def progress_towards(leader: Track, follower: Track) -> float:
     joined = pairs(leader, follower)
     for (goal, here), (_, there) in zip(joined, joined[1:], strict=False):
         x, y = goal[1] - here[1], goal[2] - here[2]
-        far = hypot(x, y)
-        if far > 0.0:
-            total += ((there[1] - here[1]) * x + (there[2] - here[2]) * y) / far
+        distance = hypot(x, y)
+        if distance > 0.0:
+            total += ((there[1] - here[1]) * x + (there[2] - here[2]) * y) / distance
     return total
 
 

@@ -44,7 +44,7 @@ def counts(run: Evidence, wanted: Wanted) -> None:
 
 @kind('{executable} counts to {at_least}', 'package executable pattern topics at_least')
 def counts_up(run: Evidence, wanted: Wanted) -> None:
-    """Require that a program prints numbers up to one, never a smaller one again, and never more than messages were sent."""
+    """Require that a program prints numbers that never fall, reach `at_least`, and never exceed the number of messages sent."""
     for one in wanted.of_each(run):
         times = sorted(time_s for topic in _topics(one) for time_s in _message_times(one, topic))
         newest, program = 0.0, wanted['executable']

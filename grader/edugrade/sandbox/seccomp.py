@@ -36,7 +36,7 @@ close-on-exec.
 """
 COMMANDS = (*range(5), 6, 7, 37, 38, 1030, 1032, 1033, 1034)
 """The allowed commands of fcntl: copies of a descriptor, its flags, locks and seals. Owners of signals, leases, notifications
-and sizes of pipes are refused. F_GETLK, which reports the owner of a lock, is refused too: with read locks on files that all
+and sizes of pipes are refused. F_GETLK, which reports the owner of a lock, is refused, too. With read locks on files that all
 runs may read, runs could send each other messages. A read lock alone has no effect there, because a run can write-lock only its
 own files and, where root grades, its own devices. `flock` is refused altogether.
 """

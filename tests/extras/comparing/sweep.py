@@ -35,8 +35,8 @@ def items_of(group: str, folder: Path) -> places.Items:
 
 def both(first: Row, second: Row) -> Row:
     """What differed each time: chance does not come twice in the same way."""
-    if first.trouble or second.trouble:
-        return first if second.trouble else second
+    if first.problem or second.problem:
+        return first if second.problem else second
     return second._replace(found=tuple(each for each in second.found if each in first.found))
 
 
@@ -59,7 +59,7 @@ def main() -> int:
         def tell(row: Row) -> None:
             done.append(row)
             print(f'{len(done)} ({len(items)}) {row.verdict}: {" ".join(row.words)}', file=sys.stderr)
-            for each in (*row.found, *filter(None, [row.trouble])):
+            for each in (*row.found, *filter(None, [row.problem])):
                 print(f'    {each}', file=sys.stderr)
             sys.stderr.flush()
 

@@ -35,7 +35,7 @@ def test_what_is_known_and_does_not_occur_is_told_unless_it_is_chance(tmp_path: 
     words = 'd/a.launch.py', 'n:=1'
     assert gone(known, [Row(words)]) == [known[0]]
     assert gone(known, [Row(words, (), (known[0],))]) == []
-    assert gone(known, [Row(words, trouble='took too long')]) == []
+    assert gone(known, [Row(words, problem='took too long')]) == []
     assert gone(known, [Row(('d/b.launch.py',))]) == []
 
 

@@ -41,8 +41,8 @@ def test_a_comparison_that_cannot_be_made_says_why(tmp_path: Path, monkeypatch: 
     rows = sweep([('turtlesim', 'multisim.launch.py'), ('x.launch.py', '--for', 'ever')], 1.0, 2, progress=told.append)
     assert [row.words[0] for row in rows] == ['turtlesim', 'x.launch.py']
     assert sorted(told) == sorted(rows)
-    assert rows[0].trouble == 'error: the real rclpy is not installed.'
-    assert 'ever' in rows[1].trouble
+    assert rows[0].problem == 'error: the real rclpy is not installed.'
+    assert 'ever' in rows[1].problem
     assert {row.verdict for row in rows} == {'not compared'}
     assert not any(row.is_well for row in rows)
 
@@ -53,7 +53,7 @@ def test_the_table_names_all_that_is_not_equal() -> None:
         Row(('a.launch.py',)),
         Row(('b.launch.py', 'n:=1'), (Difference('node', '/n', 'there', 'missing'),)),
         Row(('c.launch.py',), (), (known,)),
-        Row(('d.launch.py',), trouble='it took more than 100 s'),
+        Row(('d.launch.py',), problem='it took more than 100 s'),
     ]
     text = table(rows)
     assert [line.split()[0] for line in text.splitlines()] == ['launch', 'b.launch.py', 'c.launch.py', 'd.launch.py', 'of']
@@ -66,7 +66,7 @@ def test_what_differs_once_is_chance_in_the_sweep_of_the_tests() -> None:
     other = Difference('node', '/talker', 'there', 'missing')
     first, second = Row(('a.launch.py',), (late, lost)), Row(('a.launch.py',), (lost, other))
     assert both(first, second).found == (lost,) and both(second, Row(('a.launch.py',))).is_well
-    stuck = Row(('a.launch.py',), trouble='not in time')
+    stuck = Row(('a.launch.py',), problem='not in time')
     assert both(stuck, first) == first == both(first, stuck) and not both(stuck, stuck).is_well
 
 

@@ -32,7 +32,7 @@ def test_a_message_crosses_once_and_is_recorded_on_both_sides(place: Any) -> Non
     assert there.heard == [('hello',)]
     for each in (here, there):
         assert each.session.recorder.columns['/chatter', STRING][2::3] == [('hello',)]
-    assert (here.bridge.sent, there.bridge.heard) == (1, 1)
+    assert (here.bridge.sent, there.bridge.received) == (1, 1)
 
 
 def test_nothing_is_sent_while_nobody_out_there_listens(place: Any) -> None:

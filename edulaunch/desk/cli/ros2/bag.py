@@ -58,7 +58,7 @@ def require_rosbags() -> None:
 
 @contextmanager
 def opened(path: str) -> Iterator[Any]:
-    """Return a reader of the bag at `path`.
+    """Open the bag at `path`, and provide its reader inside a `with` statement.
 
     :raises RuntimeError: when there is no bag, or it cannot be read.
     """

@@ -78,8 +78,9 @@ PRIVATE_COPIES = {
         'traceback',
     )
 }
-"""Standard packages that every program executes for itself, so that they use its views of arguments, time, threads and streams:
-a function that returns the file of each, and whether it is a package."""
+"""Standard packages that every program executes for itself, so that they use its views of arguments, time, threads and streams.
+Each has a function that returns the file of a module, and whether the module is a package.
+"""
 
 
 def make_view(name: str, process: object) -> ModuleType | None:

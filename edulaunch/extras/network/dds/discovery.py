@@ -103,7 +103,7 @@ class Discovery:
         else:
             self._machines.discard(key)
             self._gone.append(key)
-            for gid in [gid for gid, whose in self._participant_of.items() if whose == key]:
+            for gid in [gid for gid, participant in self._participant_of.items() if participant == key]:
                 self._forget(gid)
             self._claim(key, {})
 

@@ -19,7 +19,7 @@ def is_left_out(path: str) -> bool:
 
 
 def absent_file(path: str) -> dict[str, Any]:
-    """Return the facts about a missing file that would belong to such a package."""
+    """Return the facts about a missing file; empty if it would not belong to a well-known package that is missing."""
     share = _share()
     package = path[len(share) :].partition(os.sep)[0] if path.startswith(share) else ''
     kind = absent_package(package)

@@ -20,8 +20,8 @@ class LaunchDescriptionEntity(StableRepr):
     """An action, a launch description, or anything else with a `visit`."""
 
     _search_role: ClassVar[str] = ''
-    """How the static search for launch arguments handles the entity: '' searches its content; others are 'argument', 'include'
-    and 'reset'.
+    """How the static search for launch arguments handles the entity: 'argument', 'include', 'reset', or '' to search its
+    content.
     """
 
     def describe(self) -> str:

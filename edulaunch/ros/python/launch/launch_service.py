@@ -194,7 +194,7 @@ class LaunchService:
             self.__loop = self.__task = None
             self.__pending.clear()
 
-    # -- inside
+    # The main loop and its tasks
 
     async def __main_loop(self, shutdown_when_idle: bool) -> None:
         from asyncio import sleep

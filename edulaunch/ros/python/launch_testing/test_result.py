@@ -142,7 +142,7 @@ def _without_unittest(trace: TracebackType | None) -> TracebackType | None:
         if '__unittest' not in trace.tb_frame.f_globals:
             levels.append(trace)
         trace = trace.tb_next
-    kept = None
+    shortened = None
     for level in reversed(levels):
-        kept = TracebackType(kept, level.tb_frame, level.tb_lasti, level.tb_lineno)
-    return kept
+        shortened = TracebackType(shortened, level.tb_frame, level.tb_lasti, level.tb_lineno)
+    return shortened

@@ -16,7 +16,7 @@ from launch.utilities._yaml_values import YAML_BOOLEANS
 from launch.utilities.yaml_reader import Mapping
 
 MAX_DEPTH = 40
-"""The maximum depth of nested values. libyaml reads deeper texts."""
+"""The maximum depth of nested values. libyaml reads files with deeper ones."""
 
 _CHARACTERS = re.compile(r'[ -~\n]*')
 _SPECIAL = frozenset(('true', 'false', 'yes', 'no', 'on', 'off', 'y', 'n', 'null'))
@@ -33,7 +33,9 @@ _FLOW = re.compile(rf'\{{({_PAIR}(?:, {_PAIR})*)\}}')
 _FLOW_PAIR = re.compile(rf'({_KEY}): ("[^"\\]*"|\'[^\']*\'|[^,]+)')
 
 _Row = tuple[int, str | None, str, int]
-"""The column; the key, None for the dash of a list, '' for a value alone; the value's text or ''; the line."""
+"""A row has the column, the key, the value's text and the line. The dash of a list has the key None, and a value alone has the
+key ''. The text may be ''.
+"""
 
 
 class NotPlain(Exception):

@@ -148,9 +148,9 @@ class CppNode(Node):
         descriptor = descriptor or ParameterDescriptor()
         if override is not None and value is not None and not descriptor.dynamic_typing:
             declared = Parameter.Type.from_parameter_value(value)
-            given = Parameter.Type.from_parameter_value(override.value)
-            if given != declared:
-                raise InvalidParameterType(f"parameter '{name}' has invalid type: {type_refusal(name, declared, given)}")
+            kind = Parameter.Type.from_parameter_value(override.value)
+            if kind != declared:
+                raise InvalidParameterType(f"parameter '{name}' has invalid type: {type_refusal(name, declared, kind)}")
             refusal = range_refusal(name, override.value, descriptor)
             if refusal:
                 raise InvalidParameterValue(f"parameter '{name}' could not be set: {refusal}")
@@ -177,8 +177,8 @@ class CppNode(Node):
             return f"parameter '{name}' cannot be set because it is read-only"
         declared = self.get_parameter(name).type_
         if parameter.type_ is Parameter.Type.NOT_SET:
-            kept = declared is not Parameter.Type.NOT_SET and not descriptor.dynamic_typing
-            return 'cannot undeclare a statically typed parameter' if kept else None
+            is_static = declared is not Parameter.Type.NOT_SET and not descriptor.dynamic_typing
+            return 'cannot undeclare a statically typed parameter' if is_static else None
         free = descriptor.dynamic_typing or declared is Parameter.Type.NOT_SET
         if not free and parameter.type_ != declared:
             return type_refusal(name, declared, parameter.type_)

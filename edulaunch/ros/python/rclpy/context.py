@@ -176,13 +176,13 @@ _REFUSED = 'Failed to parse ROS arguments: '
 
 def parse_or_raise(arguments: Iterable[str]) -> RosArguments:
     """Parse command-line arguments. Raise the C layer's errors for invalid ones."""
-    given = list(arguments)
-    if not all(isinstance(argument, str) for argument in given):
+    argument_list = list(arguments)
+    if not all(isinstance(argument, str) for argument in argument_list):
         raise TypeError('bad argument type for built-in operation')
-    for argument in given:
+    for argument in argument_list:
         argument.encode()  # like the C layer, this raises a UnicodeEncodeError for half a character (a surrogate)
     try:
-        parsed = parse_ros_arguments(given, current_process().host.parameter_entries)
+        parsed = parse_ros_arguments(argument_list, current_process().host.parameter_entries)
     except RosArgumentsError as error:
         raise with_facts_of(RCLInvalidROSArgsError(_REFUSED + error.message), error) from None
     for rule in parsed.deprecated:

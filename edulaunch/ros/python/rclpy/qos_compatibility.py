@@ -45,8 +45,8 @@ class QoSCompatibility(CEnum):
     ERROR = 2
 
 
-# For each policy: its name in messages about both sides (with ROS 2's own spelling), the strictest value of a subscription, the
-# most lenient value of a publisher, and the messages for the case that only one side sets the policy.
+# For each policy: its name in messages about both sides (with ROS 2's own spelling). Then follow the strictest value of a
+# subscription and the most lenient value of a publisher. The messages are for the case that only one side sets the policy.
 _OPEN_POLICIES = (
     (
         'reliability',

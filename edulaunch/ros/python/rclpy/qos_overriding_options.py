@@ -65,14 +65,14 @@ def declare_qos_parameters(node: Any, side: str, topic_name: str, qos: QoSProfil
     from rcl_interfaces.msg import ParameterDescriptor
 
     suffix = f'_{options.entity_id}' if options.entity_id else ''
-    whose = f'{side} `{topic_name}` with id `{options.entity_id}`'
+    endpoint = f'{side} `{topic_name}` with id `{options.entity_id}`'
     profile = QoSProfile(**{slot[1:]: getattr(qos, slot) for slot in QoSProfile.__slots__})
     for kind in options.policy_kinds:
         if side == 'subscription' and kind is QoSPolicyKind.LIFESPAN:
             continue  # only publishers have this policy in DDS
         policy = kind.name.lower()
         name = f'qos_overrides.{topic_name}.{side}{suffix}.{policy}'
-        descriptor = ParameterDescriptor(description=f'{policy} for {whose}', read_only=True)
+        descriptor = ParameterDescriptor(description=f'{policy} for {endpoint}', read_only=True)
         if node.has_parameter(name):
             parameter = node.get_parameter(name)
         else:
@@ -81,7 +81,7 @@ def declare_qos_parameters(node: Any, side: str, topic_name: str, qos: QoSProfil
     if options.callback is not None:
         result = options.callback(profile)
         if not result.successful:
-            raise InvalidQosOverridesError(f'Provided QoS overrides for {whose}, are not valid: {result.reason}')
+            raise InvalidQosOverridesError(f'Provided QoS overrides for {endpoint}, are not valid: {result.reason}')
     return profile
 
 

@@ -216,8 +216,8 @@ class Arcball(_matrices.Arcball):  # type: ignore[misc]
 
     def setaxes(self, *axes: Sequence[float] | None) -> None:
         """Set the axes to which a rotation may be limited, or None for no axes."""
-        given: list[Sequence[float] | None] = [axis for axis in axes if axis is not None]
-        super().setaxes(*given or [None])
+        present: list[Sequence[float] | None] = [axis for axis in axes if axis is not None]
+        super().setaxes(*present or [None])
 
     def setconstrain(self, constrain: bool) -> None:
         """Limit rotations to the nearest of the axes, or stop doing so."""

@@ -34,8 +34,12 @@ class AppendEnvironmentVariable(Action):
         self.__name = normalize_to_list_of_substitutions(name)
         self.__value = normalize_to_list_of_substitutions(value)
         as_text = isinstance(prepend, str) or is_substitution(prepend)
-        given: Any = prepend
-        self.__prepend: Any = normalize_to_list_of_substitutions(given) if as_text else normalize_typed_substitution(given, bool)
+        value_of_prepend: Any = prepend
+        self.__prepend: Any = (
+            normalize_to_list_of_substitutions(value_of_prepend)
+            if as_text
+            else normalize_typed_substitution(value_of_prepend, bool)
+        )
         self.__separator = normalize_to_list_of_substitutions(separator)
 
     name: ReadOnly[list[Substitution]] = ReadOnly('The name, as substitutions.')

@@ -65,8 +65,8 @@ class DeclareLaunchArgument(Action):
                 raise RuntimeError(f'Required launch argument "{self.__name}" was not provided.')
             values[self.__name] = perform_substitutions(context, self.__default_value)
         if self.__choices is not None and values[self.__name] not in self.__choices:
-            given = f'Argument "{self.__name}" provided value "{values[self.__name]}"'
-            _refuse(f'{given} is not valid. Valid options are: {self.__choices}')
+            message = f'Argument "{self.__name}" provided value "{values[self.__name]}"'
+            _refuse(f'{message} is not valid. Valid options are: {self.__choices}')
 
 
 def _log_error(message: str) -> None:

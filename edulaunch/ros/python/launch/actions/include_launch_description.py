@@ -110,19 +110,19 @@ class IncludeLaunchDescription(Action):
         return [*sets, description]
 
     def __check_required_arguments(self, description: LaunchDescription, context: LaunchContext) -> None:
-        given = self.__argument_names(context)
+        names = self.__argument_names(context)
         declared = description.get_launch_arguments_with_include_launch_description_actions()
-        origin = self.origin if given else None
+        origin = self.origin if names else None
         if origin is not None and is_students(origin.file):
-            note_undeclared(given, [argument.name for argument, _ in declared], self.__source.location, origin)
+            note_undeclared(names, [argument.name for argument, _ in declared], self.__source.location, origin)
         for argument, includes in declared:
             note_declared(argument)
             if argument._conditionally_included or argument.default_value is not None:
                 continue
             for include in includes or ():
-                given.extend(include._try_get_arguments_names_without_context())
-            if argument.name not in given:
+                names.extend(include._try_get_arguments_names_without_context())
+            if argument.name not in names:
                 raise RuntimeError(
                     f"Included launch description missing required argument '{argument.name}' "
-                    f"(description: '{argument.description}'), given: [{', '.join(given)}]"
+                    f"(description: '{argument.description}'), given: [{', '.join(names)}]"
                 )

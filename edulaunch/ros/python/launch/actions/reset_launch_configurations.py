@@ -35,11 +35,11 @@ class ResetLaunchConfigurations(Action):
 
     def execute(self, context: LaunchContext) -> None:
         """Delete all launch configurations, and then set the given ones."""
-        kept = {
+        evaluated = {
             perform_substitutions(context, normalize_to_list_of_substitutions(name)): perform_substitutions(
                 context, normalize_to_list_of_substitutions(value)
             )
             for name, value in self.__launch_configurations.items()
         }
         context.launch_configurations.clear()
-        context.launch_configurations.update(kept)
+        context.launch_configurations.update(evaluated)

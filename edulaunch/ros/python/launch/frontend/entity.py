@@ -102,8 +102,8 @@ class Entity(ABC):
     def _missing(self, error: AttributeError, name: str) -> AttributeError:
         """Return the error for a required name, with the names that the element has."""
         kind, _, wanted = name.rpartition(' ')
-        given = [str(one) for one in self._names if one not in self.asked]
-        return places.at(error, self, 'launch.missing-attribute', needed=wanted.strip("'"), given_names=given)
+        present = [str(one) for one in self._names if one not in self.asked]
+        return places.at(error, self, 'launch.missing-attribute', needed=wanted.strip("'"), given_names=present)
 
     @property
     def _known(self) -> Collection[str]:

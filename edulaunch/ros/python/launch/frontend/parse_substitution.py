@@ -61,7 +61,7 @@ class _Reader:
         self.quote = ''
 
     def pieces(self, literal: re.Pattern[str]) -> Template:
-        """Yield calls, escapes and runs of `literal`, up to the first other character."""
+        """Return calls, escapes and runs of `literal`, up to the first other character."""
         text = self.text
         pieces: list[str | Call] = []
         run: list[str] = []

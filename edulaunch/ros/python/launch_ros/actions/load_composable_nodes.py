@@ -166,9 +166,9 @@ def get_composable_node_load_request(
 
 
 def _namespace(description: ComposableNode, context: LaunchContext) -> str:
-    given = None if description.node_namespace is None else perform_substitutions(context, description.node_namespace)
+    namespace = None if description.node_namespace is None else perform_substitutions(context, description.node_namespace)
     base = context.launch_configurations.get('ros_namespace')
-    return make_namespace_absolute(prefix_namespace(base, given)) or ''
+    return make_namespace_absolute(prefix_namespace(base, namespace)) or ''
 
 
 def _remap_rules(description: ComposableNode, context: LaunchContext) -> list[str]:

@@ -42,8 +42,8 @@ class ExecutableInPackage(FindPackagePrefix):
 
     def perform(self, context: LaunchContext) -> str:
         """Return the path. The file of an entry point or a C++ program need not exist, because the index contains both."""
-        given = self.__executable
-        executable = given if isinstance(given, str) else perform_substitutions(context, given)
+        unevaluated = self.__executable
+        executable = unevaluated if isinstance(unevaluated, str) else perform_substitutions(context, unevaluated)
         package = self._package_name(context)
         found: dict[tuple[str, str], str] = state_of(context).setdefault('launch_ros.executables', {})
         path = found.get((package, executable))

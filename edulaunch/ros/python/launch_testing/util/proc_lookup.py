@@ -78,11 +78,11 @@ def resolveProcesses(
 
 def _has_arguments(action: ExecuteLocal, wanted: CmdArgs) -> bool:
     assert action.process_details is not None
-    given = list(action.process_details['cmd'])[1:]
+    arguments = list(action.process_details['cmd'])[1:]
     if wanted is None:
         return True
     if isinstance(wanted, _NoCmdArgs):
-        return not given
+        return not arguments
     if isinstance(wanted, str):
-        return wanted in given
-    return all(argument in given for argument in wanted)
+        return wanted in arguments
+    return all(argument in arguments for argument in wanted)

@@ -290,9 +290,9 @@ class ActionServer(Waitable):
         text, place = student_traceback(error)
         current_process().write('stderr', text)
         at = {} if place is None else {'file': place.file, 'line': place.line}
-        reason = f'{type(error).__name__}: {error}'
+        message = f'{type(error).__name__}: {error}'
         core = core_of(self._node)
-        current_process().fact('goal failed', (core.entry.index, self._name), {'node': core.full_name, 'said': reason, **at})
+        current_process().fact('goal failed', (core.entry.index, self._name), {'node': core.full_name, 'said': message, **at})
 
     def goal_changed(self) -> None:
         """Publish the states of all goals."""

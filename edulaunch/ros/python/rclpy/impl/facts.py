@@ -184,8 +184,8 @@ def _passed_over(core: NodeCore) -> Facts:
     """Yield the parameter files whose keys all name other nodes."""
     keys: dict[str, dict[str, str]] = {}
     for parsed in core.arguments:
-        for pattern, given in parsed.parameters.items():
-            for override in given.values():
+        for pattern, overrides in parsed.parameters.items():
+            for override in overrides.values():
                 file, separator, line = override.origin.rpartition(' line ')
                 if separator:
                     keys.setdefault(file, {}).setdefault(pattern, line)

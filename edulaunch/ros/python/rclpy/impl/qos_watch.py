@@ -79,10 +79,10 @@ def watch_deadline(endpoint: Any, missed: Callable[[], object]) -> None:
     if endpoint.kind == 'publisher':
         endpoint.on_publish.append(countdown.seen)
         return
-    notify = endpoint.on_ready
+    previous = endpoint.on_ready
 
     def on_ready() -> None:
-        notify()
+        previous()
         countdown.seen()
 
     endpoint.on_ready = on_ready

@@ -71,7 +71,7 @@ class NodeCore:
         self.destroyed = False
         self.was_spun = False
         self.declared: set[str] = set()  # every parameter that was ever declared
-        self.takes_any_type = False  # whether a topic may have two types; only stand-ins for several robots need this
+        self.takes_any_type = False  # whether a topic may have two types, which only the replacements of some simulators need
         self.publishers: list[Any] = []
         self.subscriptions: list[Any] = []
         self.clients: list[Any] = []
