@@ -60,6 +60,8 @@ class RecordingSource:
     def __init__(self, recording: Recording) -> None:
         from edulaunch.engine.recording.canonical import canonical
 
+        for topic in recording.topics:
+            recording._columns(topic)  # refuses messages of a damaged file that do not fit their type
         self._content = canonical(recording._content)
         self._lines = recording.lines
         self._class = recording._class
