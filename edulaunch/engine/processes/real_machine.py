@@ -34,9 +34,7 @@ SOCKETS = tuple(f'socket.{name}' for name in ('bind', 'connect', 'getaddrinfo', 
 FILES = frozenset({'open', 'os.listdir', 'os.scandir'})
 PROGRAMS = frozenset({'subprocess.Popen', 'os.system', 'os.posix_spawn', 'os.fork', 'os.exec'})
 VIEWS = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'views', '')
-IDENTITY = 'builtins.id'
-"""The number of an object, which differs in each run."""
-EVENTS = frozenset({*SOCKETS, *FILES, *PROGRAMS, IDENTITY})
+EVENTS = frozenset({*SOCKETS, *FILES, *PROGRAMS, 'builtins.id'})
 _listening = False
 
 
@@ -117,9 +115,7 @@ def _hear(event: str, arguments: tuple[Any, ...]) -> None:
     if task is None or isinstance(task, AmbientTask) or getattr(task.owner, 'tracer', None) is None:
         return
     library = _library_between('' if event in PROGRAMS else VIEWS)  # the view of `subprocess` records real programs itself
-    if event == IDENTITY:
-        what, library = 'id()', None if library else library  # what a library does with the numbers seldom matters
-    if library is not None:
+    if library is not None and not (library and event == 'builtins.id'):  # such numbers inside a library seldom matter
         note_use(task.owner, f'{what} ({library})' if library else what)
 
 

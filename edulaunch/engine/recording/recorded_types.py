@@ -45,17 +45,12 @@ class RecordedTypes(TextRegistry):
             return message
 
         named = {'__module__': module_of(spec.type), 'TYPE': spec.type, '_SPEC': spec, 'from_wire': staticmethod(from_wire)}
-        named['LAYOUT'] = layout_of(spec, self._message_spec)
+        named['LAYOUT'] = layout_of(spec, self.spec)  # type: ignore[arg-type]  # the checks have refused all others
         named['_FIELDS'] = {field.name: field.type.ros_text for field in spec.fields}
         made = _kind(spec.type.rpartition('/')[2], (RecordedMessage,), named)
         for constant in spec.constants:
             setattr(made, constant.name, constant.value)
         return made  # type: ignore[no-any-return]
-
-    def _message_spec(self, type_name: str) -> MessageSpec:
-        spec = self.spec(type_name)
-        assert isinstance(spec, MessageSpec)  # the checks have refused all others
-        return spec
 
     def _reader(self, field: Field) -> Read:
         """Return a function that reads the values of a field from a wire tuple, in the form for a reader of the field."""

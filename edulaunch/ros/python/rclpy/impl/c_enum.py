@@ -25,12 +25,12 @@ class _Pybind11Type(EnumMeta):
     def __contains__(cls, value: object) -> NoReturn:
         raise TypeError("argument of type 'pybind11_type' is not iterable")
 
-    def __getitem__(cls, name: str) -> NoReturn:  # type: ignore[override]
+    def __getitem__(cls, name: str) -> NoReturn:
         raise TypeError(f"type 'rclpy._rclpy_pybind11.{cls.__name__}' is not subscriptable")
 
 
 class Pybind11Enum(Enum, metaclass=_Pybind11Type):
-    """Members that are no integers, but can be converted to one."""
+    """Members that can be converted to an integer."""
 
     def __int__(self) -> int:
         return int(self.value)
