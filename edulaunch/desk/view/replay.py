@@ -60,9 +60,11 @@ class RecordingSource:
     def __init__(self, recording: Recording) -> None:
         from edulaunch.engine.recording.canonical import canonical
 
+        for topic in recording.topics:
+            recording.wires(topic, recording.topics[topic].type)  # refuses messages of a damaged file that do not fit their type
         self._content = canonical(recording._content)
         self._lines = recording.lines
-        self._class = recording._class
+        self._class = recording.message_class
         self._topics = {(column['topic'], column['type']): column for column in self._content['topics']}
 
     def topics(self) -> list[tuple[str, str]]:

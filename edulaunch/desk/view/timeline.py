@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
 
 SUBJECTS = ('node', 'topic', 'frame')
-NUMBERS = {'bool', 'byte', 'char', 'int8', 'uint8', 'int16', 'uint16', 'int32', 'uint32', 'int64', 'uint64'}
+NUMBERS = {'bool', 'char', 'int8', 'uint8', 'int16', 'uint16', 'int32', 'uint32', 'int64', 'uint64'}
 FLOATS = {'float32', 'float64'}
 TEXT_TYPE = 'std_msgs/msg/String'
 SCAN_TYPE = 'sensor_msgs/msg/LaserScan'

@@ -191,7 +191,8 @@ class Registry:
         from edulaunch.engine.interfaces.parser import parse
         from edulaunch.engine.interfaces.services import parts_of
 
-        whole = type_name if '_' not in type_name.rpartition('/')[2] else type_name[: type_name.index('_', type_name.rindex('/'))]
+        place, slash, last = type_name.rpartition('/')
+        whole = place + slash + last.partition('_')[0] if slash else type_name
         parts = parts_of(parse(self.text(whole), whole, self.path(whole)))
         if type_name not in parts:
             raise self._unknown(type_name)

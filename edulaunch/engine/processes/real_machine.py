@@ -33,7 +33,7 @@ SOCKETS = tuple(f'socket.{name}' for name in ('bind', 'connect', 'getaddrinfo', 
 FILES = frozenset({'open', 'os.listdir', 'os.scandir'})
 PROGRAMS = frozenset({'subprocess.Popen', 'os.system', 'os.posix_spawn', 'os.fork', 'os.exec'})
 VIEWS = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'module_views', '')
-EVENTS = frozenset({*SOCKETS, *FILES, *PROGRAMS})
+EVENTS = frozenset({*SOCKETS, *FILES, *PROGRAMS, 'builtins.id'})
 _listening = False
 
 
@@ -114,7 +114,7 @@ def _hear(event: str, arguments: tuple[Any, ...]) -> None:
     if task is None or isinstance(task, AmbientTask) or getattr(task.owner, 'tracer', None) is None:
         return
     library = _library_between('' if event in PROGRAMS else VIEWS)  # the view of `subprocess` records real programs itself
-    if library is not None:
+    if library is not None and not (library and event == 'builtins.id'):  # such numbers inside a library seldom matter
         note_use(task.owner, f'{what} ({library})' if library else what)
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from edulaunch.engine.interfaces.field_rule import FieldRule
 from edulaunch.engine.interfaces.generator import module_of
-from edulaunch.engine.interfaces.layout import is_byte_like, is_fixed_numbers, is_number_sequence
+from edulaunch.engine.interfaces.layout import is_byte_like, is_fixed_numbers, is_number_sequence, layout_of
 from edulaunch.engine.interfaces.message import Message
 from edulaunch.engine.interfaces.registry import Registry
 from edulaunch.engine.interfaces.spec import Field, InterfaceSpec, MessageSpec
@@ -45,6 +45,7 @@ class RecordedTypes(TextRegistry):
             return message
 
         named = {'__module__': module_of(spec.type), 'TYPE': spec.type, '_SPEC': spec, 'from_wire': staticmethod(from_wire)}
+        named['LAYOUT'] = layout_of(spec, self.spec)  # type: ignore[arg-type]  # the checks have refused all others
         named['_FIELDS'] = {field.name: field.type.ros_text for field in spec.fields}
         made = _kind(spec.type.rpartition('/')[2], (RecordedMessage,), named)
         for constant in spec.constants:

@@ -125,7 +125,7 @@ def _times() -> None:
     from rclpy.clock import Clock
     from rclpy.time import Time
 
-    _add(Clock, now_ns=lambda clock: clock.now().nanoseconds)
+    _add(Clock, rcl_now_ns=lambda clock: clock.now().nanoseconds)
     _add(Time, _nanoseconds=property(lambda each: each.nanoseconds))
 
 

@@ -117,9 +117,7 @@ def _recording(work: Work, outcome: Outcome) -> Recording:
 
 def _options(argv: Sequence[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog='edugrade decoys', description='Grade submissions that have names and no behaviour.')
-    parser.add_argument(
-        'words', nargs='*', metavar='FOLDER or NAME', help='the folder of a course, and names of its exercises'
-    )
+    parser.add_argument('words', nargs='*', metavar='FOLDER or NAME', help='the folder of a course, and names of its exercises')
     parser.add_argument('--limit', type=float, default=60.0, metavar='SECONDS', help='longest real time of each run')
     options = parser.parse_args(argv)
     folders = [word for word in options.words if os.path.isdir(word)]

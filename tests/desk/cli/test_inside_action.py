@@ -37,6 +37,12 @@ def test_ctrl_c_does_not_wait_for_a_dead_server(machine) -> None:
     assert (typed.code, typed.err) == (1, 'Failed to cancel goal\n')
 
 
+def test_an_invalid_name_is_told_in_one_line(machine) -> None:
+    assert machine.fails("ros2 action send_goal a//b turtlesim/action/RotateAbsolute '{}'") == (
+        "Failed to create action client due to invalid topic name 'a//b' : topic name must not contain repeated '/'\n"
+    )
+
+
 def test_a_wrong_type_or_field_is_named(machine) -> None:
     assert machine.fails(ROTATE.replace('RotateA', 'Rotatea')) == (
         "The passed action type is invalid\n  help: did you mean 'turtlesim/action/RotateAbsolute'?\n"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 TWIST_WITHOUT_COMMENTS = (
     'Vector3 linear\n\tfloat64 x\n\tfloat64 y\n\tfloat64 z\nVector3 angular\n\tfloat64 x\n\tfloat64 y\n\tfloat64 z\n'
 )
@@ -37,6 +39,12 @@ def test_lists(machine) -> None:
     headings = [line for line in machine.read('ros2 interface list').splitlines() if not line.startswith('    ')]
     assert headings == ['Messages:', 'Services:', 'Actions:']
     assert machine.read('ros2 interface list -a').startswith('Actions:\n    ')
+
+
+@pytest.mark.parametrize('name', ['std_msgs', '1_000', 'a_b/c_d/e_f'])
+def test_what_is_no_name_of_an_interface_is_refused_in_one_sentence(machine, name: str) -> None:
+    assert machine.fails(f'ros2 interface proto {name}').count('help: ') == 1
+    assert 'Traceback' not in machine.fails(f'ros2 interface show {name}')
 
 
 def test_proto_can_be_pasted(machine) -> None:

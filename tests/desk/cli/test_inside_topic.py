@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 TWIST = 'geometry_msgs/msg/Twist'
 SHOWN = (
     'geometry_msgs.msg.Twist(linear=geometry_msgs.msg.Vector3(x=2.0, y=0.0, z=0.0), '
@@ -132,6 +134,12 @@ def test_pub_refuses_what_does_not_fit(machine) -> None:
         "Failed to populate field: 'Twist' object has no attribute 'linar'\n  help: did you mean 'linear'?\n"
     )
     assert machine.fails(f'{pub} {TWIST} "{{linear:3}}"').endswith('help: put a space after the colon: linear: 3\n')
+
+
+@pytest.mark.parametrize('rate', ['nan', 'inf', '0'])
+def test_pub_refuses_what_is_no_rate(machine, rate: str) -> None:
+    typed = machine.run(f'ros2 topic pub -r {rate} /x std_msgs/msg/Empty')
+    assert typed.code == 2 and typed.err.endswith('argument -r/--rate: Value must be positive\n')
 
 
 def test_pub_gives_up_waiting(machine) -> None:

@@ -27,6 +27,8 @@ def notes(world: Any, text: str) -> list[str]:
     [
         ('import psutil_', []),
         ('import os\nos.getloadavg()', ['os.getloadavg']),
+        ('print(id(notes := []))', ['builtins.id']),
+        ('import copy\ncopy.deepcopy([[]])', []),
         ('import platform\nplatform.node()', ['the module platform']),
         ('for _ in "ab":\n    with open("/proc/uptime"): pass', ['/proc/uptime']),
         ('import pathlib\npathlib.Path("/proc/stat").read_text()', ['/proc/stat (pathlib)']),

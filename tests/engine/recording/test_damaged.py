@@ -15,6 +15,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from edulaunch.desk.cli.recording import lines, summarise
+from edulaunch.desk.view.replay import timeline_of
 from edulaunch.engine.recording import Recording
 from edulaunch.engine.recording.frames import frame_links
 from edulaunch.engine.recording.trajectory import moving_things
@@ -54,6 +55,7 @@ def text_of(parts: list[Any]) -> bytes:
 
 
 def ask_everything(data: bytes) -> Recording:
+    timeline_of(Recording.from_bytes(data))  # of one that nothing has read before
     recording = Recording.from_bytes(data)
     '\n'.join(lines(summarise(recording))).encode()
     recording.mismatches, recording.service_calls, recording.frames_at(1.0), frame_links(recording)
@@ -88,6 +90,18 @@ def test_an_undamaged_one_answers() -> None:
     assert (level.at.LEFT, level.more[1].z, level.words) == (1, 0.5, ['a']) and recording.service_calls[-1].response.yes
     assert repr(level.at) == 'mine.msg.Point(place=geometry_msgs.msg.Point(x=1.0, y=2.0, z=3.0), z=0.5)'
     assert level.at == level.more[0]
+    assert recording.series('/level', 'at.place.y') == [(1e-9, 2.0), (2e-9, 2.0)]
+
+
+@pytest.mark.parametrize('value', ['fast', None, []])
+def test_the_page_of_a_damaged_one_is_refused(value: Any) -> None:
+    parts = copy.deepcopy(WHOLE)
+    (part,) = (part for part in parts if '/turtle1/pose' in json.dumps(part) and 'messages' in json.dumps(part))
+    columns = part['topics'] if isinstance(part, dict) and 'topics' in part else [part]
+    column = next(column for column in columns if column.get('topic') == '/turtle1/pose')
+    column['messages'][1][0] = value
+    with pytest.raises(RecordingError, match='it has messages that are no turtlesim/msg/Pose'):
+        timeline_of(Recording.from_bytes(text_of(parts)))
 
 
 @settings(max_examples=4 * EXAMPLES, suppress_health_check=[HealthCheck.too_slow])

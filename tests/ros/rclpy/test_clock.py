@@ -203,3 +203,7 @@ def test_the_type_of_a_time_prints_as_in_ros_2_and_can_be_used_again() -> None:
 def test_a_clock_of_no_type_has_no_time() -> None:
     with pytest.raises(RCLError, match=r'^failed to get current clock value: Clock is not initialized or'):
         Clock(clock_type=ClockType.UNINITIALIZED).now()
+
+
+def test_a_change_of_the_source_prints_as_its_number() -> None:
+    assert (str(ClockChange.ROS_TIME_ACTIVATED), f'{ClockChange.SYSTEM_TIME_NO_CHANGE}') == ('2', '4')

@@ -253,3 +253,11 @@ def test_the_services_can_be_left_out(ros: Ros, world: World) -> None:
         )
     )
     assert [what for _, _, what in world.log] == [[]]
+
+
+def test_results_of_callbacks_cannot_be_listed_or_searched_as_in_ros() -> None:
+    kind: Any = TransitionCallbackReturn
+    for use in (list, len, lambda each: each['SUCCESS'], lambda each: 'SUCCESS' in each):
+        with pytest.raises(TypeError, match='pybind11'):
+            use(kind)
+    assert (int(kind.ERROR), kind(97), hash(kind.SUCCESS)) == (99, kind.SUCCESS, 97)

@@ -6,6 +6,9 @@ from typing import Any
 
 import pytest
 import rclpy
+from rclpy.action import ActionClient, ActionServer
+from rclpy.client import Client
+from rclpy.clock import Clock, JumpThreshold
 from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.publisher import Publisher
@@ -17,6 +20,11 @@ from std_msgs.msg import String
 from .conftest import Ros
 
 OURS = {
+    Clock: ['now_ns'],
+    JumpThreshold: ['reached'],
+    Client: ['asked', 'awaited', 'await_server', 'node_name', 'note_deadlock'],
+    ActionClient: ['asked', 'awaited', 'await_server', 'node_name', 'note_deadlock'],
+    ActionServer: ['goal_changed', 'now_ns', 'send_feedback'],
     Context: ['end_by_signal', 'park', 'track_node', 'untrack_node'],
     SingleThreadedExecutor: ['cannot_serve', 'forget_work', 'note_nested_spin', 'running_entity', 'spin_ready'],
     Future: ['ended', 'wake_when_done', 'source'],

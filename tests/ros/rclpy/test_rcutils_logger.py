@@ -58,7 +58,7 @@ def test_filters_let_calls_through_by_their_number_and_time() -> None:
 
 def test_a_clock_may_tell_the_time_of_a_throttle() -> None:
     class Stopped(Clock):
-        def now_ns(self) -> int:
+        def rcl_now_ns(self) -> int:
             return 3 * S
 
     assert passes({'throttle_duration_sec': 1, 'throttle_time_source_type': Stopped()}, [9 * S, 20 * S]) == [True, False]

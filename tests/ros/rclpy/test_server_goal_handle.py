@@ -103,10 +103,10 @@ class Server:
         self.now = 5
         self.log: list[str] = []
 
-    def now_ns(self) -> int:
+    def rcl_now_ns(self) -> int:
         return self.now
 
-    def goal_changed(self) -> None:
+    def rcl_goal_changed(self) -> None:
         self.log.append('changed')
 
 

@@ -11,7 +11,7 @@ from rclpy._rclpy_pybind11 import RCLError
 from rclpy.lifecycle.managed_entity import ManagedEntity, SimpleManagedEntity
 from rclpy.lifecycle.state_machine import STATES, Life, TransitionCallbackReturn, all_transitions, transition_from
 
-OK, FAILURE, ERROR = TransitionCallbackReturn
+OK, FAILURE, ERROR = TransitionCallbackReturn.__members__.values()
 GRAPH = """
 10 transition_success configuring inactive
 11 transition_failure configuring unconfigured
@@ -59,7 +59,7 @@ def test_the_graph_is_that_of_ros() -> None:
         ('deactivating', 14),
         ('errorprocessing', 15),
     ]
-    assert [(one.name, one.value, one.to_label()) for one in TransitionCallbackReturn] == [
+    assert [(one.name, one.value, one.to_label()) for one in (OK, FAILURE, ERROR)] == [
         ('SUCCESS', 97, 'transition_success'),
         ('FAILURE', 98, 'transition_failure'),
         ('ERROR', 99, 'transition_error'),

@@ -107,7 +107,10 @@ def _send(node: Node, arguments: argparse.Namespace, cls: Any, goal: Any) -> str
     import rclpy
     from rclpy.action import ActionClient
 
-    client = ActionClient(node, cls, arguments.action_name)
+    try:
+        client = ActionClient(node, cls, arguments.action_name)
+    except ValueError as error:  # an invalid name
+        return str(error)
     say('Waiting for an action server to become available...')
     client.wait_for_server()
     say(f'Sending goal:\n     {message_yaml(goal)}')

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 import re
 from typing import TYPE_CHECKING, Any
 
@@ -152,7 +153,7 @@ def _rate_hz(text: str) -> float:
         rate = float(text)
     except ValueError:
         raise argparse.ArgumentTypeError(f'{text} is not the valid type (float)') from None
-    if rate <= 0:
+    if not 0 < rate < math.inf:
         raise argparse.ArgumentTypeError(f'{text} is not in the valid range (> 0.0)')
     return rate
 

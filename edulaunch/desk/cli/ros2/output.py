@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 from collections.abc import Sequence
 from typing import TypeVar
 
@@ -43,6 +44,6 @@ def positive_int(text: str) -> int:
 
 
 def _positive(value: Number) -> Number:
-    if value <= 0:
+    if not 0 < value < math.inf:
         raise argparse.ArgumentTypeError('Value must be positive')
     return value

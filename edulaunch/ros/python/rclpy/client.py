@@ -30,20 +30,20 @@ class Asker(Entity):
 
     _waited_ns = 0
 
-    def asked(self) -> tuple[ServiceClient, str, str]:
+    def rcl_asked(self) -> tuple[ServiceClient, str, str]:
         """Return the endpoint whose server is expected, its name, and 'service' or 'action'."""
         raise NotImplementedError
 
-    def awaited(self) -> dict[str, str]:
+    def rcl_awaited(self) -> dict[str, str]:
         """Return a description of what the client waits for, to be used in a fact."""
-        _, name, kind = self.asked()
+        _, name, kind = self.rcl_asked()
         return {'name': name, 'kind': kind}
 
-    def node_name(self) -> str:
+    def rcl_node_name(self) -> str:
         """Return the full name of the client's node."""
-        return self.asked()[0].node.fully_qualified_name
+        return self.rcl_asked()[0].node.fully_qualified_name
 
-    def note_deadlock(self) -> None:
+    def rcl_note_deadlock(self) -> None:
         """Record a deadlock if the running callback waits for a response that cannot arrive during this wait."""
         executor = self.ready_list.executor
         if executor is not None and executor.rcl_cannot_serve(self):
@@ -51,7 +51,7 @@ class Asker(Entity):
 
             note_wait('call', self)
 
-    def await_server(self, context: Context, is_ready: Callable[[], bool], timeout_sec: float | None) -> None:
+    def rcl_await_server(self, context: Context, is_ready: Callable[[], bool], timeout_sec: float | None) -> None:
         """Check every 0.25 s whether a server exists, as rclpy does. Record a long wait."""
         while_looking(context, is_ready, timeout_sec, lambda: self._watch_wait(is_ready))
 
@@ -59,7 +59,7 @@ class Asker(Entity):
         from rclpy.impl.facts import LONG_NS, note_long_wait, note_server_came
 
         self._waited_ns += POLL_NS
-        endpoint, name, kind = self.asked()
+        endpoint, name, kind = self.rcl_asked()
         if is_ready():
             note_server_came(endpoint, name)
         elif self._waited_ns == LONG_NS:
@@ -123,14 +123,14 @@ class Client(ServiceEnd, Asker):
         """
         self._check_request(request)
         if timeout_sec is None:
-            self.note_deadlock()
+            self.rcl_note_deadlock()
         future = self.call_async(request)
         if not parked_until_done(future, timeout_sec):
             self.remove_pending_request(future)
             return None
         return future.result()
 
-    def asked(self) -> tuple[ServiceClient, str, str]:
+    def rcl_asked(self) -> tuple[ServiceClient, str, str]:
         """Return the client's endpoint, the name of the service, and the word 'service'."""
         return self.endpoint, self.endpoint.service_name, 'service'
 
@@ -202,7 +202,7 @@ class Client(ServiceEnd, Asker):
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:
         """Wait for a server, checking every 0.25 s as rclpy does. None waits forever. Return whether a server exists."""
         check_alive(self.endpoint)
-        self.await_server(self.context, self.endpoint.server_is_ready, timeout_sec)
+        self.rcl_await_server(self.context, self.endpoint.server_is_ready, timeout_sec)
         return self.service_is_ready()
 
     def destroy(self) -> None:

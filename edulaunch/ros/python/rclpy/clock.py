@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from enum import IntEnum
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.sim.task import current_task
@@ -12,7 +13,6 @@ from rclpy._rclpy_pybind11 import RCLError
 from rclpy.clock_type import ClockType, TypeOfTime
 from rclpy.duration import Duration
 from rclpy.exceptions import NotInitializedException
-from rclpy.impl.c_enum import CEnum
 from rclpy.impl.entity import Handle
 from rclpy.time import Time, time_of_clock
 from rclpy.utilities import get_default_context
@@ -24,13 +24,15 @@ if TYPE_CHECKING:
 __all__ = ['Clock', 'ClockChange', 'ClockType', 'Duration', 'JumpHandle', 'JumpThreshold', 'ROSClock', 'Time', 'TimeJump']
 
 
-class ClockChange(CEnum):
-    """The change of a clock's source in a time jump."""
+class ClockChange(IntEnum):
+    """The change of a clock's source in a time jump. A member prints as its number, in each Python as in that of ROS 2 Jazzy."""
 
     ROS_TIME_NO_CHANGE = 1
     ROS_TIME_ACTIVATED = 2
     ROS_TIME_DEACTIVATED = 3
     SYSTEM_TIME_NO_CHANGE = 4
+
+    __str__ = int.__repr__
 
 
 class JumpThreshold:
@@ -53,7 +55,7 @@ class JumpThreshold:
         if min_backward is not None and min_backward.nanoseconds >= 0:
             raise ValueError('min_backward must be a negative non-zero duration')
 
-    def reached(self, change: ClockChange, delta_ns: int) -> bool:
+    def _reached(self, change: ClockChange, delta_ns: int) -> bool:
         """Return whether a jump of `delta_ns` reaches the threshold."""
         if change in (ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED):
             return self.on_clock_change
@@ -155,7 +157,7 @@ class Clock:
         override = self.override_ns
         return time_of_clock(self.sim.now_ns if override is None else override, self._clock_type)
 
-    def now_ns(self) -> int:
+    def rcl_now_ns(self) -> int:
         """Return the current time in nanoseconds. This does not count as a check of the clock in a busy loop."""
         override: int | None = self.override_ns
         if override is not None:
@@ -204,10 +206,10 @@ class Clock:
             while (
                 context.alive
                 and (self.override_ns is not None) is active
-                and (self.now_ns() < until.nanoseconds or (active and not jumps))
+                and (self.rcl_now_ns() < until.nanoseconds or (active and not jumps))
             ):
                 context.rcl_park(None if active else until.nanoseconds)
-        return context.alive and self.now_ns() >= until.nanoseconds and (self.override_ns is not None) is active
+        return context.alive and self.rcl_now_ns() >= until.nanoseconds and (self.override_ns is not None) is active
 
     def sleep_for(self, rel_time: Duration, context: Context | None = None) -> bool:
         """Wait for a duration; see :meth:`sleep_until`."""
@@ -243,10 +245,10 @@ class ROSClock(Clock):
             self._jump(ClockChange.ROS_TIME_NO_CHANGE, time.nanoseconds)
 
     def _jump(self, change: ClockChange, override_ns: int | None) -> None:
-        before = self.now_ns()
+        before = self.rcl_now_ns()
         # As in rcl, a change of the source is reported without the size of the time jump.
         delta = override_ns - before if change is ClockChange.ROS_TIME_NO_CHANGE and override_ns is not None else 0
-        handles = [handle for handle in self.jump_handles if handle.threshold.reached(change, delta)]
+        handles = [handle for handle in self.jump_handles if handle.threshold._reached(change, delta)]
         for handle in handles:
             if handle.pre_callback is not None:
                 handle.pre_callback()

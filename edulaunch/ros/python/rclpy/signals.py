@@ -4,36 +4,19 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Callable
-from enum import Enum, EnumMeta
-from typing import NoReturn
 
 from edulaunch.ros.passed_on import passed_on
+from rclpy.impl.c_enum import Pybind11Enum
 from rclpy.process_state import ProcessState, process_state
 
 
-class _Pybind11Type(EnumMeta):
-    """The class of ROS 2's C++ enumerations, which have members but cannot be iterated."""
-
-    def __iter__(cls) -> NoReturn:
-        raise TypeError("'pybind11_type' object is not iterable")
-
-    def __len__(cls) -> NoReturn:
-        raise TypeError("object of type 'pybind11_type' has no len()")
-
-
-class SignalHandlerOptions(Enum, metaclass=_Pybind11Type):
+class SignalHandlerOptions(Pybind11Enum):
     """Which signals rclpy handles."""
 
     ALL = 3
     NO = 0
     SIGINT = 1
     SIGTERM = 2
-
-    def __int__(self) -> int:
-        return self.value
-
-    def __index__(self) -> int:
-        return self.value
 
 
 def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:

@@ -49,7 +49,7 @@ class Timer(TimedEntity):
         self._clock = clock
         self._period_ns = timer_period_ns
         self._canceled = not autostart
-        self._last_ns = clock.now_ns()
+        self._last_ns = clock.rcl_now_ns()
         self._next_ns = self._last_ns + timer_period_ns
         self.due_ns = NEVER_NS
         self._credit_ns = 0
@@ -91,7 +91,7 @@ class Timer(TimedEntity):
 
         As in rcl, a new source uses the remaining time as if it were the elapsed time. Time 0 counts as unknown.
         """
-        now = self._clock.now_ns()
+        now = self._clock.rcl_now_ns()
         if source_changed:
             if before_ns:
                 self._credit_ns = self._next_ns - before_ns
@@ -144,13 +144,13 @@ class Timer(TimedEntity):
         """Restart the timer. Its next call is one period from now."""
         self._check()
         self._canceled = False
-        self._next_ns = self._clock.now_ns() + self._period_ns
+        self._next_ns = self._clock.rcl_now_ns() + self._period_ns
         self._plan()
 
     def is_ready(self) -> bool:
         """Return whether the next call is due."""
         self._check()
-        return not self._canceled and self._next_ns <= self._clock.now_ns()
+        return not self._canceled and self._next_ns <= self._clock.rcl_now_ns()
 
     def is_canceled(self) -> bool:
         """Return whether the timer was cancelled."""
@@ -160,12 +160,12 @@ class Timer(TimedEntity):
     def time_until_next_call(self) -> int | None:
         """Return the nanoseconds until the next call, negative if it is overdue, and None while the timer is cancelled."""
         self._check()
-        return None if self._canceled else self._next_ns - self._clock.now_ns()
+        return None if self._canceled else self._next_ns - self._clock.rcl_now_ns()
 
     def time_since_last_call(self) -> int:
         """Return the nanoseconds since the last call, or since the creation before the first call."""
         self._check()
-        return self._clock.now_ns() - self._last_ns
+        return self._clock.rcl_now_ns() - self._last_ns
 
     def _check(self) -> None:
         if self.destroyed:

@@ -29,7 +29,7 @@ class FramePublisher(Node):
         """
         x, y, theta, _, _ = pose
         half = theta / 2.0
-        stamp = divmod(self._clock.now_ns(), S_TO_NS)
+        stamp = divmod(self._clock.rcl_now_ns(), S_TO_NS)
         self._transforms.send_wire((((*stamp, 'world', self._turtle, x, y, 0.0, 0.0, 0.0, sin(half), cos(half)),),))
 
 

@@ -166,7 +166,7 @@ class TurtlePorts:
         forward, left, _, _, _, turning = twist
         turtle = self.turtle
         holonomic = (left or turtle.sideways) and self._node.get_parameter('holonomic').value
-        turtle.command(forward, turning, self._clock.now_ns(), left if holonomic else None)
+        turtle.command(forward, turning, self._clock.rcl_now_ns(), left if holonomic else None)
         if self._rotation.goal is not None:
             self._log.warning('Velocity command received during rotation goal. Aborting goal')
             self._rotation.abort()

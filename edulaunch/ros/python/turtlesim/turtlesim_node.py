@@ -52,7 +52,7 @@ class TurtleFrame:
 
     def update(self) -> None:
         """Update all turtles once. The first update only stores the time, once the clock no longer shows 0."""
-        now_ns = self._clock.now_ns()
+        now_ns = self._clock.rcl_now_ns()
         if not self._started:
             self._started = now_ns != 0
             return

@@ -191,7 +191,7 @@ class ActionClient(Asker, Waitable):
         return self._wait_for(self._get_result_async(goal_handle))
 
     def _wait_for(self, future: Future) -> Any:
-        self.note_deadlock()
+        self.rcl_note_deadlock()
         parked_until_done(future)
         return future.result()
 
@@ -234,7 +234,7 @@ class ActionClient(Asker, Waitable):
         if not isinstance(goal_handle, ClientGoalHandle):
             raise TypeError(f'Expected type ClientGoalHandle but received {type(goal_handle)}')
 
-    def asked(self) -> tuple[Any, str, str]:
+    def rcl_asked(self) -> tuple[Any, str, str]:
         """Return the endpoint that sends goals, the action's name, and the word 'action'."""
         return self._goal_client, self._name, 'action'
 
@@ -254,7 +254,7 @@ class ActionClient(Asker, Waitable):
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
         """Wait for a server, checking every 0.25 s as rclpy does. None waits forever. Return whether a server exists."""
-        self.await_server(self._node.context, self._server_is_ready, timeout_sec)
+        self.rcl_await_server(self._node.context, self._server_is_ready, timeout_sec)
         return self.server_is_ready()
 
     def destroy(self) -> None:

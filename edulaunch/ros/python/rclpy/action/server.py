@@ -188,7 +188,7 @@ class ActionServer(Waitable):
         goal_handle = ServerGoalHandle(self, request.goal_id, response.stamp, request.goal)
         self._goals[goal_uuid] = goal_handle
         self._result_futures[goal_uuid] = Future()
-        self.goal_changed()
+        self.rcl_goal_changed()
         self._goal_service.respond(request_id, service.Response.to_wire(response))
         await await_or_execute(self._handle_accepted_callback, goal_handle)
 
@@ -234,11 +234,11 @@ class ActionServer(Waitable):
         if executor is not None:
             executor.create_task(self._execute_goal, execute_callback or self._execute_callback, goal_handle)
 
-    def now_ns(self) -> int:
+    def rcl_now_ns(self) -> int:
         """Return the time of the node's clock."""
-        return self._node.get_clock().now_ns()
+        return self._node.get_clock().rcl_now_ns()
 
-    def send_feedback(self, goal_handle: ServerGoalHandle, feedback: Any) -> None:
+    def rcl_send_feedback(self, goal_handle: ServerGoalHandle, feedback: Any) -> None:
         """Publish feedback of a goal. The errors are those of :meth:`ServerGoalHandle.publish_feedback`."""
         if not isinstance(feedback, self._action_type.Feedback):
             raise wrong_class(feedback, self._action_type, 'Feedback')
@@ -294,7 +294,7 @@ class ActionServer(Waitable):
         core = core_of(self._node)
         current_process().fact('goal failed', (core.entry.index, self._name), {'node': core.full_name, 'said': message, **at})
 
-    def goal_changed(self) -> None:
+    def rcl_goal_changed(self) -> None:
         """Publish the states of all goals."""
         message = self._action_type.Impl.GoalStatusMessage()
         message.status_list = [GoalStatus(goal_info=goal_info(goal), status=goal.status) for goal in self._goals.values()]
@@ -302,7 +302,7 @@ class ActionServer(Waitable):
 
     def _forget_old_goals(self) -> None:
         """Drop ended goals whose result was kept for `result_timeout`."""
-        limit = self.now_ns() - self._result_timeout_ns
+        limit = self.rcl_now_ns() - self._result_timeout_ns
         for goal_uuid, goal in list(self._goals.items()):
             if has_ended_until(goal, limit):
                 del self._goals[goal_uuid]

@@ -107,8 +107,8 @@ class ServerGoalHandle:
             return
         self._state = state_after(self._state, event)
         if self._state not in ACTIVE:
-            self._ended_ns = self._action_server.now_ns()
-        self._action_server.goal_changed()
+            self._ended_ns = self._action_server.rcl_now_ns()
+        self._action_server.rcl_goal_changed()
 
     def execute(self, execute_callback: Callable[[ServerGoalHandle], Any] | None = None) -> None:
         """Let the executor execute the goal."""
@@ -122,7 +122,7 @@ class ServerGoalHandle:
         :raises TypeError: when it is not an `ActionType.Feedback`.
         :raises RCLError: when ROS 2 is shut down, for example by Ctrl-C while the goal is executed.
         """
-        self._action_server.send_feedback(self, feedback)
+        self._action_server.rcl_send_feedback(self, feedback)
 
     def succeed(self) -> None:
         """End the goal as SUCCEEDED. The execute callback returns the result.

@@ -49,7 +49,7 @@ def note_wait(waiting: str, entity: Any, line: dict[str, Any] | None = None) -> 
 
     :param waiting: the form of the wait: 'call', 'look' (in a loop), 'await', or the name of the function that spins.
     """
-    _note('callback waits', entity, {'waiting': waiting, **entity.awaited()}, line)
+    _note('callback waits', entity, {'waiting': waiting, **entity.rcl_awaited()}, line)
 
 
 def note_rate(entity: Entity) -> None:
@@ -82,7 +82,7 @@ def _note_spin(kind: str, function: str, node: NodeProtocol, executor: ExecutorP
 
 def note_foreign_future(node: NodeProtocol, entity: Any) -> None:
     """Record a wait for the client of another node that no executor spins."""
-    data = {'node': core_of(node).full_name, 'other': entity.node_name(), **entity.awaited()}
+    data = {'node': core_of(node).full_name, 'other': entity.rcl_node_name(), **entity.rcl_awaited()}
     _keep('other node spun', {**data, **student_line()})
 
 

@@ -76,7 +76,7 @@ class CallSite:
             return before
         source = options.get('throttle_time_source_type')
         if isinstance(source, Clock):
-            now_ns = source.now_ns()
+            now_ns = source.rcl_now_ns()
         if now_ns < self.last_ns + options['throttle_duration_sec'] * 1e9:
             return False
         self.last_ns = now_ns

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from enum import Enum
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from edulaunch.engine.facts import with_facts
 from rclpy._rclpy_pybind11 import RCLError
+from rclpy.impl.c_enum import Pybind11Enum
 from rclpy.logging import get_logger
 from rclpy.node_parts.core import core_of
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from rclpy.lifecycle.managed_entity import ManagedEntity
 
 
-class TransitionCallbackReturnType(Enum):
+class TransitionCallbackReturnType(Pybind11Enum):
     """The return values of a transition's callback. Students know it as `TransitionCallbackReturn`."""
 
     SUCCESS = 97
@@ -85,10 +85,9 @@ class Outcome(NamedTuple):
 
 
 def _outcomes(first: int, success: str, failure: str, error: str = 'errorprocessing') -> dict[TransitionCallbackReturn, Outcome]:
-    return {
-        result: Outcome(first + place, result.to_label(), goal)
-        for place, (result, goal) in enumerate(zip(TransitionCallbackReturn, (success, failure, error), strict=True))
-    }
+    results = TransitionCallbackReturn.__members__.values()
+    goals = (success, failure, error)
+    return {result: Outcome(first + place, result.to_label(), goals[place]) for place, result in enumerate(results)}
 
 
 OUTCOMES = {

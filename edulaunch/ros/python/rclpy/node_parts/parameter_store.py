@@ -217,7 +217,7 @@ class ParameterEvents:
             core.graph.tracer.parameter(core.entry, parameter.name, None, 'set_parameters')
         if not core.context.alive:
             raise after_shutdown('Failed to publish: publisher')
-        stamp = divmod(core.clock.now_ns(), S_TO_NS)
+        stamp = divmod(core.clock.rcl_now_ns(), S_TO_NS)
         self._publisher.send_wire((*stamp, core.full_name, self._wires(new), self._wires(changed), self._wires(deleted)))
 
     def _describe(self, name: str) -> None:
