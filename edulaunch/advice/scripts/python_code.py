@@ -230,4 +230,4 @@ def _is_in_comment(name: str, file: str) -> bool:
     left_out = [
         one.value for one in ast.walk(ast.parse(text)) if isinstance(one, ast.Expr) and isinstance(one.value, ast.Constant)
     ]
-    return any(re.search(rf'^\s*{added}', str(one.value), re.MULTILINE) for one in left_out)  # a text in three quotes
+    return any(re.search(rf'^\s*{added}', str(one.value), re.MULTILINE) for one in left_out)  # a string in three quotes

@@ -113,7 +113,7 @@ def build_file(workspace: Workspace) -> Iterator[Finding]:
     for warning in workspace.around.warnings:
         if not warning.about:
             name, line = os.path.basename(warning.file), warning.line or None
-            yield found('file', name, file=warning.file, line=line, match=warning.sentence)
+            yield found('file', name, file=warning.file, line=line, said=warning.sentence)
 
 
 @rule(
@@ -127,7 +127,7 @@ def build_unknown(workspace: Workspace) -> Iterator[Finding]:
     """Report each build file whose installed files are not known."""
     first = {warning.file: warning for warning in reversed(workspace.around.warnings) if warning.about == 'unknown'}
     for warning in first.values():
-        yield found('file', os.path.basename(warning.file), file=warning.file, line=warning.line or None, match=warning.sentence)
+        yield found('file', os.path.basename(warning.file), file=warning.file, line=warning.line or None, said=warning.sentence)
 
 
 @rule(

@@ -18,6 +18,7 @@ def test_the_explanation_of_a_robot_is_the_golden_text(
     monkeypatch.setenv('PATH', '/nowhere')
     for name_of_variable in ('LIDAR_MODEL', 'ACME_PORT', 'DISPLAY'):
         monkeypatch.delenv(name_of_variable, raising=False)
+    monkeypatch.chdir(ROBOTS.parent)
     assert main(['explain', str(ROBOTS / name), '--assume-packages']) == 0
     shown = capsys.readouterr()
     text = f'{shown.out}\n{shown.err}'.replace(str(ROBOTS), 'robots')

@@ -100,7 +100,7 @@ def test_the_page_of_a_damaged_one_is_refused(value: Any) -> None:
     columns = part['topics'] if isinstance(part, dict) and 'topics' in part else [part]
     column = next(column for column in columns if column.get('topic') == '/turtle1/pose')
     column['messages'][1][0] = value
-    with pytest.raises(RecordingError, match='it has messages that are no turtlesim/msg/Pose'):
+    with pytest.raises(RecordingError, match='it has messages that are not of the type turtlesim/msg/Pose'):
         timeline_of(Recording.from_bytes(text_of(parts)))
 
 
