@@ -128,7 +128,8 @@ def judge_plan(rehearsal: Rehearsal) -> list[Finding]:
     better = [one for one in findings if one.rule != FAILS]
     if len(better) < len(findings):
         better += _behind_failure(rehearsal)
-    return better if any(rule_named(one.rule).level == LEVELS[0] for one in better) else findings
+    rules = [rule_named(one.rule) for one in better]
+    return better if any(one.level == LEVELS[0] or FAILS in one.hides for one in rules) else findings
 
 
 def _behind_failure(rehearsal: Rehearsal) -> list[Finding]:

@@ -205,11 +205,12 @@ def _judged(
         return judge(work.rubric.checks, outcomes, work.submission.source)
 
     def look() -> tuple[Plan, list[dict[str, Any]] | None, Any]:
-        plan = _plan_of(outcomes)
+        began_s, plan = process_time(), _plan_of(outcomes)  # a worker may be this process, which had other work before
         if not keeps_all(plan):
             return plan, None, None
         rows = rows_of(judge_here)
-        return plan, rows, _looks(outcomes) if for_documents else None
+        is_slow = process_time() - began_s > MOST_CPU_BEFORE_LOOKS_S
+        return plan, rows, _looks(outcomes) if for_documents and not is_slow else None
 
     plan, rows, looked = in_worker(look)
     if rows is None:
@@ -232,8 +233,6 @@ def _plan_of(outcomes: Sequence[Outcome]) -> Plan:
 def _looks(outcomes: Sequence[Outcome]) -> tuple[list[str | None], list[str]] | None:
     from .reports.document import look_at
 
-    if process_time() > MOST_CPU_BEFORE_LOOKS_S:
-        return None
     try:
         return look_at(outcomes)
     except MemoryError:  # the judgement must not be lost with it

@@ -1,6 +1,6 @@
 """Runs scenarios in this process, one after the other, where a process cannot fork: on Windows, and in a browser. A submission
 has all rights of the user and can change the grader, so this is only for the user's own files, not for marks. Recordings are
-the same as in a confined run.
+the same as in a confined run, without what a rubric hides there: late starts, messages and turns of the grader.
 """
 
 from __future__ import annotations

@@ -32,6 +32,21 @@ def command_failed(failure: Failure) -> Iterator[Finding]:
 
 
 @rule(
+    'launch.program-absent',
+    what="this launch file needs the program '{program}', which this computer does not have on its PATH",
+    why='FindExecutable looks for the program on the computer that runs launch',
+    do="install '{program}' here, or run this launch file on a computer that has it",
+    level='info',
+    hides=('launch.fails', 'programs.died'),
+)
+def program_absent(failure: Failure) -> Iterator[Finding]:
+    """Report a program that the substitution FindExecutable does not find."""
+    matched = re.fullmatch(r"executable '(.*)' not found on the PATH", failure.message)
+    if matched is not None:
+        yield report(failure, program=matched[1])
+
+
+@rule(
     'launch.no-configuration',
     what=(
         "the launch configuration '{scoped}' was set inside a GroupAction that has already ended",

@@ -42,5 +42,5 @@ class FindExecutable(Substitution):
             path = assumed.program(name)
         path = path or absent_program(name)
         if path is None:
-            raise SubstitutionFailure(f"executable '{self.__name}' not found on the PATH")
+            raise SubstitutionFailure(f"executable '{name}' not found on the PATH")  # ROS 2 shows the objects of the name
         return path
