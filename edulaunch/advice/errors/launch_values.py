@@ -41,9 +41,8 @@ def command_failed(failure: Failure) -> Iterator[Finding]:
 )
 def program_absent(failure: Failure) -> Iterator[Finding]:
     """Report a program that the substitution FindExecutable does not find."""
-    matched = re.fullmatch(r"executable '(.*)' not found on the PATH", failure.message)
-    if matched is not None:
-        yield report(failure, program=matched[1])
+    if failure.facts.get('about') == 'launch.program-absent':
+        yield report(failure)
 
 
 @rule(

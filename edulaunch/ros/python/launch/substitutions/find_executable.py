@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 from osrf_pycommon.process_utils import which
 
+from edulaunch.engine.facts import with_facts
+
 from .._absent_packages import absent_program
 from .._bases import ReadOnly
 from .._engine import assumptions
@@ -42,5 +44,6 @@ class FindExecutable(Substitution):
             path = assumed.program(name)
         path = path or absent_program(name)
         if path is None:
-            raise SubstitutionFailure(f"executable '{name}' not found on the PATH")  # ROS 2 shows the objects of the name
+            error = SubstitutionFailure(f"executable '{self.__name}' not found on the PATH")
+            raise with_facts(error, 'launch.program-absent', program=name)
         return path
