@@ -137,3 +137,15 @@ def test_a_launch_file_is_judged_once_until_it_changes(tmp_path: Path) -> None:
         counts.append(([one.rule for one in judge(recording)][:1], judging.of_scripts.cache_info().misses - before))
     assert [count for _, count in counts] == [1, 0, 1]
     assert [rules for rules, _ in counts[:2]] == [['launch.not-added']] * 2 and counts[2][0] != ['launch.not-added']
+
+
+def test_a_note_that_explains_a_failure_stands_in_its_place() -> None:
+    from edulaunch.advice.judging import judge_plan
+    from edulaunch.advice.plan import rehearse
+    from edulaunch.runtime.session import Session
+    from tests.advice.harness import EXAMPLES
+
+    example = str(EXAMPLES / 'launch.program-absent' / 'failing.launch.py')
+    with Session() as session:
+        found = judge_plan(rehearse(example, {}, session.index, session.host.env))
+    assert [one.rule for one in found] == ['launch.program-absent']
