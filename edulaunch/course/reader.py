@@ -150,7 +150,15 @@ def _make_room(target: str) -> None:
     os.makedirs(target, exist_ok=True)
 
 
-BROWSERS = ('chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome', 'msedge')
+BROWSERS = (
+    'chromium',
+    'chromium-browser',
+    'google-chrome',
+    'chrome',
+    'msedge',
+    'google-chrome-stable',
+    'chromium-headless-shell',
+)
 WAIT_S = 300.0
 
 

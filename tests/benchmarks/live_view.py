@@ -9,7 +9,6 @@ import asyncio
 import json
 import math
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -23,6 +22,7 @@ from edulaunch.desk.view.page import recorded_page
 from edulaunch.desk.view.replay import RecorderSource
 from edulaunch.desk.view.timeline import Timeline
 from edulaunch.desk.view.viewer import Viewer
+from tests.browser.lab import find_browser
 
 ARGUMENTS = ['--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage']
 COUNT = """(draw) => new Promise(done => {
@@ -196,7 +196,7 @@ def main() -> None:
         return
     from playwright.sync_api import sync_playwright
 
-    program = shutil.which('chromium') or shutil.which('chromium-browser')
+    program = find_browser()
     with sync_playwright() as playwright, tempfile.TemporaryDirectory() as folder:
         browser = playwright.chromium.launch(executable_path=program, args=ARGUMENTS)
         page = browser.new_page(viewport={'width': 1280, 'height': 860})

@@ -19,7 +19,7 @@ from typing import Any
 import pytest
 
 from tests.browser.desk import Desk
-from tests.browser.lab import WAIT_MS, Lab
+from tests.browser.lab import WAIT_MS, Lab, find_browser
 
 ROOT = Path(__file__).resolve().parents[2]
 START_S = 240.0
@@ -42,11 +42,11 @@ QUIET = ['--LabApp.news_url=None', '--LabApp.check_for_updates_class=jupyterlab.
 def browser() -> Iterator[Any]:
     """Debian's Chromium without a window, driven by playwright."""
     api = pytest.importorskip('playwright.sync_api', reason='playwright is not installed: pip install ".[browser]"')
-    program = shutil.which('chromium') or shutil.which('chromium-browser')
+    program = find_browser()
     if program is None:
-        pytest.skip('no Chromium on this machine: apt-get install chromium')
+        pytest.skip('no Chromium on this machine: apt-get install chromium-headless-shell')
     with api.sync_playwright() as playwright:
-        words = ['--no-sandbox', '--disable-dev-shm-usage', NOBODY_ELSE]
+        words = ['--no-sandbox', '--disable-dev-shm-usage', '--disable-gpu', NOBODY_ELSE]
         found = playwright.chromium.launch(executable_path=program, args=words)
         yield found
         found.close()

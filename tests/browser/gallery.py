@@ -19,7 +19,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from tests.browser.lab import ALL_RAN, OPEN, RUN_ALL, STARTED
+from tests.browser.lab import ALL_RAN, OPEN, RUN_ALL, STARTED, find_browser
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / 'docs' / 'pictures'
@@ -142,7 +142,7 @@ def main(folder: Path = FOLDER) -> None:
     """Make all pictures."""
     from playwright.sync_api import sync_playwright
 
-    program = shutil.which('chromium') or shutil.which('chromium-browser')
+    program = find_browser()
     assert program, 'install Chromium first: apt-get install chromium'
     folder.mkdir(parents=True, exist_ok=True)
     draw_run(folder)

@@ -9,7 +9,6 @@ from __future__ import annotations
 import io
 import os
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -21,6 +20,7 @@ from typing import Any
 from PIL import Image
 
 from tests.browser.desk import Desk
+from tests.browser.lab import find_browser
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / 'docs' / 'pictures'
@@ -95,7 +95,7 @@ def main(folder: Path = FOLDER) -> None:
     """Make all pictures."""
     from playwright.sync_api import sync_playwright
 
-    program = shutil.which('chromium') or shutil.which('chromium-browser')
+    program = find_browser()
     assert program, 'install Chromium first: apt-get install chromium'
     folder.mkdir(parents=True, exist_ok=True)
     with sync_playwright() as playwright:
