@@ -178,7 +178,7 @@ def _print_end(arguments: argparse.Namespace, session: Session, recording: Recor
 def _session_class(arguments: argparse.Namespace) -> type[Session]:
     """Return the class of session: that of the simulation, unless the options of a plug-in choose another one.
 
-    :raises UnusableInput: when that is not possible.
+    :raises UnusableInput: when the plug-in cannot run this command.
     """
     found = [options.session_class(arguments) for options in plugins_of(arguments)]
     return next((kind for kind in found if kind is not None), Session)
