@@ -81,7 +81,7 @@ def launch_verb(arguments: argparse.Namespace) -> int:
     package_or_path, file, given = split_words(arguments.package_or_path, arguments.rest)
     for folder in arguments.workspace:
         if not os.path.isdir(folder):
-            raise UnusableInput(f'workspace {folder!r} is not a folder.', help='--workspace takes a folder with packages')
+            raise UnusableInput(f'workspace {folder!r} is not a folder.', help='give --workspace a folder with packages')
     given.update(prefix_arguments(arguments))
     interactive = sys.stdin.isatty() and not arguments.noninteractive
     env = {**os.environ, 'OVERRIDE_LAUNCH_PROCESS_OUTPUT': 'both'} if arguments.show_all_subprocesses_output else None

@@ -81,7 +81,10 @@ class Jobs:
         found = [job for job in self._jobs if number in ('', str(job.number), f'%{job.number}')]
         if number and not found:
             known = ', '.join(str(job.number) for job in self._jobs)
-            raise UnusableInput(f'there is no job {number}', help=f'jobs: {known}' if known else 'no job was started with &')
+            raise UnusableInput(
+                f'there is no job {number}',
+                help=f'choose one of the jobs {known}' if known else 'end a command with & to start a job',
+            )
         return found
 
     def forget_ended(self) -> None:
