@@ -134,6 +134,12 @@ def help_of(error: dict[str, Any]) -> str | None:
     return help_text(Failure(error['type'], error['message'], file, line, facts=error['facts']))
 
 
+def advice_of(error: dict[str, Any]) -> tuple[str, str] | None:
+    """Return what is wrong and what to do, for an error given as data. Return None if no rule explains the error."""
+    file, line = error.get('place') or (None, None)
+    return _advice(Failure(error['type'], error['message'], file, line, facts=error['facts']))
+
+
 def help_of_facts(facts: dict[str, Any]) -> str:
     """Return one line of help from facts alone, or ''."""
     return help_text(Failure('', '', facts=facts)) or ''
@@ -141,11 +147,16 @@ def help_of_facts(facts: dict[str, Any]) -> str:
 
 def help_text(failure: Failure, reader: Reader | None = None) -> str | None:
     """Return one line of help: the mistake and what to do. Return None if no rule explains the error."""
+    words = _advice(failure, reader)
+    return None if words is None else '; '.join(filter(None, words))
+
+
+def _advice(failure: Failure, reader: Reader | None = None) -> tuple[str, str] | None:
     found = judge_failure(failure)
     if not found:
         return None
     words = rendered(found[0], reader)
-    return '; '.join(filter(None, (words.what, words.do)))
+    return words.what, words.do
 
 
 FORMAT = 1
@@ -221,6 +232,7 @@ views.register(
     sentences=rendered,
     closing_lines=end_of_run_lines,
     help_below=help_below,
+    advice_of=advice_of,
     help_of=help_of,
     help_of_facts=help_of_facts,
 )

@@ -124,7 +124,7 @@ def frames_scene(recording: Recording, time_s: float, side: str = 'xy') -> Frame
     :raises ValueError: when there was no frame (the message names the broadcasters), or for another side.
     """
     if side not in SIDES:
-        raise NothingToDraw(f'unknown side {side!r}', help=did_you_mean(side, SIDES) or f'one of {", ".join(SIDES)}')
+        raise NothingToDraw(f'unknown side {side!r}', help=did_you_mean(side, SIDES) or f'choose one of {", ".join(SIDES)}')
     frames = recording.frames_at(time_s)
     if not frames:
         raise NothingToDraw(f'no tf frame had been broadcast at t = {time_s:.3f} s; {_who(recording)}')

@@ -49,7 +49,7 @@ class AmbientProcess(Process):
     """A script or notebook cell that uses ROS packages directly: its streams are the real ones."""
 
     def has_imported(self, package: str) -> bool:
-        """Return whether this interpreter, whose imports no loader observes, has imported a package."""
+        """Return whether this interpreter has imported a package. No loader observes its imports."""
         return package in sys.modules
 
     def write(self, stream: str, text: str) -> None:

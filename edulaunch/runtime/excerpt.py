@@ -1,4 +1,4 @@
-"""The part of a machine's recording that belongs to one command: its programs from start to end, and other programs meanwhile.
+"""The part of a machine's recording that belongs to one command: its own programs, and others that ran at the same time.
 
 A machine runs longer than its commands. Advice on a command must not mention earlier programs. Of concurrent programs, it
 may use only what the command's own programs could notice.
@@ -22,7 +22,7 @@ class Excerpt:
 
     :param recorder: the recorder of the machine.
     :param leader: process id of the command. Raises KeyError for an unknown program.
-    :ivar beside: for each other program of that time, by its name in the excerpt, the command line that started it.
+    :ivar beside: the command line of each other program of that time, by the program's name in the excerpt.
     :ivar programs: launch names of the command's own programs. Other programs with such a name are renamed in the excerpt.
     """
 
@@ -47,7 +47,7 @@ class Excerpt:
         self.programs = frozenset(self._names[pid] for pid in own if pid in self._names)
 
     def _overlaps(self, start: int, end: int | None) -> bool:
-        """Return whether an object existed while the command ran; one that ended at the moment of the start did not."""
+        """Return whether an object existed while the command ran. One that ended exactly at the start does not count."""
         return start <= self._until and (end is None or end > self._since)
 
     def content(self, launch: dict[str, Any]) -> dict[str, Any]:
@@ -86,14 +86,14 @@ class Excerpt:
         }
 
     def _nodes(self) -> Iterator[Row]:
-        """Return the nodes of that time; nodes of another computer belong to no recorded program."""
+        """Return the nodes that existed at that time. A node of another computer keeps its recorded name of a program."""
         pids = self._recorder.pids
         for row in self._recorder.nodes:
             if self._overlaps(row[2], row[3]):
                 yield [row[0], self._names.get(pids.get(row[4], 0), row[1]), *row[2:]]
 
     def _rows(self, rows: list[Row]) -> list[Row]:
-        """Return the rows of that time, which are in order of time."""
+        """Return the rows of that time. The given rows must be in order of time."""
         start = bisect_left(rows, self._since, key=lambda row: row[0])
         return rows[start : bisect_right(rows, self._until, key=lambda row: row[0])]
 

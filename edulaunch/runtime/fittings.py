@@ -33,6 +33,6 @@ def help_of(error: dict[str, Any]) -> str | None:
 
 
 def help_of_facts(facts: dict[str, Any]) -> str:
-    """Return the help for an error of which only facts are known, in one line, or an empty string."""
+    """Return one line of help for an error from its facts alone; an empty string if no rule recognises it."""
     help: str = view('help_of_facts')(facts)
     return help

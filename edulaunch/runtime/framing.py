@@ -42,7 +42,7 @@ class Frames:
     def feed(self, data: bytes) -> Iterator[tuple[int, bytes]]:
         """Add received bytes, and return the complete frames as (kind, payload); a frame not consumed stays for the next call.
 
-        :raises BadFrame: for an unknown kind or a payload that is too long, once the frames before it are taken.
+        :raises BadFrame: for an unknown kind or a payload that is too long, after the frames before it.
         """
         self.add(data)
         return iter(self.take, None)

@@ -1,11 +1,11 @@
 """A process beside `edulaunch launch` that answers Ctrl-C while Python itself cannot.
 
-A call of C code such as `sum(range(10**12))` keeps Python's interpreter: no handler of a signal runs, and neither does another
-thread. The kernel still writes the number of each signal into a pipe (`signal.set_wakeup_fd`), and this process reads it. When
-Python does not confirm a signal, the process names the line that runs, and at the third Ctrl-C it ends the run.
+A call of C code such as `sum(range(10**12))` keeps Python's interpreter, so no signal handler and no other thread runs. The
+kernel still writes the number of each signal into a pipe (`signal.set_wakeup_fd`), and this process reads it. When Python does
+not confirm a signal, the process names the line that runs, and at the third Ctrl-C it ends the run.
 
-The second half is a program of its own, `python -I -S interrupt_watcher.py PID SIGNAL FOLDER...`. It uses the standard library
-alone and starts within about 10 ms on another core.
+The second half of this file is a separate program, `python -I -S interrupt_watcher.py PID SIGNAL FOLDER...`. It uses only the
+standard library, and starts within about 10 ms on another core.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ HEARD = b'\0'
 PATIENCE_S = 1.0
 """Real seconds that Python has to confirm a signal."""
 TERM_S = 3.0
-"""The same for a signal that asks a run to end, such as SIGTERM; then the run is ended."""
+"""Real seconds to confirm a signal that asks a run to end, such as SIGTERM. After them, the watcher ends the run."""
 SAVE_S = 15.0
-"""The same for a run that saves its recording at its end."""
+"""Real seconds to confirm such a signal for a run that saves its recording at its end."""
 MOST_BYTES = 1 << 16
 PLACE = re.compile(r'File "([^"]*)", line (\d+) in (\S+)')
 _ENDING = ('SIGTERM', 'SIGHUP', 'SIGQUIT')
@@ -46,7 +46,7 @@ def innermost_own(traceback: str, libraries: Sequence[str]) -> str:
 
 
 class WatchedSignals:
-    """The pipe by which Python confirms that it heard a signal.
+    """The pipe by which Python confirms that it received a signal.
 
     :param pipe: the writing end; None where no watcher runs.
     """
@@ -108,7 +108,7 @@ def watched_signals(libraries: Sequence[str], is_watched: bool = True, end_by: s
 
 
 class Watcher:
-    """Reads the pipe of one run, prints notes, and ends the run in the end.
+    """Reads the pipe of one run, prints notes, and ends the run if Python does not answer.
 
     :param pid: the process of the run.
     :param pipe: the reading end of the pipe.

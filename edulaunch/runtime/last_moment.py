@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 FATAL = ('SIGABRT', 'SIGSEGV', 'SIGBUS', 'SIGILL', 'SIGFPE')
-"""Signals by which C code ends a program: without memory, by a wrong address, or by a failed check."""
+"""Signals that end a program after an error in C code, such as an invalid address or a failed check."""
 KILLED = 'SIGUSR2'
 """The signal by which a watcher ends a run whose recording should be saved."""
 LONGEST_S = 10

@@ -57,7 +57,7 @@ def _existing_file(path: str) -> str:
             if near
             else 'check the spelling and the folder you are in; in a notebook, run the cell that writes the file first'
             if os.path.isdir(folder)
-            else f'there is no folder {folder!r}',
+            else f'check the path: the folder {folder!r} does not exist',
         )
     return absolute
 

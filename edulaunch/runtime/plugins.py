@@ -2,8 +2,8 @@
 
 An entry point of the group `edulaunch.plugins` in the `pyproject.toml` of a package names a :class:`Plugin`. A process searches
 for them at most once. Unknown words, help, completion, and code that needs all plug-ins of a kind cause the search.
-`importlib.metadata` takes 50 ms to load and 20 ms to search. So this file reads `entry_points.txt` of each folder of
-metadata on the path itself, in 2 ms, in the form of the packaging standard.
+`importlib.metadata` takes 50 ms to load and 20 ms to search. So this file itself reads `entry_points.txt` in each folder of
+metadata on the path, as the packaging standard defines it. That takes 2 ms.
 """
 
 from __future__ import annotations

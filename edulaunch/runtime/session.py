@@ -57,7 +57,7 @@ class Session:
     :ivar traces: the steps of the last launches; see `edulaunch.advice.plan.launch_trace`.
     :ivar steps_launches: whether new launches stop before their first action.
     :param start_ns: the time of the clock at the beginning, in ns since 1970.
-    :param near: of two packages with one name, the nearer one to this folder counts (default: the current folder).
+    :param near: if two packages have the same name, the one nearer to this folder is used (default: the current folder).
     """
 
     simulation_class = Simulation
@@ -310,7 +310,7 @@ def _nanoseconds(duration_s: float) -> int:
 def index_for(workspaces: Sequence[PathLike], near: str | None = None) -> Index:
     """Return an index of the workspaces, the packages of plug-ins, and the packages of edulaunch, in this order.
 
-    :param near: of two packages with one name, the one that is nearer to this folder counts. None means the current folder.
+    :param near: if two packages have the same name, the one nearer to this folder is used. None means the current folder.
     """
     built, sources = install_folders(workspaces)
     near = os.getcwd() if near is None else near
@@ -320,8 +320,8 @@ def index_for(workspaces: Sequence[PathLike], near: str | None = None) -> Index:
 def typed_command(words: Sequence[str], name: str, cwd: str, env: Mapping[str, str], index: Index) -> tuple[ProcessSpec, Index]:
     """Return the program that a command line starts, and the index of the packages that it finds.
 
-    :param cwd: the current folder of the terminal; the workspaces around it, and those of a launch file that the command names
-        by path, count.
+    :param cwd: the current folder of the terminal. Its workspaces are used, and those of a launch file that the command
+        names by path.
     :param env: the environment of the terminal.
     :param index: the packages where there is no workspace.
     """

@@ -123,7 +123,7 @@ def find_course(folder: str) -> str:
     """
     path = course_manifest(folder) or _manifest_of(_OURS)
     if path is None:
-        raise UnusableInput(f'there is no {MANIFEST}', help='it comes with the files of the folder exercises/')
+        raise UnusableInput(f'there is no {MANIFEST}', help='restore the file, which is part of the folder exercises/')
     return path
 
 

@@ -118,7 +118,9 @@ def is_personal(options: argparse.Namespace) -> bool:
     :raises UnusableInput: for --personal without the secret.
     """
     if options.personal and not options.course_secret_file:
-        raise UnusableInput('--personal needs the secret with which the exercises were made', help='--course-secret-file FILE')
+        raise UnusableInput(
+            '--personal needs the secret with which the exercises were made', help='give --course-secret-file FILE'
+        )
     return bool(options.personal)
 
 

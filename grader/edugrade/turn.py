@@ -20,7 +20,7 @@ from .judging import judge
 from .results import Report
 from .rubric import Rubric
 from .rubrics.catalogue import load_rubric, rubrics_in
-from .source import Place, SubmittedText
+from .source import SubmittedText
 from .submission import Submission
 from .verdicts import come_to
 
@@ -107,21 +107,18 @@ def _of_file(name: str, rubric: Rubric, folder: str) -> Report:
 
 
 def _outcome(scenario: Scenario, launch: str) -> Outcome:
-    from edulaunch.runtime.session import run
+    from edulaunch.engine.packages.discovery import folder_of, workspaces_of_command
+    from edulaunch.runtime.session import Session
 
+    target = _target(launch)
+    workspaces = _workspaces(launch) or workspaces_of_command((), target[0])
     try:
-        recording = run(
-            *_target(launch),
-            arguments=dict(scenario.arguments),
-            duration_s=scenario.duration_s,
-            seed=scenario.seed,
-            workspaces=_workspaces(launch),
-            console=lambda stream, text: None,
-        )
+        with Session(seed=scenario.seed, workspaces=workspaces, near=folder_of(target[0])) as session:
+            session.launch(*target, arguments=dict(scenario.arguments))
+            session.run(scenario.duration_s)
+            recording = session.recording()
     except EdulaunchError as error:
-        file, line = getattr(error, 'file', None), getattr(error, 'line', None)
-        where = Place(file, line) if isinstance(file, str) else None
-        return Outcome(scenario, 'unusable', text=error.message, try_=error.help, where=where)
+        return Outcome(scenario, 'unusable', text=error.message, try_=error.help)
     if recording.launch.returncode == 0:  # the launch may have started nothing on purpose; the checks report what is missing
         return Outcome(scenario, 'recorded', recording=recording)
     return come_to(scenario, recording)

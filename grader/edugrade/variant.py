@@ -34,7 +34,7 @@ class CourseSecret:
     def __init__(self, path: str) -> None:
         self._key = read_given(path, MOST_BYTES, 'the course secret ').strip()
         if os.name == 'posix' and os.stat(path).st_mode & stat.S_IWOTH:
-            raise UnusableInput(f'every user of this computer can change the course secret {path}', help=f'chmod 600 {path}')
+            raise UnusableInput(f'every user of this computer can change the course secret {path}', help=f'run: chmod 600 {path}')
         if len(self._key) < LEAST_BYTES:
             raise UnusableInput(
                 f'the course secret {path} is shorter than {LEAST_BYTES} bytes',

@@ -269,9 +269,13 @@ def come_to(scenario: Scenario, recording: Recording) -> Outcome:
 
 
 def _launch_error(scenario: Scenario, launch: LaunchRecord) -> Outcome:
-    """Return the outcome with the error message of launch, without its last line, which repeats the place."""
+    """Return the outcome with the message of launch, and below it what is wrong. The last line of the message repeats the place,
+    so it is left out."""
     text = (launch.error or '').removesuffix(f'\n  at {launch.error_file}:{launch.error_line}')
     where = None
     if launch.error_file is not None and not is_engine(launch.error_file):
         where = Place(launch.error_file, launch.error_line)
-    return Outcome(scenario, 'unusable', text=text, try_=launch.help or _LOOK, where=where)
+    what, do = launch.advice or ('', '')
+    if what and what.removeprefix('the ') not in text:
+        text += f'\n{what}'
+    return Outcome(scenario, 'unusable', text=text, try_=do or _LOOK, where=where)

@@ -30,6 +30,7 @@ MISTAKES = {
     'x = PythonLaunchDescriptionSource': 'the name PythonLaunchDescriptionSource is not defined; add this line: from launch.launch_description_sources import PythonLaunchDescriptionSource',
     'x = os.getcwd()': 'the name os is not defined; add this line: import os',
     'x = true': 'the name true is not defined; write True',
+    '  x = 1': 'line 6 is indented more than the line above, which does not begin a block; indent line 6 like the line above, or add the line that begins the block, such as def or if',
     "x = DeclareLaunchArgument('a', default_value=3)": "default_value=3 is of type int, but launch expects strings and substitutions here; write default_value='3'",
     "x = DeclareLaunchArgument('a', default_value=True)": "default_value=True is of type bool, but launch expects strings and substitutions here; write default_value='true'",
     "x = DeclareLaunchArgument('a', default='3')": 'DeclareLaunchArgument has no argument default=; write default_value=',

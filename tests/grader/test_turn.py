@@ -78,7 +78,11 @@ def test_it_is_recorded_and_the_same_text_is_no_try(lessons: Path) -> None:
 
 def test_a_launch_file_that_fails_is_told_without_a_traceback(lessons: Path) -> None:
     (lessons / 'my_launch' / 'water.launch.py').write_text('def generate_launch_description(:\n')
-    assert statuses('water') == ['failed', 'not_run']
+    found = check('water')
+    assert isinstance(found, CheckReport)
+    failed, not_run = found.report.results
+    assert (failed.status, not_run.status) == ('failed', 'not_run')
+    assert str(failed.where).endswith('water.launch.py:1') and failed.try_ == 'check this line and the line before it'
 
 
 def test_a_file_that_is_not_there_is_a_note(lessons: Path) -> None:

@@ -114,10 +114,15 @@ def not_utf_8(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.indentation',
-    what=('the line after line {opened} is not indented', 'the indentation of this line does not match any line above'),
+    what=(
+        'the line after line {opened} is not indented',
+        'line {deeper} is indented more than the line above, which does not begin a block',
+        'the indentation of this line does not match any line above',
+    ),
     why='Python uses the indentation to find out which lines belong together',
     do=(
         'indent the line by four spaces, because it belongs to the {statement}',
+        'indent line {deeper} like the line above, or add the line that begins the block, such as def or if',
         'indent each level by four spaces, and do not use tabs',
     ),
     level='error',
@@ -129,7 +134,8 @@ def indentation(failure: Failure) -> Iterator[Finding]:
             r"expected an indented block after (?:'(\w+)' statement|(\w+) definition) on line (\d+)", failure.message
         )
         statement = None if match is None else match[1] or match[2]
-        yield _in_line(failure, opened=None if match is None else int(match[3]), statement=statement)
+        deeper = failure.line if failure.message.startswith('unexpected indent') else None
+        yield _in_line(failure, opened=None if match is None else int(match[3]), statement=statement, deeper=deeper)
 
 
 def _simple(name: str, pattern: str, what: str, do: str, unless: str = r'(?!)') -> Rule:

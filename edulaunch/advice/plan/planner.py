@@ -124,8 +124,8 @@ class Planner:
         origin = None if branch.origin is None else str(branch.origin)
         where = '' if origin is None else f'{origin} ({type(branch.action).__name__}): '
         help_text = (
-            f'{where}a handler whose own actions cause its event, a timer that starts itself again, '
-            'or a coroutine that never returns needs something that ends it'
+            f'{where}give an end to a handler whose own actions cause its event, a timer that starts itself again, '
+            'or a coroutine that never returns'
         )
         return {'type': 'RuntimeError', 'text': text, 'help': help_text, 'origin': origin, 'stage': 'visit'}
 

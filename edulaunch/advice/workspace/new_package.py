@@ -42,11 +42,11 @@ def create_package(package: NewPackage, say: Callable[[str], object]) -> None:
 
 def _refuse(package: NewPackage) -> None:
     if package.build_type not in BUILD_TYPES:
-        raise PackageError(f'unknown build type {package.build_type!r}.', help=f'build types are {" and ".join(BUILD_TYPES)}')
+        raise PackageError(f'unknown build type {package.build_type!r}.', help=f'use {" or ".join(BUILD_TYPES)}')
     if not _NAME.fullmatch(package.name) or package.name.endswith('_') or '__' in package.name:
         raise PackageError(
             f'{package.name!r} cannot be the name of a package.',
-            help='package names have small letters, digits and single underscores, and begin with a letter',
+            help='use small letters, digits and single underscores, and begin with a letter',
         )
     if package.build_type == 'ament_python' and package.name == package.node_name:
         raise PackageError(

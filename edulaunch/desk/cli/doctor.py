@@ -34,7 +34,7 @@ NOT_PYTHON = 'packages.not-python'
 OF_FOLDER_S = 8.0
 """Simulated seconds for each launch file of a folder."""
 MOST_LAUNCHED = 12
-"""The doctor runs at most this many launch files of a folder; the workspace of a company has hundreds."""
+"""The doctor runs at most this many launch files of a folder. The workspace of a company may have hundreds of them."""
 PATIENCE_S = 30.0
 """After this many real seconds, the doctor runs no further launch file of a folder."""
 PASSED_OVER = frozenset(('build', 'install', 'log', 'node_modules', '__pycache__', 'test', 'tests'))
@@ -153,7 +153,7 @@ def _rehearsed(session: Session, path: str, given: dict[str, str]) -> Rehearsal:
 
 
 def _of_folder(folder: str, arguments: argparse.Namespace, notes: list[str]) -> list[Finding]:
-    """Examine the sources of the package, and run each launch file that needs no arguments for a short time.
+    """Examine the sources of the package. For a short time, run each launch file that needs no arguments.
 
     :param notes: receives one line for all launch files that ran, and one line with the reason for each other file.
     """

@@ -81,7 +81,7 @@ def launch_verb(arguments: argparse.Namespace) -> int:
     package_or_path, file, given = split_words(arguments.package_or_path, arguments.rest)
     for folder in arguments.workspace:
         if not os.path.isdir(folder):
-            raise UnusableInput(f'workspace {folder!r} is not a folder.', help='--workspace takes a folder with packages')
+            raise UnusableInput(f'workspace {folder!r} is not a folder.', help='give --workspace a folder with packages')
     given.update(prefix_arguments(arguments))
     interactive = sys.stdin.isatty() and not arguments.noninteractive
     env = {**os.environ, 'OVERRIDE_LAUNCH_PROCESS_OUTPUT': 'both'} if arguments.show_all_subprocesses_output else None
@@ -178,7 +178,7 @@ def _print_end(arguments: argparse.Namespace, session: Session, recording: Recor
 def _session_class(arguments: argparse.Namespace) -> type[Session]:
     """Return the class of session: that of the simulation, unless the options of a plug-in choose another one.
 
-    :raises UnusableInput: when that is not possible.
+    :raises UnusableInput: when the plug-in cannot run this command.
     """
     found = [options.session_class(arguments) for options in plugins_of(arguments)]
     return next((kind for kind in found if kind is not None), Session)

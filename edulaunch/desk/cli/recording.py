@@ -50,7 +50,7 @@ def export(arguments: argparse.Namespace) -> int:
     names = [name for name, topic in recording.topics.items() if topic.count]
     for name in arguments.topics or ():
         if name not in names:
-            raise UnusableInput(f'nothing was published on {name}', help=f'topics: {", ".join(names)}')
+            raise UnusableInput(f'nothing was published on {name}', help=f'choose topics with messages: {", ".join(names)}')
     chosen = arguments.topics or names
     try:
         if arguments.bag is not None:

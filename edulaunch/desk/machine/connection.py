@@ -36,7 +36,7 @@ class Peer(Protocol):
 
 
 class Connection:
-    """One accepted connection. It sends and does nothing before the other side has sent the token.
+    """One accepted connection. It sends nothing and does nothing before the other side has sent the token.
 
     :param open_peer: creates the terminal or live view that the first frame requests.
     :param forget: called once, when it is closed.
@@ -145,7 +145,7 @@ class Connection:
     def look_for_signals(self, deliver: Callable[[int], object]) -> None:
         """While a program of the terminal keeps its turn, pass Ctrl-C and the end of the terminal on to it.
 
-        :raises BaseException: what the signal raises in the program, here in the middle of its code.
+        :raises BaseException: the exception that the signal raises in the middle of the program's code.
         """
         if not self._read():
             self.close()
@@ -173,7 +173,7 @@ class Connection:
 
 
 class RemoteInput(PipedInput):
-    """The keyboard of the other end, which reads it only after a program here does.
+    """The keyboard of the other end. The other end reads keys only after a program here has requested input.
 
     :param send: sends a frame to the other end.
     :param is_terminal: whether there is a keyboard, or a pipe or a file.

@@ -1,6 +1,6 @@
 """The live view in a notebook: a widget with the same page as everywhere, and with the kernel as its machine.
 
-It needs nothing of JupyterLab itself: any front end for ipywidgets shows it (Notebook, VS Code, Colab). It is loaded late,
+It does not depend on JupyterLab: any front end for ipywidgets shows it (Notebook, VS Code, Colab). It is loaded late,
 because it needs anywidget.
 """
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, unused-ignore]
-    """One widget; each place that shows it has a page of its own."""
+    """One widget. Each place that shows it has its own page."""
 
     _esm = module()
     tab = traitlets.Unicode('graph').tag(sync=True)

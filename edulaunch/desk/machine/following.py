@@ -55,7 +55,7 @@ class _NobodyReads(Exception):
 class Follower:
     """One command in this terminal. Ctrl-C is passed on, and the program decides what it does.
 
-    :param state: describes a machine that does not answer, as the rest of a sentence.
+    :param state: returns the end of a sentence about a machine that does not answer.
     :param give_up_s: seconds without a first answer after which the terminal ends.
     """
 

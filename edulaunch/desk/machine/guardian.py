@@ -79,7 +79,7 @@ class Guardian:
             self._signal(signal.SIGTERM)
 
     def run(self) -> int:
-        """Watch to the end of the machine; return its exit code, negative for a signal."""
+        """Watch the machine until it ends. Return its exit code, which is negative after a signal."""
         while True:
             if self._pipe >= 0 and select.select([self._pipe], [], [], LOOK_S)[0]:
                 self._hear()
@@ -177,7 +177,7 @@ class Guardian:
             return
 
     def clean_up(self, code: int) -> None:
-        """Remove the file that an ended machine leaves for terminals, and write the reason to its log if nothing else does."""
+        """Remove the file that an ended machine leaves for terminals. Unless its log has the reason, write that there."""
         with locked(self._place, self._number):
             address = read_address(self._place, self._number)
             if address is None or address.pid != self._pid:

@@ -1,4 +1,4 @@
-"""The machine's end of the guardian: it sends a heartbeat twice a second, and reports the current line on request."""
+"""The machine's side of the pipe to its guardian: it sends two heartbeats a second, and reports the current line on request."""
 
 from __future__ import annotations
 
@@ -59,6 +59,6 @@ class Heartbeat:
             time.sleep(BEAT_S)
 
     def _interrupt(self, signum: int, frame: FrameType | None) -> None:
-        """End the program that has its turn, also inside C code that checks for signals, and in a call that waits."""
+        """End the program that has its turn, even if it waits or runs C code that checks for signals."""
         if self._server.machine.session.host.program_here() is not None:
             raise RunawayProgram

@@ -151,7 +151,7 @@ class LiveMachine(ViewedMachine):
         return self.has_joined if self.network is not None or can_join_network() else None
 
     def join_network(self, joins: bool) -> str:
-        """Handle the button of a page, with the environment in which the machine was started."""
+        """Handle a page's button for the network, in the environment in which the machine was started."""
         printed: list[str] = []
         self.switch().run(['on' if joins else 'off'], os.environ, printed.append, self.tell)
         return ''.join(printed).strip()

@@ -10,7 +10,7 @@ from typing import Any, Protocol
 from edulaunch.runtime import plugins
 
 FARTHEST_NS = 24 * 3600 * 10**9
-"""If the clock differs more from real time, the machine cannot join: the recording would have a gap of that length."""
+"""If the clock differs from real time by more than this, the machine cannot join: its recording would have such a gap."""
 
 
 def is_walls_time(now_ns: int) -> bool:

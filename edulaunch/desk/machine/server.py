@@ -58,7 +58,7 @@ class Server:
         return wait_s
 
     def run_due_safely(self) -> float | None:
-        """Do the same as :meth:`run_due`, but log an error of the engine in one program's turn, and continue with the others.
+        """Call :meth:`run_due`. If the engine fails in one program's turn, log the error and continue with the others.
 
         :raises Exception: when the whole machine is stuck.
         """

@@ -1,6 +1,7 @@
 """The process that hosts a machine, from its start to its end.
 
-Ctrl-C also reaches a program that keeps its turn. The machine does not read from terminals then, so the system signals input.
+Ctrl-C also reaches a program that keeps its turn. The machine does not read from terminals during
+that turn, so the operating system sends it a signal when input arrives.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ QUIET_S = 0.04
 KEPT_S = 120.0
 """A machine that runs for hours keeps messages for this many simulated seconds."""
 TURN_LIMIT_S = 2.0
-"""The same limit as in a Session, but here other terminals wait."""
+"""The limit for a turn, as in a Session. The other terminals wait during a turn."""
 EARLY = ('rclpy', 'launch', 'launch_ros.actions')
 """Modules that most commands need; they are loaded while the machine is idle."""
 

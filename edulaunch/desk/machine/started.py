@@ -269,7 +269,7 @@ def desk_widget(machine: LiveMachine, tab: str) -> DeskWidget:
     :raises UnusableInput: when anywidget is not installed, or there is no such tab.
     """
     if tab not in TABS:
-        raise UnusableInput(f'unknown tab {tab!r}', help=did_you_mean(tab, TABS) or f'one of {", ".join(TABS)}')
+        raise UnusableInput(f'unknown tab {tab!r}', help=did_you_mean(tab, TABS) or f'choose one of {", ".join(TABS)}')
     try:
         from edulaunch.desk.machine.desk_widget import DeskWidget
     except ImportError:

@@ -77,5 +77,7 @@ def number_of(text: str | None, name: str) -> float:
     except ValueError:
         number = -1.0
     if not 0 <= number <= 1e6:
-        raise UnusableInput(f'{name} needs a number from 0 to 1000000, not {text or "nothing"!r}', help=f'for example: {name} 5')
+        raise UnusableInput(
+            f'{name} needs a number from 0 to 1000000, not {text or "nothing"!r}', help=f'write, for example: {name} 5'
+        )
     return number

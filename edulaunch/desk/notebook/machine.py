@@ -33,7 +33,7 @@ from edulaunch.runtime.session import Session, index_for
 LAUNCH_S = 20.0
 COMMAND_S = {'topic echo': 1.0}
 OTHER_S = 5.0
-"""Simulated seconds until Ctrl-C without `--for`: for a launch, for commands with much output, for others."""
+"""Simulated seconds until Ctrl-C without `--for`: for launches, for commands with much output, and for others."""
 PRESS_S = 1.0
 """Simulated seconds that pass for a key: a turtle moves for this long."""
 SIZE = (80, 24)
@@ -81,7 +81,10 @@ class Jobs:
         found = [job for job in self._jobs if number in ('', str(job.number), f'%{job.number}')]
         if number and not found:
             known = ', '.join(str(job.number) for job in self._jobs)
-            raise UnusableInput(f'there is no job {number}', help=f'jobs: {known}' if known else 'no job was started with &')
+            raise UnusableInput(
+                f'there is no job {number}',
+                help=f'choose one of the jobs {known}' if known else 'end a command with & to start a job',
+            )
         return found
 
     def forget_ended(self) -> None:
@@ -175,7 +178,7 @@ class NotebookMachine:
         return found
 
     def _advice(self, session: Session, process: Process, typed: str = '') -> list[str]:
-        """Report advice below a cell, on its own command only."""
+        """Return the advice to print below a cell. It covers only the command of that cell."""
         helped = session.host.hints.helped(process.pid)
         return end_of_run_lines(session.of_command(process.pid), helped=helped, typed=typed)
 

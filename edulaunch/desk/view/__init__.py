@@ -48,4 +48,4 @@ class ViewedMachine:
         """Handle a request of a page."""
 
     def continue_at(self, time_s: float) -> None:
-        """Continue from a past instant; not possible if other terminals have typed in the meantime."""
+        """Continue from a past instant. This is not possible if other terminals have typed in the meantime."""

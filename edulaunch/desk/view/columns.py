@@ -16,7 +16,7 @@ FINE = 10_000
 def number_steps(values: Iterable[float], scale: int, before: int = 0) -> tuple[list[Any], int]:
     """Return the steps of a column from the value `before` (in scaled units), and the last value for the next delta.
 
-    Values that are not finite, or too large for a browser's numbers, become None and change nothing.
+    Values that are not finite, or too large for a browser's numbers, become None. The next step starts from the value before.
     """
     steps: list[Any] = []
     still = 0

@@ -13,7 +13,7 @@ from edulaunch.engine.packages import Index
 from edulaunch.engine.underlay_place import underlay_prefix
 
 MOST_PROGRAMS = 30
-"""A launch of a thousand programs has few different ones; of more than this, the page shows no defaults."""
+"""The page shows no defaults for a launch with more different programs than this."""
 
 
 def defaults_of(
@@ -21,7 +21,7 @@ def defaults_of(
 ) -> list[list[Any]]:
     """Return [node, parameter, default] for the nodes that got a value from outside, as far as the defaults are known.
 
-    A program of edulaunch runs for half a second in a simulation of its own. A student's program is read.
+    A program of edulaunch runs for half a second in a simulation of its own. The source of a student's program is read.
 
     :param nodes, processes, parameters: rows of a recording.
     :param index: where the packages of students are. Without one, only the packages of edulaunch are known.

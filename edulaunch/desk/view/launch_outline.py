@@ -1,4 +1,4 @@
-"""The launch in a page without a script: what the tab Launch shows, as it was at the end of the run.
+"""The launch in a page without a script: the content of the tab Launch at the end of the run.
 
 It consists of lists and of elements that open and close, so it works with a keyboard and a screen reader.
 """
@@ -84,7 +84,7 @@ def _branch(below: Mapping[int, list[Row]], steps: Mapping[int, Row], number: in
 
 
 def titled(row: Row) -> str:
-    """Return the name of a step: an include is called by its file alone."""
+    """Return the name of a step. The name of an include is its file without the folder."""
     return f'include {os.path.basename(row["text"])}' if row['kind'] == 'include' else row['text']
 
 

@@ -1,4 +1,4 @@
-"""A run as plain data for the page: data that only grows, sent delta by delta, and marks on nodes, topics and frames.
+"""A run as plain data for the page: records that are only added, sent delta by delta, and marks on nodes, topics and frames.
 
 The first delta of a finished recording contains all of it; a live machine sends the changes since the last delta. Times are whole
 microseconds since the start of the simulation. The marks come from the rules of advice; this file only defines their form.
@@ -117,8 +117,8 @@ class Timeline:
     def delta(self) -> dict[str, Any]:
         """Return the changes since the last call, ready for JSON.
 
-        `start` (us since the epoch), `now` (us), `topics`, `tf`, `scans`, and rows of everything else; `advice` after
-        :meth:`mark`.
+        It has `start` (us since the epoch), `now` (us), `topics`, `tf`, `scans`, and the new rows of all other parts. After
+        :meth:`mark`, it also has `advice`.
         """
         source = self._source
         delta: dict[str, Any] = {
@@ -187,7 +187,7 @@ class Timeline:
         return [row_of(number, row) for number, row in [*(pair for pair in open_before if pair[1][end] is not None), *new_rows]]
 
     def _columns(self, topic: str, kind: str, times: Sequence[int], wires: Sequence[Any]) -> dict[str, Any]:
-        """Return the messages of a topic: steps of the times, and of each leaf that is a number or a string."""
+        """Return the messages of a topic as columns: the times, and each leaf that is a number or a string."""
         if kind not in self._layout:
             self._layout[kind] = _layout(self._source.wire_type(kind)) if kind != TF_TYPE else []
         found: dict[str, Any] = {'name': topic, 'type': kind}

@@ -66,7 +66,7 @@ class Viewer:
         self._say({**message, 'delta': self._timeline.delta()})
 
     def has_programs(self) -> bool:
-        """Return whether a program runs that one of the page's terminals has started."""
+        """Return whether any program that a terminal of the page has started still runs."""
         return self._machine.session is self._session and any(pane.has_programs() for pane in self._panes)
 
     @property
@@ -74,7 +74,7 @@ class Viewer:
         return self._machine.time
 
     def _look(self) -> bool:
-        """Return whether the machine runs another session than before; then the page starts over."""
+        """Return whether the machine now runs a different session, so the page starts over."""
         if self._machine.session is self._session:
             return False
         self._session = self._machine.session
@@ -152,7 +152,7 @@ class Viewer:
             self._say({'said': f'{missing} within 10 s of simulated time.'})
 
     def _stops(self, request: dict[str, Any]) -> None:
-        """Make new launches stop before their first action, or not. With `again`, run this launch again and stop there."""
+        """Set whether new launches stop before their first action. With `again`, run this launch again and stop there."""
         on = request['on'] is True
         again = on and request.get('again') is True
         if again and not self._machine.can_continue:
@@ -233,7 +233,7 @@ class Viewer:
         self._say({'said': f'Problems found: {len(marks)}.' if marks else 'No problems found.'})
 
     def _defaults(self, request: dict[str, Any]) -> None:
-        """Give the page the defaults of parameters that got a value from outside."""
+        """Send the page the defaults of parameters that got a value from outside."""
         from edulaunch.desk.view.defaults import defaults_of
 
         recorder = self._session.recorder

@@ -61,14 +61,19 @@ class LaunchRecord(NamedTuple):
     unread: list[UnreadArgument] = []
 
     @property
-    def help(self) -> str | None:
-        """Advice on the error, in the reader's language."""
+    def advice(self) -> tuple[str, str] | None:
+        """What is wrong and what to do, in the reader's language. None without an error, and if no rule explains it."""
         if self.error is None:
             return None
         place = None if self.error_file is None else (self.error_file, self.error_line)
         facts = {'type': self.error_type or '', 'message': self.error_cause or '', 'place': place, 'facts': self.error_facts}
-        help: str | None = view('help_of')(facts)
-        return help
+        advice: tuple[str, str] | None = view('advice_of')(facts)
+        return advice
+
+    @property
+    def help(self) -> str | None:
+        """The advice in one line."""
+        return None if self.advice is None else '; '.join(filter(None, self.advice))
 
 
 class ProcessRecord(NamedTuple):

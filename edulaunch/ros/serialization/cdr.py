@@ -273,7 +273,7 @@ def decode(cls: type[Message], data: bytes) -> tuple[Any, ...]:
     if bytes(data[:2]) != HEADER[:2]:
         raise InterfaceError(
             f'these bytes are not little-endian CDR: they start with {bytes(data[:4]).hex(" ") or "nothing"}',
-            help=f'a {cls.TYPE} starts with {HEADER.hex(" ")}',
+            help=f'pass the bytes of a {cls.TYPE}, which start with {HEADER.hex(" ")}',
         )
     body = bytes(data[4:])
     try:

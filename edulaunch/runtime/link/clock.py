@@ -1,7 +1,7 @@
 """One agenda in two processes.
 
 Each peer has its own items. Only the peer with the *token* runs, and only while its next item comes before the other peer's
-next one. Thus both together do what one process would do, in the same order. The *keys* of two items decide their order:
+next one. So the two peers together do what one process would do, in the same order. The *keys* of two items decide their order:
 
 * in the heap: (time, priority, 0, sequence);
 * in the queue for the present instant: (now, 0, 1, number). This first-in, first-out queue has no sequence numbers. Whenever

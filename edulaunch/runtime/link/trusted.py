@@ -201,7 +201,7 @@ class Trusted:
         publisher.publish((text,))
 
     def _turn(self, turtle: str, angle: float) -> None:
-        """Turn a turtle, of which the other peer knows nothing before."""
+        """Turn a turtle at a time that the other peer cannot know in advance."""
         node = self.graph.add_node(ConfinedProgram(VISITOR_PID, VISITOR), 'visitor', '/')
         kind = underlay_registry().get('turtlesim/srv/TeleportRelative')
         client = self.graph.create_client(node, f'{turtle}/teleport_relative', kind, QoS(), bool)

@@ -38,7 +38,7 @@ OF_THE_STUDENT = {
     'turtlesim': ('turtle_teleop_key',),
     'xacro': None,
 }
-"""Programs that read files or keys, and run beside the student's own: all of a package (None), or these executables."""
+"""Programs that read files or keys, so they run beside the student's own. None means all executables of the package."""
 
 
 @cache
@@ -66,7 +66,7 @@ def shipped_path(package: str | None, executable: str | None) -> str:
 
 
 def is_shipped(word: str) -> bool:
-    """Return whether the first word of a command line names a program of edulaunch, or one that it could have had."""
+    """Return whether the first word of a command line is a path in the folder for programs of edulaunch."""
     return os.path.normpath(word).startswith(os.path.join(underlay_prefix(), 'lib', ''))
 
 

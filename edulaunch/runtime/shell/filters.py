@@ -1,4 +1,4 @@
-"""Programs after a `|`: each line is passed on when it arrives, which also shows the output of a program that never ends."""
+"""Programs after a `|`: each line is passed on when it arrives, so the output of an endless program appears, too."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from itertools import groupby
 from typing import Any, Protocol
 
 Lines = tuple[Callable[[str], object], Callable[[], object]]
-"""The handler of each line, and the function at the end."""
+"""The handler of each line, and the function to call at the end."""
 Stop = Callable[[], object]
 LONGEST_S = 10.0
 """A real program has this many real seconds to process its input."""
@@ -69,7 +69,7 @@ class Filter:
 
 
 class RealFilter:
-    """Any other program: it receives the whole input at its end."""
+    """Any other program: it receives the whole input when the input ends."""
 
     def __init__(self, words: Sequence[str], sink: Sink, cwd: str | None, env: Mapping[str, str]) -> None:
         self.returncode = 0

@@ -129,7 +129,9 @@ def read_late(due: str, per_day: float, path: str) -> Late:
     head, rows = read_table(path)
     column = next((name for name in TIMES if name in head), None)
     if column is None or not set(head) & {*NAMES, *NUMBERS}:
-        raise UnusableInput(f'{path} has no columns with students and times', help='student,submitted')
+        raise UnusableInput(
+            f'{path} has no columns with students and times', help='begin the file with the line student,submitted'
+        )
     times = {}
     for number, row in enumerate(rows, 2):
         if row[column].strip() not in ('', '-'):
@@ -148,7 +150,7 @@ def _time(text: str, place: str) -> datetime:
     try:
         return datetime.strptime(text, MOODLE_TIME)
     except ValueError:
-        raise UnusableInput(f'{place}: {text!r} is not a valid time', help='2026-11-20T23:59') from None
+        raise UnusableInput(f'{place}: {text!r} is not a valid time', help='write, for example, 2026-11-20T23:59') from None
 
 
 def read_table(path: str) -> tuple[list[str], list[dict[str, str]]]:

@@ -224,7 +224,7 @@ def main(words: Sequence[str]) -> int:
     results = [result for result in Store(options.results).all() if 'rubric' in result]
     names = sorted({result['rubric']['name'] for result in results})
     if options.exercise is not None and options.exercise not in names:
-        raise UnusableInput(f'there are no results of {options.exercise}', help=f'there are: {", ".join(names)}')
+        raise UnusableInput(f'there are no results of {options.exercise}', help=f'choose one of {", ".join(names)}')
     pages = []
     for name in [options.exercise] if options.exercise else names:
         works, lost = _works([result for result in results if result['rubric']['name'] == name], options.results)

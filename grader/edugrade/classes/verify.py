@@ -202,7 +202,7 @@ def _of_the_seed(report: dict[str, Any], options: argparse.Namespace, submission
         if report['receipt'].get('secret') is not None and options.seed is None:
             raise UnusableInput('a course secret has chosen the runs of this report', help='give --course-secret-file FILE')
         if report['receipt'].get('seed') != (submission.seed if options.seed is None else options.seed):
-            yield 'seed: not the one that follows from the text; whoever graded it has chosen it (--seed N accepts it)'
+            yield 'seed: it does not follow from the text, so the grader of this report chose it (--seed N accepts it)'
         return
     secret = CourseSecret(options.course_secret_file)
     student = str(report.get('student_id') or report.get('student') or '')

@@ -134,7 +134,7 @@ def translated(result: CheckResult, reader: Reader) -> CheckResult:
     return replace(
         result,
         sentence=reader.retells(result.sentence),
-        reason=reader.retells(result.reason),
+        reason=_maybe(result.reason, reader) or '',
         expected=_maybe(result.expected, reader),
         seen=_maybe(result.seen, reader),
         try_=_maybe(result.try_, reader),

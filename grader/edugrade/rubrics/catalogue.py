@@ -123,7 +123,7 @@ def load_rubric(path: str, personal: Callable[[str], str] | None = None) -> Rubr
         data = read_regular(path, LARGEST_BYTES)
     except FileNotFoundError:
         raise UnusableInput(
-            f'the rubric {path} does not exist', help=f'rubrics of the course: {", ".join(exercises())}'
+            f'the rubric {path} does not exist', help=f'choose a rubric of the course: {", ".join(exercises())}'
         ) from None
     except OSError as error:
         raise_fault(error)
@@ -138,7 +138,7 @@ def load_rubric(path: str, personal: Callable[[str], str] | None = None) -> Rubr
         rubric = read_yaml_rubric(path, data)
     if not isinstance(rubric, Rubric):
         raise UnusableInput(
-            f'{path} is not a rubric: it defines no RUBRIC = Rubric(...)', help='docs/rubrics.md shows how to write one'
+            f'{path} is not a rubric: it defines no RUBRIC = Rubric(...)', help='write one as docs/rubrics.md shows'
         )
     rubric.file, rubric.text = path, data
     return rubric

@@ -214,7 +214,7 @@ def test_what_goes_on_without_end_is_an_error_with_its_place(
     error = plan(body)['error']
     assert error['text'] == f'the launch file goes on without end: after {after} simulated seconds it still does something'
     assert error['origin'].startswith(f'{tmp_path}/a.launch.py:')
-    assert 'needs something that ends it' in error['help']
+    assert 'give an end to a handler whose own actions cause its event' in error['help']
 
 
 def test_a_handler_of_its_own_events_is_silenced_and_named(plan: Plan, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -226,7 +226,9 @@ def test_a_handler_of_its_own_events_is_silenced_and_named(plan: Plan, tmp_path:
     )
     assert 40 < sum(item['kind'] == 'log' for item in found['items']) <= 51
     assert found['error']['text'].startswith('the launch file goes on without end')
-    assert found['error']['help'].startswith(f'{found["error"]["origin"]} (LogInfo): a handler whose own actions cause its event')
+    assert found['error']['help'].startswith(
+        f'{found["error"]["origin"]} (LogInfo): give an end to a handler whose own actions cause its event'
+    )
 
 
 @pytest.mark.parametrize(

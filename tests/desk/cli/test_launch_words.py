@@ -25,7 +25,7 @@ def test_files_that_are_none(tmp_path: Path, capsys: pytest.CaptureFixture[str],
     for word, said in (
         ('rbot.launch.py', "error: launch file 'rbot.launch.py' does not exist.\n  help: did you mean 'robot.launch.py'?\n"),
         ('.', "error: '.' is a folder, not a launch file.\n  help: name a file in it: robot.launch.py\n"),
-        ('no/such.launch.py', "error: launch file 'no/such.launch.py' does not exist.\n  help: there is no folder"),
+        ('no/such.launch.py', "error: launch file 'no/such.launch.py' does not exist.\n  help: check the path: the folder"),
     ):
         assert main(['launch', word]) == 2
         assert capsys.readouterr().err.startswith(said)

@@ -108,7 +108,7 @@ def test_each_topic_becomes_a_table(drive: Path) -> None:
 
 def test_a_topic_that_nobody_published_on(drive: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['recording', 'export', str(drive), '--csv', 'x', '--topics', '/nix']) == 2
-    assert 'help: topics: /' in capsys.readouterr().err
+    assert 'help: choose topics with messages: /' in capsys.readouterr().err
 
 
 def test_a_recording_over_the_limits_is_read_when_it_is_trusted(

@@ -80,7 +80,7 @@ def test_a_seed_that_somebody_chose_is_found(work: Path, tmp_path: Path, capsys:
     shutil.copy(SOLUTION, tmp_path)
     main([str(tmp_path / SOLUTION.name), '--seed', '7', '--json', report])
     assert main(['verify', report]) == 1
-    assert 'seed: not the one that follows from the text' in capsys.readouterr().out
+    assert 'seed: it does not follow from the text' in capsys.readouterr().out
     assert main(['verify', report, '--seed', '7']) == 0
     assert main(['verify', str(work / 'class.results' / 'anna' / 'static_frame.launch.py.json')]) == 2
     assert 'give --course-secret-file' in capsys.readouterr().err

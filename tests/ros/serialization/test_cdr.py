@@ -49,7 +49,7 @@ def test_the_values_that_rosbags_reads_are_ours(get):
             b'',
             (
                 'these bytes are not little-endian CDR: they start with nothing\n'
-                '  help: a std_msgs/msg/String starts with 00 01 00 00'
+                '  help: pass the bytes of a std_msgs/msg/String, which start with 00 01 00 00'
             ),
         ),
         (b'\0\1\0\0', 'these 4 bytes are not a std_msgs/msg/String: '),

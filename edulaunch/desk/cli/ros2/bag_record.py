@@ -31,10 +31,10 @@ SEPARATOR = '=' * 80
 
 
 class BagTopic:
-    """Takes the messages of a topic directly from the graph, so that the recorder needs no turn or copy for each.
+    """Takes the messages of a topic directly from the graph, so that the recorder needs no turn and no copy for each message.
 
     :param publishers: the publishers of the topic; the subscription requests the QoS that all of them offer.
-    :param messages: what arrives is appended here.
+    :param messages: the list to which arriving messages are appended.
     """
 
     def __init__(self, graph: Graph, node: NodeEntry, publishers: list[Publisher], messages: list[BagMessage]) -> None:

@@ -60,9 +60,9 @@ def cli_node(arguments: argparse.Namespace | None = None, name: str | None = Non
 def discover(node: Node, arguments: argparse.Namespace) -> None:
     """Wait until the graph is known.
 
-    In ROS 2, the first command waits for half a second and starts a daemon, which answers later commands
-    immediately. Here the graph is known when the simulation is half a second old. Thus commands of a launch file
-    see the processes that started beside them.
+    In ROS 2, the first command waits for half a second and starts a daemon, which answers later commands immediately. Here the
+    graph is known when the simulation is half a second old. So commands of a launch file see the processes that started at the
+    same time.
     """
     host: Any = current_process().host
     if arguments.spin_time is not None:

@@ -81,7 +81,8 @@ def _compiled(pattern: str) -> re.Pattern[str]:
         raise UnusableInput(f'the name pattern {pattern} is not a valid regular expression: {error}') from None
     if 'student' not in compiled.groupindex:
         raise UnusableInput(
-            f'the name pattern {pattern} has no group "student"', help="such as --name-pattern '^hw1-(?P<student>[^/]+)'"
+            f'the name pattern {pattern} has no group "student"',
+            help="give, for example, --name-pattern '^hw1-(?P<student>[^/]+)'",
         )
     return compiled
 
