@@ -45,16 +45,31 @@ def check(
     status: str, sentence: str = 'The robot drives', reason: str | None = None, points: int = 4, earned: int = 0, **more: Any
 ) -> dict[str, Any]:
     return {
-        **{'name': sentence, 'sentence': sentence, 'status': status, 'reason': reason, 'seen': None, 'try': None},
-        **{'points': points, 'earned': earned, **more},
+        'name': sentence,
+        'sentence': sentence,
+        'status': status,
+        'reason': reason,
+        'seen': None,
+        'try': None,
+        'points': points,
+        'earned': earned,
+        **more,
     }
 
 
 def graded(earned: float, *checks: dict[str, Any], **more: Any) -> Any:
     return {
-        **{'checks': list(checks), 'verdict': 'some failed', 'points': {'earned': earned, 'possible': 12}},
-        **{'rubric': {'name': 'circle'}, 'sandbox': {'files': 'held'}, 'exit_code': 1, 'run_s': 0.5},
-        **{'receipt': {'submission': 'abc', 'seed': 7}, 'graded': '2026-11-24', 'comment': 'well done', **more},
+        'checks': list(checks),
+        'verdict': 'some failed',
+        'points': {'earned': earned, 'possible': 12},
+        'rubric': {'name': 'circle'},
+        'sandbox': {'files': 'held'},
+        'exit_code': 1,
+        'run_s': 0.5,
+        'receipt': {'submission': 'abc', 'seed': 7},
+        'graded': '2026-11-24',
+        'comment': 'well done',
+        **more,
     }
 
 
