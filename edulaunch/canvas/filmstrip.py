@@ -26,7 +26,11 @@ def strip_times(duration_s: float, worlds: int) -> list[float]:
 
 
 def filmstrip(worlds: list[World], duration_s: float) -> str:
-    """Return an SVG: one world in two rows of four pictures, or several worlds in a row of six each."""
+    """Return an SVG: one world in two rows of four pictures, or several worlds in a row of six each.
+
+    :param worlds: the turtlesim windows of a run.
+    :param duration_s: the simulated time of the last picture, in seconds since the start; the first one is at 0.
+    """
     times = strip_times(duration_s, len(worlds))
     columns, side = (4, 176) if len(worlds) == 1 else (6, 116)
     parts = []

@@ -57,7 +57,10 @@ def _place(name: str, frames: dict[str, Frame], found: dict[str, Placed], way: l
 
 
 def seen_from(fixed: Placed, place: Placed) -> Placed:
-    """Return the pose of a frame relative to another one of its tree."""
+    """Return the pose of the frame `place`, in metres and as a unit quaternion, in axes of the frame `fixed`.
+
+    :param fixed, place: poses in the same root frame.
+    """
     x, y, z, w = fixed.turn
     back = (-x, -y, -z, w)
     a, b = place.position, fixed.position

@@ -29,7 +29,10 @@ class Layers(NamedTuple):
 
 
 def make_layers(count: int, edges: list[Edge]) -> Layers:
-    """Return the layers of items 0 to count-1."""
+    """Return the layers of items 0 to count-1. An item without edges is in the first layer.
+
+    :param edges: (from, to) for each arrow. They may form loops; the arrows that close a loop are turned.
+    """
     back = _back_edges(count, edges)
     forward = [(b, a) if number in back else (a, b) for number, (a, b) in enumerate(edges)]
     rank = _ranks(count, forward)
@@ -127,7 +130,11 @@ def _swept(layers: list[list[int]], neighbours: dict[int, list[int]]) -> list[li
 
 
 def crossings(layers: list[list[int]], links: list[Edge]) -> int:
-    """Return how many pairs of links between neighbouring layers cross."""
+    """Return how many pairs of links between neighbouring layers cross.
+
+    :param layers: the items of each layer in order.
+    :param links: (a, b) with b in the layer after a.
+    """
     place = {item: number for layer in layers for number, item in enumerate(layer)}
     layer_of = {item: number for number, layer in enumerate(layers) for item in layer}
     total = 0

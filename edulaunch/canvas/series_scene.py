@@ -97,7 +97,12 @@ def _close_since(points: list[tuple[float, float]], close_m: float) -> float | N
 
 
 def places_of(recording: Recording, name: str) -> list[Place]:
-    """Return the positions of a turtle, a robot, or a tf frame in its root frame, in order of time."""
+    """Return (time in s, x in m, y in m) of a thing that moved, in order of time.
+
+    :param name: a turtle or a robot, whose positions are in its world. Otherwise a tf frame, whose positions are in its root
+        frame, twenty times a second.
+    :raises NotRecorded: when nothing of this name moved; the error has the nearest name.
+    """
     things = moving_things(recording)
     if name in things or '/' + name in things or name.removeprefix('/') in things:
         track = recording.trajectory(name)

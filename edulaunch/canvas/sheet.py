@@ -107,7 +107,11 @@ def _cost(box: Box, placed: Sequence[Box], bounds: Box) -> float:
 
 
 def along(start: tuple[float, float], end: tuple[float, float], half: float = 3.0) -> list[Box]:
-    """Return small boxes that together cover a line, so that labels avoid it."""
+    """Return small boxes that together cover a line, so that labels avoid it.
+
+    :param start, end: the ends of the line, in pixels.
+    :param half: half of the width and height of each box, in pixels.
+    """
     steps = max(1, round(max(abs(end[0] - start[0]), abs(end[1] - start[1])) / (2 * half)))
     points = [
         (start[0] + (end[0] - start[0]) * step / steps, start[1] + (end[1] - start[1]) * step / steps)
@@ -125,7 +129,13 @@ class Sheet(NamedTuple):
 
 
 def rows_of(count: int, most: int, side: float, left: float, between: float, above: float, below: float) -> Sheet:
-    """Return squares in rows of at most `most`, with room around each."""
+    """Return a sheet with squares for axes, in rows from the upper left. All sizes are in layout pixels.
+
+    :param count: the number of squares, at least 1.
+    :param most: the maximum number of squares in a row.
+    :param side: the side of a square.
+    :param left, between, above, below: free space on the left, the right, the upper and the lower side of each square.
+    """
     columns = min(most, count)
     rows = math.ceil(count / columns)
     width, height = left + side + between, above + side + below
@@ -192,7 +202,12 @@ def rgb(colour: Colour) -> tuple[float, float, float]:
 def world(
     ax: Axes, limits: tuple[float, float, float, float], ground: Colour = PAPER, *, grid: bool, square: bool = True
 ) -> None:
-    """Make the axes show an area of the world, (left, right, bottom, top), with ticks and a background."""
+    """Make the axes show an area of the world, with ticks and a background.
+
+    :param limits: (left, right, bottom, top) of the area, in metres.
+    :param ground: the colour of the background.
+    :param square: whether a metre has the same length in both directions.
+    """
     ax.set_xlim(limits[0], limits[1])
     ax.set_ylim(limits[2], limits[3])
     ax.set_facecolor(rgb(ground))

@@ -47,7 +47,13 @@ def shortened(text: str, most: int = 28) -> str:
 
 
 def oval(x: float, y: float, rx: float, ry: float, turn: float = 0.0, steps: int = 16) -> list[tuple[float, float]]:
-    """Return points of an ellipse around (x, y), rotated counter-clockwise."""
+    """Return the corners of an ellipse, counter-clockwise and rounded to 0.001.
+
+    :param x, y: the centre.
+    :param rx, ry: half of its length along x and along y, before it is rotated.
+    :param turn: the angle, in radians, by which it is rotated counter-clockwise about its centre.
+    :param steps: the number of corners; the first one is at the end of `rx`.
+    """
     angles = [math.tau * step / steps for step in range(steps)]
     c, s = math.cos(turn), math.sin(turn)
     return [

@@ -137,7 +137,13 @@ def message_table(recording: Recording, topic: str, fields: tuple[str, ...]) -> 
 
 
 def log_table(recording: Recording, process: str | None, level: str, word: str) -> TextTable:
-    """Return the log lines of a run from a lowest level, optionally of one process, or with a word in them."""
+    """Return the log lines of a run as a table, in order of time.
+
+    :param process: the name of one process, such as 'talker-1'; None for all.
+    :param level: the lowest level: 'debug', 'info', 'warn', 'error' or 'fatal', in any case.
+    :param word: a part of the messages, in any case; '' for all messages.
+    :raises ValueError: for an unknown level.
+    """
     least = next((number for number, name in LEVELS.items() if name == level.upper()), None)
     if least is None:
         raise ValueError(f'unknown level {level!r}: use one of {", ".join(LEVELS.values())}')

@@ -5,8 +5,6 @@ from __future__ import annotations
 import os
 import sys
 
-from edulaunch.runtime.quiet_start import run_quietly
-
 
 def edulaunch() -> int:
     """Run the command `edulaunch`, and return its exit code.
@@ -16,14 +14,21 @@ def edulaunch() -> int:
     if sys.argv[1:2] == ['launch'] and 'PYTHONHASHSEED' not in os.environ and sys.platform not in ('win32', 'emscripten'):
         os.environ['PYTHONHASHSEED'] = '0'
         os.execv(sys.executable, [sys.executable, *sys.orig_argv[1:]])
-    return run_quietly('edulaunch.desk.cli.main', 'main')
+    return _run('edulaunch.desk.cli.main', 'main')
 
 
 def ros2() -> int:
     """Run the command `ros2`, and return its exit code."""
-    return run_quietly('edulaunch.desk.machine.command', 'ros2')
+    return _run('edulaunch.desk.machine.command', 'ros2')
 
 
 def rosdep() -> int:
     """Run the command `rosdep`, and return its exit code."""
-    return run_quietly('edulaunch.desk.cli.rosdep', 'command')
+    return _run('edulaunch.desk.cli.rosdep', 'command')
+
+
+def _run(module: str, name: str) -> int:
+    """Run a command. What it needs is imported here, because a Python that starts again should not load it twice."""
+    from edulaunch.runtime.quiet_start import run_quietly
+
+    return run_quietly(module, name)

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from edulaunch.canvas import style
 from edulaunch.canvas.style import MONO_ADVANCE, TEXT, mono_width, oval, robot, shade, shortened, turtle
 
 lengths = st.floats(0.01, 10.0)
@@ -66,3 +67,50 @@ def test_a_long_text_ends_in_dots(text: str, most: int, shown: str) -> None:
 
 def test_a_shade_is_darker() -> None:
     assert (shade((100, 200, 50)), shade((100, 200, 50), 0.5)) == ((82, 164, 41), (50, 100, 25))
+
+
+def edges(points: list[tuple[float, float]]) -> tuple[float, float, float, float]:
+    xs, ys = zip(*points, strict=True)
+    return min(xs), max(xs), min(ys), max(ys)
+
+
+def test_each_part_of_a_turtle_has_its_place_and_size() -> None:
+    left = [(name, len(points), *edges(points)) for name, points in turtle() if max(y for _, y in points) > 0]
+    assert left == [
+        ('skin', 12, 0.13, 0.41, 0.157, 0.503),
+        ('skin', 12, -0.4, -0.16, 0.161, 0.419),
+        ('skin', 3, -0.54, -0.36, -0.06, 0.06),
+        ('skin', 16, 0.305, 0.615, -0.12, 0.12),
+        ('shell', 20, -0.4, 0.4, -0.34, 0.34),
+        ('plate', 6, -0.19, 0.19, -0.147, 0.147),
+        ('seam', 2, 0.095, 0.185, 0.147, 0.273),
+        ('seam', 2, -0.185, -0.095, 0.147, 0.273),
+        ('eye', 8, 0.484, 0.536, 0.036, 0.088),
+    ]
+
+
+def test_a_robot_points_ahead_and_its_wheels_are_at_its_sides() -> None:
+    assert [(name, *edges(points)) for name, points in robot()] == [
+        ('wheel', -0.2, 0.2, 0.3, 0.44),
+        ('wheel', -0.2, 0.2, -0.44, -0.3),
+        ('body', -0.4, 0.4, -0.36, 0.36),
+        ('nose', -0.08, 0.32, -0.2, 0.2),
+    ]
+
+
+def brightness(colour: tuple[int, int, int]) -> float:
+    """The relative luminance of WCAG 2."""
+    linear = [part / 255 / 12.92 if part <= 10 else ((part / 255 + 0.055) / 1.055) ** 2.4 for part in colour]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def contrast(one: tuple[int, int, int], other: tuple[int, int, int]) -> float:
+    dark, light = sorted((brightness(one), brightness(other)))
+    return (light + 0.05) / (dark + 0.05)
+
+
+@pytest.mark.parametrize('ink', [style.INK, style.MUTED, style.BLUE, style.SAND, style.GREEN, style.RED])
+@pytest.mark.parametrize('ground', [style.PAPER, style.BLUE_TINT, style.SAND_TINT, style.GREEN_TINT, style.RED_TINT])
+def test_every_colour_of_letters_can_be_read_on_every_ground(ink: style.Colour, ground: style.Colour) -> None:
+    assert contrast(ink, ground) >= 4.2
+    assert contrast(style.GRID, style.PAPER) < 1.3, 'a grid stays behind'

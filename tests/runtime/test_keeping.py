@@ -16,7 +16,7 @@ import edulaunch
 from edulaunch.desk.cli.main import main
 from edulaunch.engine.recording import Recording
 from edulaunch.engine.recording.views import _VIEWS
-from edulaunch.runtime.keeping import DESCRIPTORS, Ending, Reserve, spent
+from edulaunch.runtime.keeping import DESCRIPTORS, MEMORY_BYTES, Ending, Reserve, spent
 from edulaunch.runtime.session import Session
 
 LAUNCH = """from launch import LaunchDescription
@@ -205,3 +205,14 @@ def test_a_computer_without_descriptors_runs_without_a_reserve(monkeypatch: pyte
 
 def test_another_error_is_not_the_fault_of_a_program() -> None:
     assert spent(OSError(errno.ENOENT, 'No such file')) is spent(ValueError()) is spent(None) is None
+
+
+@pytest.mark.skipif(not os.path.exists('/proc/self/statm'), reason='only Linux tells how much memory a process uses')
+def test_the_reserve_takes_no_memory_before_it_is_needed() -> None:
+    def used() -> int:
+        return int(Path('/proc/self/statm').read_text().split()[1]) * os.sysconf('SC_PAGESIZE')
+
+    before = used()
+    reserve = Reserve()
+    assert used() - before < MEMORY_BYTES / 4
+    reserve.release()

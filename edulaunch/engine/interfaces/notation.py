@@ -26,7 +26,14 @@ class Line(NamedTuple):
 
 
 def sections_of(text: str, file: str, kind: str, wanted: int) -> list[list[Line]]:
-    """Return the lines between the `---`, without comments and blanks."""
+    """Return the lines between the `---`, without comments and blanks.
+
+    :param text: the content of an interface file.
+    :param file: its path, for error messages.
+    :param kind: 'msg', 'srv' or 'action'.
+    :param wanted: the number of sections of that kind: 1, 2 or 3.
+    :raises InterfaceError: for another number of `---`, or for a longer line of hyphens.
+    """
     sections: list[list[Line]] = [[]]
     number = 0
     for number, raw in enumerate(re.split('\r\n|\r|\n', text.removeprefix('\ufeff')), 1):

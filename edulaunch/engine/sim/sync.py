@@ -25,7 +25,11 @@ def _deadline(task: Task, timeout: float | None) -> int | None:
 
 
 def wait_until(ready: Callable[[], bool], waiters: deque[Task], timeout: float | None) -> bool:
-    """Park the running task in `waiters` until `ready()` is true, or for `timeout` simulated seconds."""
+    """Park the running task in `waiters` until `ready()` is true, or for `timeout` simulated seconds.
+
+    :param timeout: None, or a negative number, waits without limit.
+    :returns: False when the time ended first.
+    """
     task = current_task()
     deadline = _deadline(task, timeout)
     while not ready():
@@ -146,7 +150,10 @@ class Condition:
         return depth
 
     def wait_for(self, predicate: Callable[[], Any], timeout: float | None = None) -> Any:
-        """Wait until `predicate()` is true; return its last value."""
+        """Wait until `predicate()` is true; return its last value.
+
+        :param timeout: simulated seconds; None, or a negative number, waits without limit.
+        """
         task = current_task()
         deadline = _deadline(task, timeout)
         result = predicate()

@@ -73,7 +73,12 @@ class History:
                 self.mixed = any(parent != self.parents[-1] for parent in self.parents)
 
     def insert(self, parent: str, stamp_ns: int, pose: Transform) -> None:
-        """Insert a sample in order. Among equal stamps it becomes the newest; a known sample is ignored."""
+        """Insert a sample in order of time. Among equal stamps it becomes the newest; a known sample is ignored.
+
+        :param parent: the name of the parent frame.
+        :param stamp_ns: the time of the sample in ns.
+        :param pose: parent_from_child: the pose of the frame in its parent, in metres, with a unit quaternion.
+        """
         stamps = self.stamps
         if not stamps or stamp_ns > stamps[-1]:
             place = len(stamps)

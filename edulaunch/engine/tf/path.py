@@ -69,7 +69,11 @@ class Path:
 
 
 def find_path(frames: Mapping[str, History | None], target: str, source: str) -> Path | None:
-    """Return the path by the newest parents; None without a path, or if it changes over time."""
+    """Return the path by the newest parents; None without a path, or if it changes over time.
+
+    :param frames: the samples of each frame by name; None for a frame without a parent.
+    :param target, source: names of frames in `frames`. The path goes up from both to their first common frame.
+    """
     up: list[History] = []
     place = {source: 0}
     frame = source

@@ -18,7 +18,10 @@ NEGATIVE_NAN = copysign(nan, -1.0)
 
 
 def multiply(a: Quaternion, b: Quaternion) -> Quaternion:
-    """Return the Hamilton product, which first rotates by `b`, then by `a`."""
+    """Return the Hamilton product, which first rotates by `b`, then by `a`.
+
+    :param a, b: quaternions (x, y, z, w) of any length; the length of the product is the product of their lengths.
+    """
     ax, ay, az, aw = a
     bx, by, bz, bw = b
     return (
@@ -35,7 +38,11 @@ def conjugate(q: Quaternion) -> Quaternion:
 
 
 def rotate(q: Quaternion, v: Vector) -> Vector:
-    """Turn the vector `v` by the unit quaternion `q`."""
+    """Return the vector `v`, rotated about the origin.
+
+    :param q: a unit quaternion (x, y, z, w). Another length gives a wrong vector, and no error.
+    :param v: (x, y, z) in any unit; the result has the same unit.
+    """
     qx, qy, qz, qw = q
     x, y, z = v
     ux, uy, uz = 2.0 * (qy * z - qz * y), 2.0 * (qz * x - qx * z), 2.0 * (qx * y - qy * x)
@@ -96,7 +103,11 @@ def from_matrix(m: Matrix) -> Quaternion:
 
 
 def from_euler(roll: float, pitch: float, yaw: float) -> Quaternion:
-    """Return the quaternion of a turn by `roll` about x, then `pitch` about y, then `yaw` about z, all fixed axes and radians."""
+    """Return the unit quaternion of a turn by `roll` about x, then `pitch` about y, then `yaw` about z, as `setRPY` of tf2.
+
+    :param roll, pitch, yaw: angles in radians about fixed axes, each of any size.
+    :returns: (x, y, z, w), whose sign is not the one of :func:`canonical`.
+    """
     cr, sr = cos(roll / 2.0), sin(roll / 2.0)
     cp, sp = cos(pitch / 2.0), sin(pitch / 2.0)
     cy, sy = cos(yaw / 2.0), sin(yaw / 2.0)

@@ -13,7 +13,12 @@ UNIT_TOLERANCE = 0.01  # largest difference of a quaternion's squared length fro
 
 
 def reasons_against(parent: str, child: str, pose: Transform, authority: str) -> tuple[Rejection, ...]:
-    """Return tf2's errors about one transform whose rotation is canonical; empty for a valid one."""
+    """Return tf2's errors about one transform, in the order of tf2; () for a valid transform.
+
+    :param parent, child: the names of the frames, without a slash at the start.
+    :param pose: parent_from_child. Its quaternion is canonical, so it has length 1 or is nan.
+    :param authority: the publisher, as tf2 names it in its log.
+    """
     x, y, z, w = pose[3:]
     rotation = _numbers(pose[3:])
     found: list[str] = []

@@ -17,7 +17,10 @@ IDENTITY: Transform = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 
 
 def compose(c_from_b: Transform, b_from_a: Transform) -> Transform:
-    """Return c_from_a, which applies `b_from_a` first and then `c_from_b`."""
+    """Return c_from_a, which applies `b_from_a` first and then `c_from_b`.
+
+    :param c_from_b, b_from_a: (x, y, z, qx, qy, qz, qw): metres and unit quaternions.
+    """
     q = c_from_b[3:]
     x, y, z = quaternions.rotate(q, b_from_a[:3])
     return (x + c_from_b[0], y + c_from_b[1], z + c_from_b[2], *quaternions.multiply(q, b_from_a[3:]))
@@ -63,7 +66,11 @@ def relative(top_from_b: Transform, top_from_a: Transform) -> Transform:
 
 
 def apply(b_from_a: Transform, point_in_a: Vector) -> Vector:
-    """Return the coordinates in b, in metres, of `point_in_a`, with the transform `b_from_a`."""
+    """Return the coordinates of a point in frame b.
+
+    :param b_from_a: the pose of frame a in frame b: metres and a unit quaternion.
+    :param point_in_a: (x, y, z) in metres in frame a.
+    """
     x, y, z = quaternions.rotate(b_from_a[3:], point_in_a)
     return (x + b_from_a[0], y + b_from_a[1], z + b_from_a[2])
 

@@ -108,7 +108,10 @@ class DrawingLayer:
         return color
 
     def color_at(self, x: float, y: float) -> Color:
-        """Return the colour of the pixel nearest to (x, y) metres (y downward); white outside the canvas."""
+        """Return the colour of the nearest pixel as (red, green, blue), each 0 to 255; `UNTOUCHED` outside the canvas.
+
+        :param x, y: metres from the upper left corner of the canvas; y points down.
+        """
         pixels = self._pixels
         x = x * METRE_PX + 0.5
         y = y * METRE_PX + 0.5
@@ -118,7 +121,10 @@ class DrawingLayer:
         return pixels[at], pixels[at + 1], pixels[at + 2]
 
     def draw(self, pen: Pen, x0: float, y0: float, x1: float, y1: float) -> None:
-        """Draw a line from (x0, y0) to (x1, y1), in metres, y downward."""
+        """Draw a line with a pen. The part outside the canvas is left out.
+
+        :param x0, y0, x1, y1: start and end in metres from the upper left corner of the canvas; y points down.
+        """
         self.version += 1
         x0 *= METRE_PX
         y0 *= METRE_PX

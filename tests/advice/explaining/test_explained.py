@@ -115,3 +115,10 @@ def test_a_missing_file_is_unusable_input(tmp_path: Path) -> None:
     (tmp_path / 'my.launch.py').write_text('')
     with pytest.raises(UnusableInput, match=r'does not exist'):
         edulaunch.explain(tmp_path / 'mi.launch.py')
+
+
+def test_two_explanations_are_compared_with_their_arguments_as_title(file: Path) -> None:
+    before = edulaunch.explain(file)
+    after = edulaunch.explain(file, arguments={'green': 5})
+    assert before.compare(after).title == 'my.launch.xml  ->  my.launch.xml green:=5'
+    assert before.compare(before).title == 'my.launch.xml  ->  my.launch.xml\nno difference'

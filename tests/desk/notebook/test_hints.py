@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from edulaunch.desk.notebook.hints import candidates, missing_folder_help, missing_name_help, unfinished
+from edulaunch.desk.notebook.hints import _shown, candidates, missing_folder_help, missing_name_help, unfinished
 from tests.lessons.student import Student
 
 HERE = {'square': 1, '_hidden': 2}
@@ -114,3 +114,18 @@ def test_a_missing_folder_has_help(tmp_path: Path, monkeypatch: pytest.MonkeyPat
 @pytest.mark.parametrize('known', ['In', 'Out', 'exit', 'quit', '_name'])
 def test_names_of_the_notebook_itself_are_no_spelling_of_others(known: str) -> None:
     assert missing_name_help(f'{known}s', f'{known}s', {known: 1}).startswith('run the cell that defines')
+
+
+def test_an_error_of_a_cell_is_shown_as_ipython_shows_it_with_help() -> None:
+    shown: list[Any] = []
+    shell: Any = SimpleNamespace(
+        InteractiveTB=SimpleNamespace(structured_traceback=lambda kind, error, trace, tb_offset: [kind.__name__, f'{error}']),
+        _showtraceback=lambda kind, error, lines: shown.append((kind, error, lines)),
+        user_ns={},
+    )
+    error = FileNotFoundError(2, 'No such file or directory', 'no_such/x.txt')
+    lines = _shown(shell, FileNotFoundError, error, None)  # type: ignore[arg-type]
+    assert shown == [(FileNotFoundError, error, lines)]
+    assert lines == ['FileNotFoundError', f'{error}\n  help: {missing_folder_help("no_such/x.txt")}']
+    other = FileNotFoundError(2, 'No such file or directory', 'x.txt')
+    assert _shown(shell, FileNotFoundError, other, None) == ['FileNotFoundError', f'{other}']  # type: ignore[arg-type]

@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from edulaunch.advice.workspace.not_needed import answer
 from edulaunch.engine.recording import Recording
 
 
@@ -125,3 +126,21 @@ def test_the_other_command_works_in_a_cell_too(shell: Any, capsys: pytest.Captur
     result = shell.run_cell(f'%edulaunch {line}')
     told = capsys.readouterr()
     assert result.success and part in told.out and told.err == ''
+
+
+@pytest.mark.parametrize('line', ['colcon build', 'rosdep install --from-paths src', 'apt install ros-jazzy-turtlesim'])
+def test_a_step_that_is_not_needed_is_explained(shell: Any, line: str, capsys: pytest.CaptureFixture[str]) -> None:
+    capsys.readouterr()
+    assert shell.run_cell(f'%{line}').success
+    assert answer(line.split()) in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ('line', 'shown'), [('edulaunch rosdep', 'usage:'), ('edulaunch "doctor', 'error: No closing quotation: add')]
+)
+def test_a_command_line_that_is_wrong_has_no_traceback(
+    shell: Any, line: str, shown: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    capsys.readouterr()
+    assert shell.run_cell(f'%{line}').success
+    assert shown in capsys.readouterr().out

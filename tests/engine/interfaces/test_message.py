@@ -1,5 +1,6 @@
 import pytest
 
+from edulaunch.engine.facts import facts_of
 from edulaunch.engine.interfaces.message import Lazy
 
 
@@ -61,3 +62,16 @@ def test_check_fields_does_not_hide_an_unknown_name(get):
 def test_an_unknown_name_is_refused_before_any_value_is_looked_at(get):
     with pytest.raises(AssertionError, match='Invalid arguments'):
         get('geometry_msgs/msg/Point')(x='wrong too', w=1.0)
+
+
+def test_an_unknown_name_has_the_facts_for_an_explanation(get):
+    with pytest.raises(AssertionError) as caught:
+        get('geometry_msgs/msg/Point')(check_fields=True, zz=1.0, xx=1.0)
+    assert str(caught.value) == 'Invalid arguments passed to constructor: xx, zz'
+    assert facts_of(caught.value) == {
+        'about': 'messages.field',
+        'type': 'Point',
+        'field': 'xx',
+        'near': 'x',
+        'fields': ['x', 'y', 'z'],
+    }

@@ -121,3 +121,80 @@ def test_the_number_of_parts_must_fit_the_kind(text, kind, wanted, message):
     with pytest.raises(InterfaceError) as caught:
         sections_of(text, f'f.{kind}', kind, wanted)
     assert str(caught.value) == message
+
+
+@pytest.mark.parametrize(
+    ('text', 'base', 'rest'),
+    [
+        ('Header', 'std_msgs/msg/Header', (None, '', 0)),
+        ('Point', 'p/msg/Point', (None, '', 0)),
+        ('other_msgs/Point[]', 'other_msgs/msg/Point', (None, 'unbounded', 0)),
+        ('other_msgs/msg/Point[<=3]', 'other_msgs/msg/Point', (None, 'bounded', 3)),
+        ('char[1]', 'uint8', (None, 'fixed', 1)),
+        ('wstring<=1', 'wstring', (1, '', 0)),
+    ],
+)
+def test_a_type_has_its_full_name(text, base, rest):
+    assert field_type(Line('f', 7, ''), text, 'p') == FieldType(base, *rest)
+
+
+@pytest.mark.parametrize(
+    ('text', 'help'),
+    [
+        ('double', 'float64'),
+        ('int', 'int32 or int64'),
+        ('str', 'string'),
+        ('boolean', 'bool'),
+        ('duration', 'builtin_interfaces/Duration'),
+        ('time', 'builtin_interfaces/Time'),
+        ('list', 'T[], such as int32[]'),
+        ('flaot32', "did you mean 'float32'?"),
+    ],
+)
+def test_a_type_of_another_language_has_the_one_of_ros(text, help):
+    with pytest.raises(InterfaceError) as caught:
+        field_type(Line('f', 7, ''), text, 'p')
+    assert help in str(caught.value.help)
+
+
+@pytest.mark.parametrize('text', ['string<=0', 'string[<=0]', 'string<=0[3]'])
+def test_a_size_is_at_least_one(text):
+    with pytest.raises(InterfaceError, match='has room for nothing: a size must be at least 1'):
+        field_type(Line('f', 7, ''), text, 'p')
+
+
+@pytest.mark.parametrize(
+    ('base', 'text', 'value'),
+    [
+        ('bool', 'FALSE', False),
+        ('bool', '1', True),
+        ('int32', '0x10', 16),
+        ('uint8', '255', 255),
+        ('float32', 'inf', float('inf')),
+        ('float32', '3.4e38', 3.4e38),
+        ('char', '7', 7),
+        ('string', '"say \\"a\\""', 'say "a"'),
+        ('string', "''", ''),
+    ],
+)
+def test_constants_at_the_edges(base, text, value):
+    assert constant_value(base, text) == value
+
+
+@pytest.mark.parametrize(
+    ('base', 'text', 'expected'),
+    [
+        ('float32', '1e39', 'a number in [-3.402823466e+38, 3.402823466e+38], not 1e39'),
+        ('int8', '128', 'a whole number in [-128, 127], not 128'),
+        ('string', "'", "a closing ' on the same line"),
+    ],
+)
+def test_a_constant_outside_its_type(base, text, expected):
+    with pytest.raises(ValueError) as caught:
+        constant_value(base, text)
+    assert str(caught.value).startswith(expected)
+
+
+def test_sections_of_an_action_with_a_mark_of_its_encoding_and_old_line_ends():
+    sections = sections_of('\ufeffint8 a\r\n---\rint8\tb # c\n---\n', 'f', 'action', 3)
+    assert [[(line.number, line.text) for line in section] for section in sections] == [[(1, 'int8 a')], [(3, 'int8 b')], []]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, isnan, nan, pi, sin
+from math import copysign, cos, isnan, nan, pi, sin
 
 import pytest
 from hypothesis import given
@@ -81,3 +81,47 @@ def test_euler_angles_survive_the_round_trip(roll, pitch, yaw):
 def test_at_vertical_pitch_yaw_is_zero(pitch):
     roll, found, yaw = to_euler(from_euler(0.0, pitch, 0.0))
     assert (found, yaw) == (pytest.approx(pitch, abs=1e-7), pytest.approx(0.0, abs=1e-7))
+
+
+@pytest.mark.parametrize('axis', [0, 1, 2])
+@pytest.mark.parametrize('sign', [1.0, -1.0])
+def test_half_a_turn_has_its_axis_positive(axis, sign):
+    q = [0.0, 0.0, 0.0, 0.0]
+    q[axis] = sign
+    expected = tuple(abs(value) for value in q)
+    assert canonical(tuple(q)) == from_matrix(to_matrix(tuple(q))) == expected
+    assert str(canonical(tuple(q))) == str(expected), 'no negative zeros'
+
+
+@pytest.mark.parametrize('q', [(0.1, -0.6, 0.5, 0.4), (0.5, 0.1, -0.6, 0.4), (-0.6, 0.5, 0.1, -0.4), (-0.6, -0.6, 0.1, 0.1)])
+def test_the_largest_part_decides_beyond_120_degrees(q):
+    shown = canonical(q)
+    assert max(shown[:3], key=abs) > 0.0
+    assert shown == pytest.approx(from_matrix(to_matrix(q)), abs=1e-12)
+
+
+@pytest.mark.parametrize('length', [1e-60, 1e-20, 1e20, 1e60])
+def test_very_short_and_very_long_ones_are_rotations(length):
+    assert canonical((0.0, 0.0, -0.6 * length, -0.8 * length)) == pytest.approx((0.0, 0.0, 0.6, 0.8))
+
+
+def test_a_turn_by_known_angles():
+    assert from_euler(0.1, 0.2, 0.3) == pytest.approx((0.034270798, 0.106020511, 0.143572175, 0.983347443))
+    assert to_matrix(from_euler(0.0, 0.0, pi / 2)) == (
+        pytest.approx((0.0, -1.0, 0.0)),
+        pytest.approx((1.0, 0.0, 0.0)),
+        pytest.approx((0.0, 0.0, 1.0)),
+    )
+    assert to_euler((0.0, 0.0, 0.0, 2.0)) == (0.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize('up', [1.0, -1.0])
+def test_at_exactly_vertical_pitch_the_rest_of_the_turn_is_lost_as_in_tf2(up):
+    """The quaternions have whole numbers, so that the last row of the matrix is exactly (-1, 0, 0) or (1, 0, 0)."""
+    vertical = multiply((0.0, up, 0.0, 1.0), (3.0 * up, 0.0, 0.0, 4.0))
+    assert to_euler(vertical) == (0.0, up * pi / 2, 0.0)
+
+
+def test_what_is_no_rotation_has_the_sign_of_tf2():
+    assert str(canonical((0.0, 0.0, 0.0, 0.0))) == '(nan, nan, nan, nan)'
+    assert [copysign(1.0, value) for value in canonical((0.0, 0.0, 0.0, 0.0))] == [-1.0] * 4

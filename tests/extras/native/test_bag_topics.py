@@ -100,3 +100,11 @@ def test_one_turn_takes_a_hundred_messages_at_most(node: FakeNode) -> None:
     node.waiting = [(b'%d' % number, None) for number in range(1, 250)]
     node.callback(b'0', None)
     assert [int(row[0]) for row in made.queue] == list(range(bag_topics.AT_ONCE))
+
+
+def test_the_first_publisher_decides_about_the_type(node: FakeNode) -> None:
+    node.publishers['/two'] = [('no_msgs/msg/Such', QoS(1)), (STRING, QoS(1))]
+    node.publishers['/three'] = [(STRING, QoS(1)), ('no_msgs/msg/Such', QoS(1))]
+    topics = bag_topics.BagTopics(node, 'process')
+    assert [name in topics.publishers for name in ('/two', '/three')] == [False, True]
+    assert [each.cls.TYPE for each in topics.publishers['/three']] == [STRING, STRING]
