@@ -40,6 +40,8 @@ class Scenario(NamedTuple):
     :param sent: by topic, a std_msgs/msg/String that the grader publishes there: the simulated seconds and the text.
     :param turned: by turtle, such as ``/turtle1``, a turn that the grader gives it: the simulated seconds and the angle in rad.
         A follower that only repeats a known path then loses the turtle.
+    :param fails: the programs whose first start fails, by executable, or as the first words of a command. What waits for this
+        start must not begin then; a timer or the order of a list does not wait.
     """
 
     name: str
@@ -51,6 +53,7 @@ class Scenario(NamedTuple):
     late: Mapping[str, float] = MappingProxyType({})
     sent: Mapping[str, tuple[float, str]] = MappingProxyType({})
     turned: Mapping[str, tuple[float, float]] = MappingProxyType({})
+    fails: Sequence[str] = ()
 
     @property
     def command(self) -> str:
@@ -60,12 +63,12 @@ class Scenario(NamedTuple):
     @property
     def hidden(self) -> dict[str, Any]:
         """What the submission must not know. It reaches the trusted peer after the fork of the other one."""
-        return {'late': dict(self.late), 'sent': dict(self.sent), 'turned': dict(self.turned)}
+        return {'late': dict(self.late), 'sent': dict(self.sent), 'turned': dict(self.turned), 'fails': list(self.fails)}
 
     @property
     def words(self) -> str:
-        """The arguments for a sentence, or 'no arguments'."""
-        return self.command or 'no arguments'
+        """The arguments for a sentence, or 'no arguments', and the programs that cannot start."""
+        return ' and '.join([self.command or 'no arguments', *(f'a {each} that cannot start' for each in self.fails)])
 
 
 class Outcome(NamedTuple):

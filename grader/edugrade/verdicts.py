@@ -262,7 +262,8 @@ def come_to(scenario: Scenario, recording: Recording) -> Outcome:
     if stuck is not None and stuck['type'] == 'RunawayProgramError':
         place = Place(stuck['file'], stuck['line']) if stuck.get('file') else None
         return Outcome(scenario, 'stopped', text='the launch file did not finish and was stopped', try_=_ENDLESS, where=place)
-    if launch.returncode is not None and len(programs) <= 1:
+    is_in_vain = bool(scenario.fails) and launch.returncode == 0  # everything waits for a program that cannot start
+    if launch.returncode is not None and len(programs) <= 1 and not is_in_vain:
         text = f'launch ended with exit code {launch.returncode} before it started a program'
         return Outcome(scenario, 'stopped', text=text, try_=_STARTS_NOTHING)
     return Outcome(scenario, 'recorded', recording=recording)

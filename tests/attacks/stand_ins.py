@@ -336,6 +336,31 @@ def generate_launch_description():
              parameters=[config, {'background_b': LaunchConfiguration('blue')}]),
     ])
 """
+FROM_POSE = """from turtlesim.msg import Pose
+
+
+class Where(Node):
+    def __init__(self):
+        super().__init__('where')
+        self.ago, self.known = self.declare_parameter('ago', 0.5).value, []
+        self.create_subscription(Pose, '/turtle1/pose', self.on_pose, 1)
+        self.create_timer(1.0, self.on_timer)
+
+    def now(self):
+        return self.get_clock().now().nanoseconds / 1e9
+
+    def on_pose(self, pose):
+        self.known.append((self.now(), pose.x, pose.y))
+
+    def on_timer(self):
+        for word, ago in (('newest', 0.0), ('before', self.ago)):
+            time, x, y = min(self.known, key=lambda each: abs(each[0] - self.now() + ago))
+            if abs(self.now() - time - ago) < 0.05:
+                self.get_logger().info(f'{word}: {x:.2f} {y:.2f}, {self.now() - time:.2f} s old')
+"""
+TURTLES = ROOT / 'exercises' / 'two_turtles'
+STOCK_TURTLES = (ROOT / 'solutions' / 'two_turtles' / 'launch' / 'two_turtles.launch.py').read_text()
+STOCK_TURTLES = STOCK_TURTLES.replace("'two_turtles', executable='b", "'turtle_tf2_py', executable='turtle_tf2_b")
 NORTH = '/north/sim:\n  ros__parameters:\n    background_r: 20\n    background_g: 60\n'
 NOW = (ROOT / 'solutions' / 'where_now' / 'launch' / 'where_now.launch.py').read_text()
 WITH_TURN = NOW.replace(
@@ -362,8 +387,19 @@ PACKAGES: dict[str, PackageAttack] = {
     ),
     'where_now: a formula': PackageAttack(
         'where_now',
-        4,
+        1,
         {'launch/where_now.launch.py': WITH_TURN, 'where_now/where.py': HEAD + WHERE.format(begin=0.5) + MAIN.format('Where')},
+    ),
+    'where_now: positions from the simulator, without tf2': PackageAttack(
+        'where_now', 1, {'where_now/where.py': HEAD + FROM_POSE + MAIN.format('Where')}
+    ),
+    'two_turtles: other broadcasters in place of the wrong ones': PackageAttack(
+        'two_turtles',
+        2,
+        {
+            'launch/two_turtles.launch.py': STOCK_TURTLES,
+            'two_turtles/broadcaster.py': (TURTLES / 'two_turtles' / 'broadcaster.py').read_text(),
+        },
     ),
     'two_seas: a file called sea.yaml that launch writes': PackageAttack(
         'two_seas', 7, {'launch/sea.launch.py': SEA, 'config/sea.yaml': NORTH}

@@ -1,4 +1,4 @@
-"""What a submission cannot know: the time by which programs of edulaunch begin late, and a message that the grader sends."""
+"""What a submission cannot know: programs that begin late or cannot start, and a message that the grader sends."""
 
 from __future__ import annotations
 
@@ -63,6 +63,49 @@ def test_programs_begin_late_and_a_message_comes_and_the_submission_cannot_know_
     assert 'duration_s' in known and not any(hidden in known for hidden in ('0.4375', 'zubaqe', '1.0625'))
 
 
+VAIN = """from launch import LaunchDescription
+from launch.actions import ExecuteProcess, LogInfo, RegisterEventHandler
+from launch.event_handlers import OnProcessStart
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    found = []
+    for name, first in (
+        ('sim', Node(package='turtlesim', executable='turtlesim_node')),
+        ('other', Node(package='turtlesim', executable='turtlesim_node', name='other')),
+        ('list', ExecuteProcess(cmd=['ros2', 'topic', 'list'])),
+        ('types', ExecuteProcess(cmd=['ros2', 'topic', 'list', '-t'])),
+        ('real', ExecuteProcess(cmd=['echo', 'real'])),
+    ):
+        found += [RegisterEventHandler(OnProcessStart(target_action=first, on_start=[LogInfo(msg=f'after {name}')])), first]
+    return LaunchDescription(found)
+"""
+
+
+@pytest.mark.processes
+@pytest.mark.parametrize(
+    ('fails', 'begun'),
+    [
+        ((), ['sim', 'other', 'list', 'types', 'real']),
+        (('turtlesim_node',), ['other', 'list', 'types', 'real']),
+        (('ros2 topic list',), ['sim', 'other', 'types', 'real']),
+        (('ros2 topic list -t', 'turtlesim_node'), ['other', 'list', 'real']),
+    ],
+)
+def test_nothing_follows_the_first_start_of_a_program_that_cannot_start(
+    tmp_path: Path, fails: tuple[str, ...], begun: list[str]
+) -> None:
+    file = tmp_path / 'a.launch.py'
+    file.write_text(VAIN)
+    with Runner(processors=1) as runner:
+        (outcome,) = runner.wait(runner.add(Submission(str(file)), [Scenario('s', {}, 2.0, 7, fails=fails)]))
+    assert outcome.recording is not None, outcome.text
+    text = ''.join(item.text for item in outcome.recording.output)
+    assert [name for name in ('sim', 'other', 'list', 'types', 'real') if f'after {name}\n' in text] == begun
+    assert text.count('exception occurred while executing process:\nBlockingIOError') == len(fails)
+
+
 def test_what_is_hidden_is_not_in_the_message_to_the_process_that_reads_the_submission(tmp_path: Path) -> None:
     (tmp_path / 'a.launch.py').write_text(LAUNCH)
     message = RunRequest(Submission(str(tmp_path / 'a.launch.py')), SCENARIO, Limits(), [], str(tmp_path)).message
@@ -92,6 +135,15 @@ def test_a_rubric_chooses_the_times_and_the_words() -> None:
     assert all([*one.sent] == [f'/{one.arguments["room"]}/words'] for one, _ in found)
     assert len({value for one, _ in found for value in one.sent.values()}) == 20
     assert all(8.0 <= time_s <= 10.0 for one, _ in found for time_s, _ in one.sent.values())
+
+
+def test_the_words_of_a_run_name_what_cannot_start_and_a_rubric_lists_it() -> None:
+    text = RUBRIC.replace('{name: two,', '{name: two, fails: [talker, ros2 bag record],')
+    _, two = read_yaml_rubric('a.yaml', text.encode()).scenarios(0)
+    assert two.words == 'no arguments and a talker that cannot start and a ros2 bag record that cannot start'
+    assert two.hidden['fails'] == ['talker', 'ros2 bag record']
+    with pytest.raises(RubricMistake, match=r"a.yaml:4: fails is 'talker'; write a list of executables"):
+        read_yaml_rubric('a.yaml', text.replace('[talker, ros2 bag record]', 'talker').encode())
 
 
 def test_a_topic_names_an_argument_of_its_run() -> None:

@@ -52,6 +52,7 @@ class FrameKind(IntEnum):
     EXIT = 26  # a call: a hosted program ended
     ENTRIES = 27  # a call: the entries of a parameter file
     FINISH = 28  # a call: the run has ended, with the facts of its launch
+    MAY_START = 33  # a call: whether a program can be started
 
 
 def dump(value: Any) -> bytes:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import socket
 from collections.abc import Callable, Hashable
@@ -162,13 +163,16 @@ class ConfinedHost(Host):
     def start(
         self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
     ) -> Any:
-        """Implement `Host.start`."""
-        known = self.known_command(spec, index)
-        program = None if known is None else known.program
-        if known is None or program is None or not is_hosted(program):
+        """Implement `Host.start`. In some runs of a rubric, one program cannot be started."""
+        known, starter = self.known_command(spec, index), self.program_here()
+        program = None if known is None or known.program is None or not is_hosted(known.program) else known.program
+        if known is not None and starter is not None:
+            name = ' '.join(known.argv) if program is None else program.executable
+            if not self.peer.call(FrameKind.MAY_START, name):
+                raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
+        if known is None or program is None:
             return super().start(spec, on_output, on_exit, index=index)
         hosted = HostedProgram(self, spec, self.next_pid(), on_output, on_exit)
-        starter = self.program_here()
         if starter is not None:
             starter.limit.programs += 2
             hosted.group = starter.group

@@ -161,7 +161,7 @@ class Trusted:
         self.sent: Mapping[str, tuple[float, str]] = MappingProxyType({})
         self.turned: Mapping[str, tuple[float, float]] = MappingProxyType({})
         self._seen: dict[int, list[tuple[str, dict[str, Any]]]] = {}  # facts about the nodes of the other peer, by node number
-        self.peer.calls[FrameKind.SIGNAL] = self.host.send_signal
+        self.peer.calls.update({FrameKind.SIGNAL: self.host.send_signal, FrameKind.MAY_START: self.host.may_start})
         self.peer.handlers.update(
             {
                 FrameKind.ASKED: self._asked,
@@ -242,6 +242,8 @@ class Trusted:
             spec.package, spec.executable, spec.argv[0]
         ):
             raise Violation('programs of edulaunch do not run in that peer')
+        if self.host.refused_now(' '.join(spec.argv)) is not None:
+            raise Violation('the other peer must ask before it starts a program')
         program = self._programs[self.host.their_pid(pid)] = ConfinedProgram(pid, spec)
         self.recorder.process_started(program)  # type: ignore[arg-type]
 

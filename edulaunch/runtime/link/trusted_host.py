@@ -87,11 +87,24 @@ class TrustedHost(Host):
     :ivar identified: the program of each process that runs here, by its pid.
     :ivar late_s: by executable, the simulated time by which its first program begins late. The second one begins late by twice
         this time, and so on.
+    :ivar fails: the programs of both peers whose first start fails, by executable, or as the first words of a command.
     """
 
     peer: Peer
     identified: dict[int, HostedProgram]
     late_s: Mapping[str, float] = MappingProxyType({})
+    fails: Sequence[str] = ()
+
+    def may_start(self, payload: memoryview) -> bool:
+        """Return whether a program can be started."""
+        refused = self.refused_now(text_of(load(bytes(payload))))
+        if refused is not None:
+            self.fails = [each for each in self.fails if each != refused]
+        return refused is None
+
+    def refused_now(self, name: str) -> str | None:
+        """Return the item of `fails` for a program that may not start now, or None."""
+        return next((each for each in self.fails if f'{name} '.startswith(f'{each} ')), None)
 
     def spawn(self, payload: memoryview) -> None:
         """Start a program on request of the confined peer."""
@@ -102,6 +115,8 @@ class TrustedHost(Host):
         is_called_so = spec.argv[:1] == (shipped_path(spec.package, spec.executable),)
         if program is None or (is_called_so and (spec.package, spec.executable) != (package, executable)):
             raise Violation('not a program that is hosted here')
+        if self.refused_now(program.executable) is not None:
+            raise Violation('the other peer must ask before it starts a program')
         self.identified[self.their_pid(pid)] = HostedProgram(program.package, program.executable)
         count = sum(known.executable == program.executable for known in self.identified.values())
         late_ns = round(self.late_s.get(program.executable, 0.0) * 1e9) * count

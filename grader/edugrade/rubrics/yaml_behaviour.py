@@ -5,8 +5,10 @@ from __future__ import annotations
 import os
 import re
 from bisect import bisect_right
+from math import inf
 
 from ..evidence import Evidence, Failure, Mismatch, Missing
+from ..library.frames import transforms
 from ..library.identity import rows_of
 from ..library.launched import refuse_strangers
 from ..library.movement import Track, turtle_track
@@ -88,12 +90,15 @@ def repeats(run: Evidence, wanted: Wanted) -> None:
             raise Failure(thing, expected=missed[1], seen=_last_lines(one), **one.advice)
 
 
-@kind('{executable} prints where {turtle} was {ago} s ago', 'package executable pattern turtle ago', 'tolerance example')
+@kind('{executable} prints where {turtle} was {ago} s ago', 'package executable pattern turtle ago', 'tolerance example frame')
 def tells_place(run: Evidence, wanted: Wanted) -> None:
-    """Require that a program prints an earlier position of a turtle. The groups of `pattern` are x, y and the age in seconds."""
+    """Require that a program prints an earlier position of a turtle. The groups of `pattern` are x, y and the age in seconds.
+
+    With `frame`, the program must have the position from tf2, so that it knows none before the first transform of this frame.
+    """
     for one in wanted.of_each(run):
         track = turtle_track(one.recording, f'/{one.text("turtle").strip("/")}/pose')
-        lines = _lines(one)
+        lines, known_s = _lines(one), _first_transform_s(one)
         if len(lines) < LEAST_LINES:
             asked = wanted['example'] or readable(str(wanted['pattern']))
             raise Failure(
@@ -105,6 +110,9 @@ def tells_place(run: Evidence, wanted: Wanted) -> None:
         for time_s, found in lines:
             x, y, age = (float(found[group]) for group in (1, 2, 3))
             asked, thing = one.number('ago'), f'the position that {wanted["executable"]} prints at {time_s:.2f} s'
+            if time_s < known_s:
+                first = f'none before {known_s:.2f} s, the time of the first transform of {wanted["frame"]}'
+                raise Mismatch(thing, first, f'({x:.2f}, {y:.2f})', **one.advice)
             if not abs(age - asked) <= 0.06:
                 raise Mismatch(thing, f'{asked:g} s old', f'{age:g} s old', **one.advice)
             away = _distance(track, time_s - age, x, y)
@@ -113,6 +121,13 @@ def tells_place(run: Evidence, wanted: Wanted) -> None:
                 if place is None:
                     raise Failure(f'{thing} is from before the first pose', seen=f'({x:.2f}, {y:.2f})', **one.advice)
                 raise Mismatch(thing, f'({place[1]:.2f}, {place[2]:.2f})', f'({x:.2f}, {y:.2f})', **one.advice)
+
+
+def _first_transform_s(one: OfRun) -> float:
+    """Return the time of the first transform of `frame`, or 0.0 for a check without it."""
+    frame = one.wanted['frame']
+    sent = transforms(one.run, one.scenario).get(frame, ()) if frame else ()
+    return min((item.time_s for item in sent), default=inf if frame else 0.0)
 
 
 def _topics(one: OfRun) -> list[str]:

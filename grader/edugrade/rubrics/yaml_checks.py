@@ -79,11 +79,16 @@ def alive(run: Evidence, wanted: Wanted) -> None:
         refuse_gone(run)
 
 
-@kind('There is a node {name} of the package {package}', 'name package', 'executable')
+@kind('There is a node {name} of the package {package}', 'name package', 'executable absent')
 def node(run: Evidence, wanted: Wanted) -> None:
-    """Require a node of a package with this name."""
+    """Require a node of a package with this name; in the runs of the list `absent`, no node may have it."""
     for one in wanted.of_each(run):
         name, package = one.text('name'), wanted['package']
+        if one.scenario in wanted['absent']:
+            if any(each.name == name for each in one.recording.nodes):
+                asked = f'no node {name} in the run with {one.words}'
+                raise Failure(f'{name} starts in the run with {one.words}', expected=asked, seen=name, **one.advice)
+            continue
         both = 'this namespace and name' if name.strip('/').count('/') else 'this name'
         require_node(one.alone, name, package, wanted.try_ or f'give the Node of {package} {both}', wanted['executable'] or None)
 
@@ -137,6 +142,8 @@ def shuts_down(run: Evidence, wanted: Wanted) -> None:
 
 def _happens(run: Evidence, wanted: Wanted, what: str, require: Callable[..., float]) -> None:
     for one in wanted.of_each(run):
+        if _waits_in_vain(one):
+            continue
         time_s = require(run, one.scenario, one.text('node'), wanted.try_, *one.program())
         since_s, words = _moment(one)
         if words and time_s < since_s - one.tolerance(0.3) and one.number('at') >= 0.0:
@@ -147,6 +154,28 @@ def _happens(run: Evidence, wanted: Wanted, what: str, require: Callable[..., fl
         other, *program = one.other('after')
         if other and _place(one, other, *program) > _place(one, one.text('node'), *one.program()):
             raise Mismatch(f'the {what} of {one.text("node")}', f'after the start of {other}', 'before it', **one.advice)
+
+
+def _waits_in_vain(one: OfRun) -> bool:
+    """Return whether the node is absent because that of `after` could not start.
+
+    :raises Mismatch: when the node started nevertheless.
+    """
+    other, *program = one.other('after')
+    if not other or not one.run.scenario(one.scenario).fails or _has_node(one, other, *program):
+        return False
+    if not _has_node(one, one.text('node'), *one.program()):
+        return True
+    thing = f'the start of {one.text("node")} in the run with {one.words}'
+    raise Mismatch(thing, f'only after the start of {other}', f'without {other}', **one.advice)
+
+
+def _has_node(one: OfRun, node: str, package: str | None = None, executable: str | None = None) -> bool:
+    try:
+        require_node(one.alone, node, package, one.wanted.try_, executable)
+    except Failure:
+        return False
+    return True
 
 
 def _moment(one: OfRun) -> tuple[float, str]:

@@ -19,7 +19,7 @@ from .yaml_wanted import ARGUMENT, Wanted
 Problem = Callable[[yaml.Node, str], RubricMistake]
 TURN = ('of', 'launch', 'beside', 'names')
 CONSONANTS, VOWELS = 'bdfgklmnprstv', 'aeiou'
-RUN = ('name', 'arguments', 'duration', 'seed', 'interrupt', 'defaults', 'late', 'sends', 'turns')
+RUN = ('name', 'arguments', 'duration', 'seed', 'interrupt', 'defaults', 'late', 'sends', 'turns', 'fails')
 SENT = 0.4, 0.5  # the parts of a run between which the grader sends its message, or turns a turtle
 ENDS = ('ends', 'shuts_down')
 COMMON = ('points', 'say', 'name', 'needs', 'try', 'only')
@@ -97,6 +97,9 @@ def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
     texts = {key: _message(value, problem) for key, value in sent.items()}
     turned = _mapping(parts['turns'], problem, 'turns', None) if 'turns' in parts else {}
     angles = {key: _number(value, problem, (int, float)) for key, value in turned.items()}
+    fails = _value(parts['fails'], problem) if 'fails' in parts else []
+    if not isinstance(fails, list) or not all(isinstance(each, str) for each in fails):
+        raise problem(parts['fails'], f'fails is {fails!r}; write a list of executables, or of the first words of commands')
     seed = _value(parts['seed'], problem) if 'seed' in parts else 0
     if not isinstance(seed, int):
         raise problem(parts['seed'], f'seed is {seed!r}; write a whole number')
@@ -116,7 +119,7 @@ def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
             for topic, (when, of) in texts.items()
         }
         turns = {f'/{key.strip("/")}': (_some_time(random, length_s), float(of(random))) for key, of in angles.items()}
-        return Scenario(name, values, length_s, seed, is_interrupted, defaults, hidden, to_publish, turns)
+        return Scenario(name, values, length_s, seed, is_interrupted, defaults, hidden, to_publish, turns, tuple(fails))
 
     return chosen
 

@@ -24,7 +24,7 @@ OPERATORS: dict[type[ast.AST], Callable[[float, float], float]] = {
     ast.Div: operator.truediv,
 }
 
-LISTS = ('are', 'shows', 'topics')
+LISTS = ('absent', 'are', 'shows', 'topics')
 """Fields that are lists of names."""
 SCALARS = ('default', 'is', 'value')
 """Fields that can have any type of a parameter or an argument."""

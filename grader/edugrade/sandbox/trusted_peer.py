@@ -86,7 +86,7 @@ class TrustedPeer:
 
         trusted = Trusted(self._link, self._job['seed'], self._job['most_bytes'])
         hidden = json.loads(read_words(self._channel)[HEADER_BYTES:] or b'{}')
-        trusted.host.late_s = hidden.get('late', {})
+        trusted.host.late_s, trusted.host.fails = hidden.get('late', {}), hidden.get('fails', ())
         trusted.sent, trusted.turned = hidden.get('sent', {}), hidden.get('turned', {})
         trusted.peer.fatal = self._on_fatal  # type: ignore[method-assign]
         content = trusted.run(self._job['duration_s'])

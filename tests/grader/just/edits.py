@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from tests.house import ROOT
+
 
 class Edit(NamedTuple):
     """One edit of a solution. `old` '' replaces the whole file."""
@@ -60,6 +62,11 @@ def generate_launch_description():
         ]),
     ])
 """
+IN_ORDER = (ROOT / 'solutions' / 'in_order.launch.py').read_text()
+ONE_HANDLER = IN_ORDER.replace('on_start=[driver]', 'on_start=[driver, TimerAction(period=delay, actions=[late])]').replace(
+    '        RegisterEventHandler(OnProcessStart(target_action=driver, on_start=[TimerAction(period=delay, actions=[late])])),\n',
+    '',
+)
 COUNTER, WHERE, BROADCASTER = 'two_channels/counter.py', 'where_now/where.py', 'two_turtles/broadcaster.py'
 EDITS = {
     'careful: echo with its type': Edit('', "'/chatter', '--once'", "'/chatter', 'std_msgs/msg/String', '--once'", 12),
@@ -77,10 +84,21 @@ EDITS = {
         "            Node(**WORLD, parameters=[{'background_b': blue}]),",
         12,
     ),
+    'black_box: a driver in the list': Edit(
+        '', 'RegisterEventHandler(OnProcessStart(target_action=recorder, on_start=[drive]))', 'drive', 8
+    ),
+    'black_box: a shell records': Edit('', '*topics])', '*topics], shell=True)', 12),
+    'in_order: one handler for both': Edit('', '', ONE_HANDLER, 12),
+    'in_order: a list and a timer': Edit(
+        '', 'RegisterEventHandler(OnProcessStart(target_action=sim, on_start=[driver]))', 'driver', 10
+    ),
     'in_order: a fixed delay': Edit('', 'TimerAction(period=delay,', 'TimerAction(period=5.0,', 8),
     'lost_carrot: another target': Edit('', "{'target_frame': 'carrot1'}", "{'target_frame': 'turtle1'}", 5),
     'mast: a joint that cannot move': Edit('', 'type="continuous"', 'type="fixed"', 6),
     'on_request: a value that nobody gives': Edit('', "EqualsSubstitution(worlds, '2')", "EqualsSubstitution(worlds, 'two')", 7),
+    'on_request: a driver when nobody wants one': Edit(
+        '', 'condition=IfCondition(drive)', "condition=IfCondition(EqualsSubstitution(drive, 'false'))", 4
+    ),
     'silent_listener: a misspelt topic': Edit('', '/news/chatter', '/new/chatter', 2),
     'tower: degrees': Edit('', "'1.5708'", "'90'", 8),
     'two_rooms: no remapping': Edit('', ", remappings=[('chatter', '/hall/chatter')]", '', 8),

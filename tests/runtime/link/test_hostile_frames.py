@@ -72,7 +72,7 @@ WITH_SIM = (
 """A program of one's own and a turtlesim, which has told its two lines and runs; then it is the confined peer's turn."""
 
 
-def meet(sent: bytes, duration_s: float = 1.0, quota: int | None = None) -> tuple[Trusted, Exception]:
+def meet(sent: bytes, duration_s: float = 1.0, quota: int | None = None, fails: Sequence[str] = ()) -> tuple[Trusted, Exception]:
     """What the trusted peer makes of these bytes, after which the other end is closed; and why it gives up."""
     ours, theirs = socket.socketpair()
     ours.setblocking(True)
@@ -81,6 +81,7 @@ def meet(sent: bytes, duration_s: float = 1.0, quota: int | None = None) -> tupl
         theirs.sendall(sent)
         theirs.shutdown(socket.SHUT_WR)
         trusted = Trusted(ours, 0, quota)
+        trusted.host.fails = fails
         errors: list[Exception] = []
 
         def fatal(error: Exception) -> NoReturn:
@@ -95,6 +96,20 @@ def meet(sent: bytes, duration_s: float = 1.0, quota: int | None = None) -> tupl
     finally:
         ours.close()
         theirs.close()
+
+
+@pytest.mark.parametrize(
+    ('sent', 'fails'),
+    [
+        (MINE + spawn(1002, [SIM], 'turtlesim', 'turtlesim_node'), 'turtlesim_node'),
+        (started(1001, ['ros2', 'bag', 'record', '-a']), 'ros2 bag record'),
+    ],
+)
+def test_a_program_that_cannot_start_does_not_start_without_a_question_either(sent: bytes, fails: str) -> None:
+    assert isinstance(meet(sent + token())[1], Gone)
+    trusted, error = meet(sent + token(), fails=[fails])
+    assert isinstance(error, Violation) and 'ask before' in str(error)
+    assert len(trusted.recorder.processes) == (fails == 'turtlesim_node')
 
 
 def fake_stock() -> Iterator[tuple[str, bytes]]:
