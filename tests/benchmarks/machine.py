@@ -17,6 +17,8 @@ import tempfile
 import time
 from statistics import median
 
+from edulaunch.desk.machine.place import installation
+
 ROS2 = [sys.executable, '-c', 'import sys; from edulaunch.desk.machine.command import ros2; sys.exit(ros2())']
 UP = b'\x1b[A'
 
@@ -121,7 +123,7 @@ def idle_share(pid: int, seconds: float = 5.0) -> float:
 
 def stop(place: str) -> int:
     """Stop the machine of a place; returns its pid."""
-    with open(os.path.join(place, 'edulaunch', 'domain-0')) as file:
+    with open(os.path.join(place, f'edulaunch-{installation()}', 'domain-0')) as file:
         pid = int(file.read().split('\n')[3])
     os.kill(pid, signal.SIGTERM)
     return pid
@@ -134,9 +136,9 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as place:
         env['XDG_RUNTIME_DIR'] = place
         idle = Terminal('topic echo /nothing std_msgs/msg/String', env)
-        while not os.path.exists(os.path.join(place, 'edulaunch', 'domain-0')):
+        while not os.path.exists(os.path.join(place, f'edulaunch-{installation()}', 'domain-0')):
             time.sleep(0.01)
-        with open(os.path.join(place, 'edulaunch', 'domain-0')) as file:
+        with open(os.path.join(place, f'edulaunch-{installation()}', 'domain-0')) as file:
             pid = int(file.read().split('\n')[3])
         time.sleep(2.0)
         tell('a machine on which nothing happens', [idle_share(pid)], 1, '%')

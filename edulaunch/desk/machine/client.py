@@ -60,7 +60,7 @@ def _follow(connection: socket.socket, address: Address, words: Sequence[str], p
             if words[:1] != ['machine']:
                 sys.stderr.write('\nthe machine does not answer; this terminal has left it\n')
             return error.code
-    if code is None and follower.is_welcome:
+    if code is None and (follower.is_welcome or follower.has_explained or _complaint()):  # a new machine would hide its end
         return _failed(f'the machine has ended{_reason()}')
     return code
 
@@ -68,16 +68,18 @@ def _follow(connection: socket.socket, address: Address, words: Sequence[str], p
 def _reason() -> str:
     """Return why the machine ended, as the rest of a sentence: the guardian's reason or the log file, or an empty string."""
     path, deadline = log_file(folder(), domain()), time.monotonic() + LOG_S
-    text = ''
-    while not text and time.monotonic() < deadline:
-        try:
-            with open(path, encoding='utf-8', errors='replace') as file:
-                text = file.read().strip()
-        except OSError:
-            return ''
-        if not text:
-            time.sleep(0.05)
+    while not (text := _complaint()) and time.monotonic() < deadline:
+        time.sleep(0.05)
     return f':\n  {text}' if 0 < text.count('\n') < 3 or (text and '\n' not in text) else f'\n  help: see {path}' if text else ''
+
+
+def _complaint() -> str:
+    """Return what the log of the machine contains; an empty string for a machine that ended as it should."""
+    try:
+        with open(log_file(folder(), domain()), encoding='utf-8', errors='replace') as file:
+            return file.read().strip()
+    except OSError:
+        return ''
 
 
 def _stop_by_force(address: Address) -> int:

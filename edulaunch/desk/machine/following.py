@@ -57,6 +57,8 @@ class Follower:
 
     :param state: returns the end of a sentence about a machine that does not answer.
     :param give_up_s: seconds without a first answer after which the terminal ends.
+    :ivar is_welcome: whether the machine has taken the command.
+    :ivar has_explained: whether the terminal has printed that the machine does not answer.
     """
 
     def __init__(self, connection: socket.socket, state: Callable[[], str], give_up_s: float = GIVE_UP_S) -> None:
@@ -73,6 +75,10 @@ class Follower:
         self._unanswered: list[int] = []
         self._explained: set[bool] = set()
         self._began_s = time.monotonic()
+
+    @property
+    def has_explained(self) -> bool:
+        return bool(self._explained)
 
     def run(self, first: bytes) -> int | None:
         """Follow the command to its end; return its exit code, or None if the machine has ended.

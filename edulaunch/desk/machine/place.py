@@ -1,6 +1,7 @@
 """Find the address of a machine, or record it.
 
-A folder that only its user may enter contains one small file for each ROS_DOMAIN_ID.
+A folder that only its user may enter contains one small file for each ROS_DOMAIN_ID. Each installation of edulaunch has its own
+folder, because the machine of another one has other packages, and may be of another version.
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from __future__ import annotations
 import os
 import socket
 import stat
+import zlib
 
 LISTENER = 3
 """The file descriptor of the socket that already listens for a new machine."""
@@ -17,8 +19,8 @@ BEATS = 3
 """The file descriptor of the guardian's end of that pipe."""
 IDLE_SIGN, BUSY_SIGN = '+\n', '-\n'
 """The bytes in the pipe: no long turn, or a program has kept its turn since the last byte."""
-LONGEST_SOCKET_PATH = 100
-"""Operating systems allow only slightly longer socket paths."""
+LONGEST_SOCKET_PATH = 103
+"""macOS allows no longer path of a socket; Linux allows 107 bytes."""
 BACKLOG = 256
 
 
@@ -62,6 +64,11 @@ def domain() -> str:
     return given if given.isdigit() else '0'
 
 
+def installation() -> str:
+    """Return six digits that differ between the installations of edulaunch that a user has."""
+    return f'{zlib.crc32(os.fsencode(os.path.realpath(__file__))):08x}'[:6]
+
+
 def folder() -> str:
     """Return the folder of the machines, and create it if necessary.
 
@@ -72,9 +79,9 @@ def folder() -> str:
     runtime = os.environ.get('XDG_RUNTIME_DIR', '')
     user = getattr(os, 'getuid', lambda: 0)()
     if runtime and os.path.isdir(runtime) and os.access(runtime, os.W_OK):
-        path = os.path.join(runtime, 'edulaunch')
+        path = os.path.join(runtime, f'edulaunch-{installation()}')
     else:
-        path = os.path.join(os.environ.get('TMPDIR') or '/tmp', f'edulaunch-{user}')
+        path = os.path.join(os.environ.get('TMPDIR') or '/tmp', f'edulaunch-{user}-{installation()}')
     if not os.path.lexists(path):
         _make(path)
     found = os.lstat(path)

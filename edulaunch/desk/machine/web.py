@@ -22,7 +22,7 @@ from tornado.web import Application, HTTPError, RequestHandler
 from tornado.websocket import WebSocketHandler
 
 from edulaunch.desk.machine import wire
-from edulaunch.desk.view.page import live_page
+from edulaunch.desk.view.page import POLICY, live_page
 from edulaunch.runtime.framing import Frames, frame
 
 LONGEST_WORDS = 1 << 16
@@ -36,6 +36,14 @@ Paths = list[tuple[str, type[RequestHandler]]]
 class Guarded(RequestHandler):
     """Serves the page only with the token, and only at our address. Other names of the loopback are rejected."""
 
+    def set_default_headers(self) -> None:
+        """Set the headers of every answer, also of an error."""
+        self.set_header('Content-Security-Policy', f"{POLICY}; base-uri 'none'; form-action 'none'; frame-ancestors 'none'")
+        self.set_header('Cache-Control', 'no-store')
+        self.set_header('Referrer-Policy', 'no-referrer')
+        self.set_header('X-Frame-Options', 'DENY')
+        self.set_header('X-Content-Type-Options', 'nosniff')
+
     def prepare(self) -> None:
         expected = self.application.settings
         given = self.path_args[0] if self.path_args else ''
@@ -45,10 +53,6 @@ class Guarded(RequestHandler):
 
 class _Page(Guarded):
     def get(self, token: str) -> None:
-        self.set_header('Cache-Control', 'no-store')
-        self.set_header('Referrer-Policy', 'no-referrer')
-        self.set_header('X-Frame-Options', 'DENY')
-        self.set_header('X-Content-Type-Options', 'nosniff')
         self.write(live_page('edulaunch', self.application.settings['tab']))
 
 
@@ -141,7 +145,8 @@ def open_paths(paths: Paths, *, port: int, **settings: Any) -> tuple[HTTPServer,
     listener.setblocking(False)
     number = listener.getsockname()[1]
     hosts = {f'127.0.0.1:{number}', f'localhost:{number}'}
-    server = HTTPServer(Application(paths, token=token, hosts=hosts, log_function=_quiet, **settings))
+    settings |= {'token': token, 'hosts': hosts, 'log_function': _quiet, 'default_handler_class': Guarded}
+    server = HTTPServer(Application(paths, **settings))
     server.add_socket(listener)
     return server, f'http://127.0.0.1:{number}/{token}/'
 

@@ -29,6 +29,9 @@ FILES = (
 )
 """The script files in the order of their dependencies; together they are one script."""
 
+POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; connect-src 'self'"
+"""What a page may load: itself, and the connection to the server that sent it."""
+
 
 @cache
 def script() -> str:
@@ -90,11 +93,10 @@ def live_page(title: str, tab: str = 'graph') -> str:
 
 
 def _page(title: str, start: str, inside: str = '') -> str:
-    policy = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; connect-src 'self'"
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
+        f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">\n'
         f'<title>{html.escape(title)}</title>\n<style>body {{ margin: 0; }}</style>\n<main id="desk">{inside}</main>\n'
         f"<script>\n'use strict';\n{script()}\n{start}\n</script>\n</html>\n"
     )

@@ -73,6 +73,9 @@ class Tracer:
     def note(self, process: Any, kind: str, text: str) -> None:
         """The engine noticed a problem that the user should know."""
 
+    def temporary(self, path: str) -> None:
+        """A program is about to make a temporary file or folder, whose name may differ in the next run."""
+
     def fact(self, process: Any, kind: str, key: Hashable, data: dict[str, Any]) -> None:
         """A program did something unusual: plain data, without messages. A repeated key counts another occurrence."""
 

@@ -318,6 +318,7 @@ class Loader:
         """
         module.__dict__['__builtins__'] = self.builtins
         self.modules[module.__name__] = module
+        real_machine.note_set_order(self.process, code.co_filename)
         visible = sys.modules.setdefault(module.__name__, module) is module
         try:
             exec(code, module.__dict__)

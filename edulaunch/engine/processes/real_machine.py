@@ -19,13 +19,14 @@ from types import FrameType
 from typing import Any, Protocol
 
 from edulaunch.engine.processes.frame_owner import is_library, is_own
+from edulaunch.engine.processes.set_order import set_lines
 from edulaunch.engine.sim.task import AmbientTask, running_task
 
 KIND = 'real machine'
 """The kind of the note."""
 MODULES = frozenset({'cpuinfo', 'getmac', 'netifaces', 'platform', 'psutil', 'pwd', 'resource', 'GPUtil', 'pynvml'})
 """Modules whose import counts as reading the machine."""
-FUNCTIONS = ('getloadavg', 'getlogin', 'getresuid', 'getuid', 'sched_getaffinity', 'statvfs', 'times', 'uname')
+FUNCTIONS = ('getloadavg', 'getlogin', 'getresuid', 'getuid', 'sched_getaffinity', 'statvfs', 'times', 'umask', 'uname')
 """Functions of `os` that reveal facts about the machine."""
 FOLDERS = ('/proc/', '/sys/', '/dev/')
 REPEATS = frozenset({'/dev/null', '/dev/full', '/dev/zero', '/dev/stdin', '/dev/stdout', '/dev/stderr', '/dev/tty'})
@@ -33,7 +34,8 @@ SOCKETS = tuple(f'socket.{name}' for name in ('bind', 'connect', 'getaddrinfo', 
 FILES = frozenset({'open', 'os.listdir', 'os.scandir'})
 PROGRAMS = frozenset({'subprocess.Popen', 'os.system', 'os.posix_spawn', 'os.fork', 'os.exec'})
 VIEWS = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'module_views', '')
-EVENTS = frozenset({*SOCKETS, *FILES, *PROGRAMS, 'builtins.id'})
+TEMPORARY = frozenset({'tempfile.mkdtemp', 'tempfile.mkstemp'})
+EVENTS = frozenset({*SOCKETS, *FILES, *PROGRAMS, *TEMPORARY, 'builtins.id'})
 _listening = False
 
 
@@ -102,6 +104,38 @@ def noting(process: Noting, what: str, function: Callable[..., Any]) -> Callable
     return call
 
 
+def has_random_hashes() -> bool:
+    """Return whether the hash of a string, and so the order of a set of strings, differs in the next Python."""
+    return bool(sys.flags.hash_randomization) and os.environ.get('PYTHONHASHSEED', 'random') == 'random'
+
+
+def private_hash(process: Noting) -> Callable[[object], int]:
+    """Return a `hash` that records its use by the student's own code for values whose hash differs from run to run."""
+    random_types = (str, bytes) if has_random_hashes() else ()
+
+    def differs(value: object) -> bool:
+        if isinstance(value, (tuple, frozenset)):
+            return any(map(differs, value))
+        return isinstance(value, random_types) or (type(value).__hash__ is object.__hash__)
+
+    def call(value: object, /) -> int:
+        if sys._getframe(1).f_code.co_name != '__hash__' and differs(value):  # dictionaries have the order of their insertions
+            note_use(process, 'hash()')
+        return hash(value)
+
+    return call
+
+
+def note_set_order(process: Noting, file: str) -> None:
+    """Record the first line of a student's file that uses the order of a set, where that order differs from run to run."""
+    if file.endswith('.py') and has_random_hashes() and is_own(file):
+        lines: tuple[int, ...] = ()
+        with suppress(OSError, SyntaxError), open(file, 'rb') as source:  # the file may have changed in the meantime
+            lines = set_lines(source.read())
+        if lines:
+            note_use(process, f'the order of a set (PYTHONHASHSEED is not set) in {os.path.basename(file)}:{lines[0]}')
+
+
 def _hear(event: str, arguments: tuple[Any, ...]) -> None:
     if event not in EVENTS:
         return
@@ -112,6 +146,9 @@ def _hear(event: str, arguments: tuple[Any, ...]) -> None:
             return
     task = running_task()
     if task is None or isinstance(task, AmbientTask) or getattr(task.owner, 'tracer', None) is None:
+        return
+    if event in TEMPORARY:
+        task.owner.tracer.temporary(arguments[0])
         return
     library = _library_between('' if event in PROGRAMS else VIEWS)  # the view of `subprocess` records real programs itself
     if library is not None and not (library and event == 'builtins.id'):  # such numbers inside a library seldom matter

@@ -15,13 +15,15 @@ _BEGINS = r'(?:(?<![\w/.@+~-])|(?<=file://)|(?<=\dm)|(?<=\\n))'
 """Where a path may begin: not inside another path, but after a colour code or an escaped line end."""
 _ENDS = r'(?![\w+-]|\.\w)'
 _LIBRARY_FRAME = re.compile(r'(?:\[[^]]*\] )?  File "@(?:stdlib|site-packages)[/"]')
+_ADDRESS = re.compile(r'\bat 0x[0-9a-fA-F]{6,16}\b')
+"""The place of an object in memory, which the default `repr` shows."""
 _SOURCE_LINE = re.compile(r'(?:\[[^]]*\] )?    ')
 
 
 def canonical(content: dict[str, Any]) -> dict[str, Any]:
     """Return the content in which short names replace the folders in `roots` in every string. These are workspaces, the package
-    edulaunch, the launch file's folder, Python's folders and temporary files. Frames of libraries in tracebacks are removed,
-    because they differ between versions.
+    edulaunch, the launch file's folder, Python's folders and temporary files. Addresses of objects in memory lose their number.
+    Frames of libraries in tracebacks are removed, because they differ between versions.
     """
     shorten = _shortener(content['roots'])
     short = {part: shorten(content[part]) for part in TEXT_PARTS}
@@ -54,7 +56,8 @@ def _shortener(roots: list[list[str]]) -> Callable[[Any], Any]:
 
     def shorten(value: Any) -> Any:
         if isinstance(value, str):
-            return any_root.sub(lambda found: names[found[0]], value) if '/' in value else value
+            value = any_root.sub(lambda found: names[found[0]], value) if '/' in value else value
+            return _ADDRESS.sub('at 0x', value) if ' 0x' in value else value
         if isinstance(value, dict):
             return {key: shorten(item) for key, item in value.items()}
         if isinstance(value, (list, tuple)):

@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     from edulaunch.engine.sim.simulation import Simulation
 
 
+MOST_ROOTS = 500
+"""No more places are kept, so that a machine that runs for hours stays small."""
+
+
 class Beside(Protocol):
     """A record that another wing keeps about a process."""
 
@@ -305,6 +309,10 @@ class Recorder(Tracer):
     def note(self, process: Process | None, kind: str, text: str) -> None:
         if self.on:
             self.notes.append([self._now(), process.name if process is not None else None, kind, text])
+
+    def temporary(self, path: str) -> None:
+        if self.on and len(self.roots) < MOST_ROOTS:
+            self.roots.append([path, '@temporary'])
 
     def fact(self, process: Process, kind: str, key: Hashable, data: dict[str, Any]) -> None:
         if self.on:

@@ -10,7 +10,7 @@ import pytest
 from tests.desk.machine.shells import Desk
 
 
-def desk_in(place: Path, runtime: str = 'run') -> Iterator[Desk]:
+def desk_in(place: Path, runtime: str = 'r') -> Iterator[Desk]:
     """Terminals on a machine of their own; at the end it must have nothing to complain of."""
     found = Desk(place / runtime, place / 'home')
     found.runtime.mkdir()

@@ -16,6 +16,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+from edulaunch.desk.machine.place import installation
+
 PATIENCE_S = 240.0
 """Real seconds after which something will never come, however busy the computer is; nothing is measured by it."""
 ROS2 = [sys.executable, '-c', 'import sys; from edulaunch.desk.machine.command import ros2; sys.exit(ros2())']
@@ -137,18 +139,23 @@ class Desk:
         shell.end()
         return shell.output.replace('\r\n', '\n')
 
+    @property
+    def place(self) -> Path:
+        """The folder in which terminals find their machine."""
+        return self.runtime / f'edulaunch-{installation()}'
+
     def log(self) -> str:
         """What the machine complained of."""
-        return ''.join(path.read_text() for path in sorted(self.runtime.glob('edulaunch/*.log')))
+        return ''.join(path.read_text() for path in sorted(self.place.glob('*.log')))
 
     def machine_pid(self, domain: int = 0) -> int:
         """The process that hosts the machine."""
-        return int((self.runtime / 'edulaunch' / f'domain-{domain}').read_text().split('\n')[3])
+        return int((self.place / f'domain-{domain}').read_text().split('\n')[3])
 
     def close(self) -> None:
         """Close all terminals and stop the machine."""
         for shell in self.shells:
             shell.close()
-        for path in self.runtime.glob('edulaunch/domain-[0-9]'):
+        for path in self.place.glob('domain-[0-9]'):
             with suppress(ProcessLookupError, IndexError):
                 os.kill(int(path.read_text().split('\n')[3]), signal.SIGTERM)

@@ -120,7 +120,7 @@ def test_of_many_that_come_first_one_starts_the_machine(desk: Desk) -> None:
     for shell in shells:
         shell.until('Publishing')
     assert desk.said('node list').split() == [f'/talker_{number}' for number in range(6)]
-    assert len(list((desk.runtime / 'edulaunch').glob('0-*'))) == 1
+    assert len(list(desk.place.glob('0-*'))) == 1
 
 
 pytest.importorskip('tornado')

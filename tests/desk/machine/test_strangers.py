@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import random
+import shutil
 import signal
 import socket
 import subprocess
@@ -12,9 +13,10 @@ from pathlib import Path
 
 import pytest
 
+import edulaunch
 from edulaunch.desk.machine import wire
 from edulaunch.desk.machine.client import hello
-from edulaunch.desk.machine.place import Address, UnsafePlace, folder, read_address, write_address
+from edulaunch.desk.machine.place import Address, UnsafePlace, folder, installation, read_address, write_address
 from edulaunch.runtime.framing import frame
 from tests.desk.machine.conftest import desk_in
 from tests.desk.machine.shells import PATIENCE_S, Desk
@@ -43,7 +45,7 @@ def answer(client: socket.socket) -> bytes:
 @pytest.fixture
 def machine(shared_desk: Desk) -> Address:
     """The machine of the shared desk."""
-    found = read_address(str(shared_desk.runtime / 'edulaunch'), '0')
+    found = read_address(str(shared_desk.place), '0')
     assert found is not None
     return found
 
@@ -93,7 +95,7 @@ def test_two_hundred_connections_that_send_garbage_or_die(shared_desk: Desk, mac
 
 
 def test_the_folder_and_all_in_it_is_its_owners_alone(shared_desk: Desk, machine: Address) -> None:
-    place = shared_desk.runtime / 'edulaunch'
+    place = shared_desk.place
     modes = {path.name: path.stat().st_mode & 0o777 for path in (place, *place.iterdir())}
     assert {name: mode & 0o077 for name, mode in modes.items()} == dict.fromkeys(modes, 0)
 
@@ -123,7 +125,7 @@ def test_another_user_is_kept_out_even_with_the_token(shared_desk: Desk, machine
 @pytest.mark.parametrize('what', ['mode', 'link', 'file'])
 def test_a_folder_that_others_may_enter_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, what: str) -> None:
     monkeypatch.setenv('XDG_RUNTIME_DIR', str(tmp_path))
-    place = tmp_path / 'edulaunch'
+    place = tmp_path / f'edulaunch-{installation()}'
     if what == 'mode':
         place.mkdir()
         place.chmod(0o755)
@@ -138,7 +140,7 @@ def test_a_folder_that_others_may_enter_is_refused(tmp_path: Path, monkeypatch: 
 
 @pytest.mark.parametrize('text', ['', 'unix', 'unix\n/nowhere\ntoken\nx\nterminals\n', 'unix\n/nowhere\ntoken\n1\nterminals\n'])
 def test_an_address_that_leads_nowhere_is_no_hindrance(desk: Desk, text: str) -> None:
-    place = desk.runtime / 'edulaunch'
+    place = desk.place
     place.mkdir(mode=0o700)
     (place / 'domain-0').write_text(text)
     assert desk.said('topic list') == '/parameter_events\n/rosout\n'
@@ -150,6 +152,17 @@ def test_a_machine_that_was_killed_is_followed_by_another(desk: Desk) -> None:
     os.kill(desk.machine_pid(), signal.SIGKILL)
     assert talker.end() == 1 and 'the machine has ended' in talker.output
     assert desk.said('node list') == ''
+
+
+def test_another_installation_has_its_own_machine(desk: Desk, tmp_path: Path) -> None:
+    """The machine of a second clone has the packages of the second clone."""
+    shutil.copytree(
+        Path(edulaunch.__file__).parent, tmp_path / 'clone' / 'edulaunch', ignore=shutil.ignore_patterns('__pycache__')
+    )
+    desk.ros2('run demo_nodes_py talker').until('Publishing')
+    assert desk.said('node list', PYTHONPATH=str(tmp_path / 'clone')) == ''
+    assert desk.said('node list') == '/talker\n'
+    assert len(list(desk.runtime.glob('edulaunch-*'))) == 2
 
 
 def test_an_address_is_replaced_as_a_whole(tmp_path: Path) -> None:
@@ -164,7 +177,7 @@ def test_without_unix_sockets_a_port_of_the_loopback_serves_who_knows_the_token(
     for desk in desk_in(tmp_path, runtime='r' * 100):  # longer than the path of a socket may be
         desk.ros2('run demo_nodes_py talker').until('Publishing')
         assert desk.said('node list') == '/talker\n'
-        address = read_address(str(desk.runtime / 'edulaunch'), '0')
+        address = read_address(str(desk.place), '0')
         assert address is not None and address.kind == 'tcp'
         for said in (b'\0' * 100, hello('guess', ['ros2', 'node', 'list'])):
             with socket.create_connection(('127.0.0.1', int(address.place)), timeout=PATIENCE_S) as client:

@@ -59,7 +59,10 @@ def test_the_page_needs_its_token_and_its_name() -> None:
         ]
         assert b'openDesk' in answers[0].body
         kept = ('Cache-Control', 'Referrer-Policy', 'X-Frame-Options', 'X-Content-Type-Options')
-        assert [answers[0].headers[name] for name in kept] == ['no-store', 'no-referrer', 'DENY', 'nosniff']
+        for answer in answers:
+            assert [answer.headers[name] for name in kept] == ['no-store', 'no-referrer', 'DENY', 'nosniff']
+            policy = answer.headers['Content-Security-Policy']
+            assert "default-src 'none'" in policy and "connect-src 'self'" in policy and "frame-ancestors 'none'" in policy
         return [answer.code for answer in answers]
 
     assert with_server(body) == [200, 404, 404, 404]

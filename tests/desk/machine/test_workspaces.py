@@ -91,7 +91,7 @@ def test_a_terminal_of_the_page_finds_the_packages_and_files_of_the_terminal_tha
     make_package(student, {'one': "def main():\n    print('from the workspace')\n"})
     (student / 'own.launch.xml').write_text('<launch><log message="from the folder"/></launch>')
     monkeypatch.chdir(student)
-    address = read_address(str(desk.runtime / 'edulaunch'), '0')
+    address = read_address(str(desk.place), '0')
     assert address is not None
     with socket.socket(socket.AF_UNIX) as page:
         page.settimeout(PATIENCE_S)

@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 import edulaunch
+from edulaunch.engine.processes.set_order import set_lines
 from edulaunch.engine.recording import Recorder, Recording
 
 
@@ -28,6 +29,9 @@ def notes(world: Any, text: str) -> list[str]:
         ('import psutil_', []),
         ('import os\nos.getloadavg()', ['os.getloadavg']),
         ('print(id(notes := []))', ['builtins.id']),
+        ('hash(object())', ['hash()']),
+        ('import os\nos.umask(os.umask(0o22))', ['os.umask']),
+        ('import os.path\nos.path.getmtime("/dev/null")', ['os.path.getmtime']),
         ('import copy\ncopy.deepcopy([[]])', []),
         ('import platform\nplatform.node()', ['the module platform']),
         ('for _ in "ab":\n    with open("/proc/uptime"): pass', ['/proc/uptime']),
@@ -55,6 +59,7 @@ def test_what_was_used_is_named(world: Any, text: str, used: list[str]) -> None:
         'import os, time, random, uuid, threading\nos.urandom(4), os.getpid(), time.time(), random.random(), uuid.uuid4()',
         'import asyncio\nasyncio.run(asyncio.sleep(1))',
         'import concurrent.futures\nwith concurrent.futures.ThreadPoolExecutor() as pool:\n    pool.submit(print, 1).result()',
+        'print(object())\nhash((1, 2.5))\nclass A:\n    def __hash__(self): return hash("a")\nhash(A())',
         'import multiprocessing\nmultiprocessing.cpu_count()',
     ],
 )
@@ -62,14 +67,66 @@ def test_what_is_simulated_is_nobodys_business(world: Any, text: str) -> None:
     assert notes(world, text) == []
 
 
-def test_a_recording_says_so_wherever_the_machine_was_read(tmp_path: Path) -> None:
-    (tmp_path / 'reads.py').write_text('import os\nos.system("true")\nwith open("/proc/loadavg"): pass\n')
-    (tmp_path / 'a.launch.py').write_text(
+SETS = """names = {'a', 'b'}
+numbers = {1, 2}
+later = set()
+later = sorted(names)
+for name in sorted(names): pass
+if 'a' in names: print(len(names), *numbers, later, sum(1 for name in names))
+"""
+
+
+@pytest.mark.parametrize(
+    'line',
+    [
+        'for name in names: pass',
+        'print([name for name in names | {"c"}])',
+        'print(", ".join(set("ab")))',
+        'list(names)',
+        'print(f"{names}")',
+        'names.pop()',
+        'print(*{name for name in "ab"})',
+    ],
+)
+def test_a_line_that_uses_the_order_of_a_set(line: str) -> None:
+    assert set_lines(SETS) == () and set_lines(SETS + line) == (7,)
+
+
+def test_hashes_and_sets_of_strings_are_named_where_the_hash_seed_is_not_fixed(
+    world: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    script = tmp_path / 'program.py'
+    script.write_text('for name in {"a", "b"}: pass\nhash("a"), hash(("a",)), hash(1)\n')
+    for is_random, used in ((True, ['the order of a set (PYTHONHASHSEED is not set) in program.py:1', 'hash()']), (False, [])):
+        monkeypatch.setattr('edulaunch.engine.processes.real_machine.has_random_hashes', lambda is_random=is_random: is_random)
+        recording = edulaunch.run(launch_of(tmp_path, script), duration_s=1.0)
+        assert [note.split(' used ')[1].split(': this')[0] for note in recording.not_repeatable] == used
+
+
+def test_temporary_files_and_addresses_of_objects_do_not_change_a_digest(tmp_path: Path) -> None:
+    script = tmp_path / 'program.py'
+    script.write_text(
+        'import tempfile\nprint(tempfile.mkdtemp(prefix="my"), tempfile.NamedTemporaryFile(delete=False, suffix=".yaml").name)\n'
+        'class Robot: pass\nprint(robots := [Robot() for _ in range(3)])\n'
+    )
+    first, second = (edulaunch.run(launch_of(tmp_path, script), duration_s=1.0) for _ in range(2))
+    assert first.output != second.output, 'the names of the first run are taken'
+    assert first.digest() == second.digest() and first.not_repeatable == []
+
+
+def launch_of(folder: Path, script: Path) -> Path:
+    """Write a launch file that runs a script."""
+    (folder / 'a.launch.py').write_text(
         'from launch import LaunchDescription\nfrom launch.actions import ExecuteProcess\n'
         'def generate_launch_description():\n'
-        f'    return LaunchDescription([ExecuteProcess(cmd=["python3", "{tmp_path}/reads.py"], name="monitor")])\n'
+        f'    return LaunchDescription([ExecuteProcess(cmd=["python3", "{script}"], name="monitor", output="screen")])\n'
     )
-    recording = edulaunch.run(tmp_path / 'a.launch.py', duration_s=1.0)
+    return folder / 'a.launch.py'
+
+
+def test_a_recording_says_so_wherever_the_machine_was_read(tmp_path: Path) -> None:
+    (tmp_path / 'reads.py').write_text('import os\nos.system("true")\nwith open("/proc/loadavg"): pass\n')
+    recording = edulaunch.run(launch_of(tmp_path, tmp_path / 'reads.py'), duration_s=1.0)
     assert recording.not_repeatable == [
         "monitor-1 ran 'true', which is a real program",
         'monitor-1 used /proc/loadavg: this run cannot repeat exactly',

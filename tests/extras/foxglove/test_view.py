@@ -109,7 +109,7 @@ def test_a_recording_plays_to_its_end(desk: Desk) -> None:
     last_s, _ = recording.messages('/turtlesim2/turtle1/pose')[-1]
     assert asyncio.run(listen())[-1][0] == recording.start_ns + round(last_s * 1e9)
     shell.send(signal.SIGINT)
-    assert shell.end() == 0 and not list(desk.runtime.glob('edulaunch/domain-*'))  # no machine was started
+    assert shell.end() == 0 and not list(desk.place.glob('domain-*'))  # no machine was started
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.processes.module_views import copy_names
+from edulaunch.engine.processes.real_machine import note_use
 from edulaunch.engine.sim.task import current_task
 
 if TYPE_CHECKING:
@@ -83,20 +84,7 @@ ONE_PATH = (
     'utime',
 )
 TWO_PATHS = ('link', 'rename', 'renames', 'replace')
-QUESTIONS = (
-    'abspath',
-    'exists',
-    'getatime',
-    'getctime',
-    'getmtime',
-    'getsize',
-    'isdir',
-    'isfile',
-    'islink',
-    'ismount',
-    'lexists',
-    'realpath',
-)
+QUESTIONS = ('abspath', 'exists', 'getsize', 'isdir', 'isfile', 'islink', 'ismount', 'lexists', 'realpath')
 
 
 def inside(path: Any) -> Any:
@@ -164,6 +152,17 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
 """Functions for the view of `os`, which are the same for all programs."""
 
 
+def _recorded_time(name: str) -> Callable[[Any], float]:
+    """Return a function such as `getmtime`; the real computer has set the time that it returns, so its use is recorded."""
+
+    def time_of(path: Any) -> float:
+        note_use(current_task().owner, f'os.path.{name}')
+        found: float = getattr(os.path, name)(inside(path))
+        return found
+
+    return time_of
+
+
 def _relpath(path: Any, start: Any = os.curdir) -> Any:
     return os.path.relpath(inside(path), inside(start))
 
@@ -179,6 +178,7 @@ def _make_path() -> ModuleType:
     view = ModuleType(os.path.__name__)
     view.__dict__.update(
         {name: Relative(getattr(os.path, name)) for name in QUESTIONS},
+        **{name: _recorded_time(name) for name in ('getatime', 'getctime', 'getmtime')},
         relpath=_relpath,
         expanduser=_expanduser,
         __edulaunch_view__=True,

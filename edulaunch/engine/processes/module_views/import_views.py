@@ -17,6 +17,7 @@ from edulaunch.engine.processes.finding import Found, namespace, regular
 from edulaunch.engine.processes.loader import absolute_name
 from edulaunch.engine.processes.module_views import copy_names
 from edulaunch.engine.processes.module_views.file_views import inside
+from edulaunch.engine.processes.real_machine import private_hash
 
 if TYPE_CHECKING:
     from edulaunch.engine.processes.process import Process
@@ -29,7 +30,7 @@ def make_builtins(view: ModuleType, process: Process) -> ModuleType:
 
 
 def _private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str, Any]:
-    """Return Python's builtins with `__import__`, `print`, `input`, `open`, `breakpoint`, `exit` and `quit` of this process."""
+    """Return Python's builtins with the functions of this process, for example `print`, `open` and `__import__`."""
 
     def private_print(
         *values: object, sep: str | None = None, end: str | None = None, file: Any = None, flush: bool = False
@@ -67,6 +68,7 @@ def _private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str
         'print': private_print,
         'input': private_input,
         'open': private_open,
+        'hash': private_hash(process),
         'exit': private_exit,
         'quit': private_exit,
     }
