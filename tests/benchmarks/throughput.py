@@ -67,8 +67,9 @@ def real_python() -> str:
 
 
 def environment() -> dict[str, str]:
-    """Both sides are on this computer alone."""
-    return {**os.environ, 'ROS_DOMAIN_ID': str(DOMAIN), 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST'}
+    """Both sides are on this computer alone. In an active terminal PYTHONPATH leads to the simulated rclpy."""
+    own = {name: value for name, value in os.environ.items() if name != 'PYTHONPATH'}
+    return {**own, 'ROS_DOMAIN_ID': str(DOMAIN), 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST'}
 
 
 def measured(publish: Callable[[], object], topics: int, reliability: str) -> str:

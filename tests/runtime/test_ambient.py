@@ -147,6 +147,23 @@ def test_timers_and_stamps_follow_the_wall_while_the_script_is_busy(world: World
     assert log == [(0.8, 'computed'), (1.3, 'timer'), (1.8, 'timer'), (2.6, 'timer')]
 
 
+def test_log_lines_follow_the_wall_while_the_script_is_busy(
+    world: World, script: AmbientTask, capfd: pytest.CaptureFixture[str]
+) -> None:
+    import rclpy
+
+    rclpy.init(args=[])
+    node = rclpy.create_node('busy')
+    began_s = world.now_ns / 1e9
+    for number in range(4):
+        node.get_logger().info(str(number), throttle_duration_sec=0.5)
+        world.now_ns += 300_000_000
+    node.get_logger().info('end')
+    rclpy.shutdown()
+    lines = [line.split() for line in capfd.readouterr().err.splitlines()]
+    assert [(round(float(line[1][1:-1]) - began_s, 1), line[3]) for line in lines] == [(0.0, '0'), (0.6, '2'), (1.2, 'end')]
+
+
 def test_a_lifespan_ends_while_the_script_is_busy(world: World, script: AmbientTask) -> None:
     import rclpy
     from rclpy.duration import Duration

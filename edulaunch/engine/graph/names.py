@@ -152,7 +152,11 @@ def plain_name(name: str, namespace: str) -> str | None:
 
 
 class UnknownSubstitution(ValueError):
-    """A name has a substitution in braces that ROS 2 does not know."""
+    """A name has a substitution in braces that ROS 2 does not know. Programs see it as a ValueError."""
+
+
+UnknownSubstitution.__name__ = UnknownSubstitution.__qualname__ = ValueError.__name__
+UnknownSubstitution.__module__ = ValueError.__module__
 
 
 def expand_name(name: str, node_name: str, namespace: str) -> str:

@@ -105,6 +105,7 @@ def test_the_root_namespace_adds_no_second_slash() -> None:
 def test_an_unknown_substitution_is_refused() -> None:
     with pytest.raises(ValueError, match='unknown substitution: {pkg}'):
         names.expand_name('{pkg}/x', 'n', '/')
+    assert names.UnknownSubstitution.__name__ == 'ValueError'
 
 
 @given(token, token, absolute)

@@ -248,6 +248,26 @@ def test_introspection_publishes_both_sides(ros: Ros, world: World) -> None:
     assert ros(body) == [(0, [1], []), (1, [1], []), (2, [], [3]), (3, [], [3])]
 
 
+def test_introspection_has_one_of_its_states(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        for end in (node.create_service(AddTwoInts, 'add', add), node.create_client(AddTwoInts, 'add')):
+            with pytest.raises(TypeError, match='introspection_state must be a ServiceIntrospectionState, not int'):
+                end.configure_introspection(node.get_clock(), qos_profile_system_default, 1)  # type: ignore[arg-type]
+        world.say('done')
+
+    assert ros(body) == ['done']
+
+
+def test_a_wait_without_time_is_only_a_look(ros: Ros, world: World) -> None:
+    def body() -> None:
+        node = Node('n')
+        before = node.get_clock().now()
+        world.say((node.create_client(AddTwoInts, 'add').wait_for_service(-1.0), (node.get_clock().now() - before).nanoseconds))
+
+    assert ros(body) == [(False, 0)]
+
+
 def test_names(ros: Ros, world: World) -> None:
     def body() -> None:
         node = Node('n', namespace='ns')

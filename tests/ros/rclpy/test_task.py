@@ -31,6 +31,11 @@ def test_cancelling_does_not_make_it_done() -> None:
     assert (future.cancelled(), future.done()) == (True, False)
 
 
+def test_an_executor_has_to_be_one() -> None:
+    with pytest.raises(TypeError, match="cannot create weak reference to 'int' object"):
+        Future(executor=5)  # type: ignore[arg-type]
+
+
 def test_callbacks_without_executor_run_at_once_and_their_errors_are_warnings() -> None:
     future, called = Future(), []
     future.add_done_callback(lambda _: 1 // 0)

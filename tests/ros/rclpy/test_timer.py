@@ -16,7 +16,7 @@ from rclpy.node import Node
 from edulaunch.engine.processes.current import current_process
 from edulaunch.engine.sim.sync import sleep
 
-from .conftest import World
+from .conftest import Ros, World
 
 
 def spin_for(seconds: float, node: Node) -> None:
@@ -37,6 +37,15 @@ def test_the_first_call_is_one_period_after_creation(world: World) -> None:
 
 def test_periods_are_whole_nanoseconds(ros: Callable[..., list[Any]], world: World) -> None:
     assert ros(lambda: world.say(Node('n').create_timer(1 / 3, None).timer_period_ns)) == [333_333_333]
+
+
+def test_a_period_fits_into_64_bits(ros: Ros, world: World) -> None:
+    def body() -> None:
+        with pytest.raises(TypeError, match=r'__init__\(\): incompatible constructor arguments'):
+            Node('n').create_timer(1e12, print)
+        world.say('refused')
+
+    assert ros(body) == ['refused']
 
 
 def test_missed_calls_are_skipped_not_made_up_for(world: World) -> None:

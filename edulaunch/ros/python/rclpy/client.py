@@ -72,7 +72,7 @@ def while_looking(
     """Check every 0.25 s until the condition is true, the timeout ends (None: never) or the context ends. Call `looked()` after
     each wait.
     """
-    left = float('inf') if timeout_sec is None or timeout_sec < 0 else timeout_sec
+    left = float('inf') if timeout_sec is None else timeout_sec
     task = current_task()
     while context.alive and not is_ready() and left > 0.0:
         task.sleep_until(task.sim.now_ns + POLL_NS)

@@ -254,7 +254,7 @@ class ROSClock(Clock):
                 handle.pre_callback()
         self.override_ns = override_ns
         for timer in list(self.timers):
-            timer.clock_jumped(before, change is not ClockChange.ROS_TIME_NO_CHANGE)
+            timer.rcl_clock_jumped(before, change is not ClockChange.ROS_TIME_NO_CHANGE)
         for handle in handles:
             if handle.post_callback is not None:
                 handle.post_callback(TimeJump(change, Duration(nanoseconds=delta)))

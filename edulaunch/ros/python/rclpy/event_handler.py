@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from edulaunch.engine.graph.qos import incompatible_policy
 from edulaunch.ros.passed_on import passed_on
 from rclpy._rclpy_pybind11 import UnsupportedEventTypeError as UnsupportedEventTypeError
-from rclpy.impl.c_enum import CEnum
+from rclpy.impl.c_enum import CEnum, Pybind11IntEnum
 from rclpy.impl.qos_watch import Count, LivelinessWatch, watch_deadline, watch_lease
 from rclpy.waitable import NumberOfEntities, Waitable
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 EventCallback = Callable[[Any], object]
 
 
-class QoSPublisherEventType(CEnum):
+class rcl_publisher_event_type_t(Pybind11IntEnum):  # noqa: N801
     """The events of a publisher."""
 
     RCL_PUBLISHER_OFFERED_DEADLINE_MISSED = 0
@@ -29,7 +29,7 @@ class QoSPublisherEventType(CEnum):
     RCL_PUBLISHER_MATCHED = 4
 
 
-class QoSSubscriptionEventType(CEnum):
+class rcl_subscription_event_type_t(Pybind11IntEnum):  # noqa: N801
     """The events of a subscription."""
 
     RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED = 0
@@ -38,6 +38,9 @@ class QoSSubscriptionEventType(CEnum):
     RCL_SUBSCRIPTION_MESSAGE_LOST = 3
     RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE = 4
     RCL_SUBSCRIPTION_MATCHED = 5
+
+
+QoSPublisherEventType, QoSSubscriptionEventType = rcl_publisher_event_type_t, rcl_subscription_event_type_t
 
 
 class CountInfo(NamedTuple):
@@ -161,7 +164,7 @@ class _EventCallbacks:
         self.matched = matched
         self.use_default_callbacks = use_default_callbacks
 
-    def attach(self, node: Any, entity: Any, impl: Any, group: CallbackGroup) -> None:
+    def rcl_attach(self, node: Any, entity: Any, impl: Any, group: CallbackGroup) -> None:
         """Watch a new endpoint. Partners that it found at once also count."""
         incompatible_qos = self.incompatible_qos or (self._warn_of(node, entity) if self.use_default_callbacks else None)
         if incompatible_qos is not None:

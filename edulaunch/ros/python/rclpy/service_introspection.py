@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from rclpy.impl.c_enum import CEnum
+from rclpy.impl.c_enum import Pybind11IntEnum
 from rclpy.qos import QoSProfile, engine_qos
 
 if TYPE_CHECKING:
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 REQUEST_SENT, REQUEST_RECEIVED, RESPONSE_SENT, RESPONSE_RECEIVED = range(4)
 
 
-class ServiceIntrospectionState(CEnum):
+class ServiceIntrospectionState(Pybind11IntEnum):
     """The parts of a call that are published."""
 
     OFF = 0

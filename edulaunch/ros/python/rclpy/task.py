@@ -7,6 +7,7 @@ from collections.abc import Callable, Coroutine, Generator
 from functools import partial
 from typing import TYPE_CHECKING, Any
 from warnings import warn
+from weakref import ref
 
 from edulaunch.engine.processes.current import current_process
 from edulaunch.engine.processes.frame_owner import coroutine_line
@@ -54,6 +55,7 @@ class Future:
     def __init__(self, *, executor: ExecutorProtocol | None = None) -> None:
         self._callbacks: list[Callable[[Any], object]] = []
         if executor is not None:
+            ref(executor)  # raise TypeError for an object that is not an executor, as ROS 2 does
             self._executor = executor
 
     def __await__(self) -> Generator[Any, None, Any]:

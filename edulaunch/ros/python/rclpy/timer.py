@@ -26,7 +26,7 @@ class Timer(TimedEntity):
     A grid point that has passed when the executor checks the timer is skipped. `Node.create_timer` creates timers.
 
     :ivar _next_ns: the next grid point, in the clock's own time.
-    :ivar due_ns: the same point in simulated time; `NEVER_NS` while the timer is cancelled, or while the point depends on /clock.
+    :ivar rcl_due_ns: the same point in simulated time; `NEVER_NS` while the timer is cancelled, or while it depends on /clock.
     """
 
     rcl_category = TIMER
@@ -51,7 +51,7 @@ class Timer(TimedEntity):
         self._canceled = not autostart
         self._last_ns = clock.rcl_now_ns()
         self._next_ns = self._last_ns + timer_period_ns
-        self.due_ns = NEVER_NS
+        self.rcl_due_ns = NEVER_NS
         self._credit_ns = 0
         clock.timers.append(self)
         self.ready_list.timers.append(self)
@@ -77,15 +77,15 @@ class Timer(TimedEntity):
     def _plan(self) -> None:
         """Compute when the timer is due in simulated time, and let the executor check again."""
         if self._canceled:
-            self.due_ns = NEVER_NS
+            self.rcl_due_ns = NEVER_NS
         elif self._clock.override_ns is None:
-            self.due_ns = self._next_ns
+            self.rcl_due_ns = self._next_ns
         else:
-            self.due_ns = 0 if self._next_ns <= self._clock.override_ns else NEVER_NS
+            self.rcl_due_ns = 0 if self._next_ns <= self._clock.override_ns else NEVER_NS
         self.ready_list.plan()
         self.ready_list.notify()
 
-    def clock_jumped(self, before_ns: int, source_changed: bool) -> None:
+    def rcl_clock_jumped(self, before_ns: int, source_changed: bool) -> None:
         """Handle a time jump as rcl does: a forward jump past the grid point makes the timer ready once, and a backward jump
         restarts it.
 
@@ -121,7 +121,7 @@ class Timer(TimedEntity):
                 self._note_skipped(now)
         self._last_ns = now
         self._next_ns = next_ns
-        self.due_ns = next_ns if clock.override_ns is None or next_ns <= now else NEVER_NS
+        self.rcl_due_ns = next_ns if clock.override_ns is None or next_ns <= now else NEVER_NS
         self.ready_list.plan()
         self.ready_list.notify()
         return self.callback()  # type: ignore[misc]  # None ends the program, as in ROS 2
@@ -175,7 +175,7 @@ class Timer(TimedEntity):
         """Destroy the timer. Prefer `Node.destroy_timer`."""
         if not self.destroyed:
             self.destroyed = True
-            self.due_ns = NEVER_NS
+            self.rcl_due_ns = NEVER_NS
             self._clock.timers.remove(self)
             self.ready_list.timers.remove(self)
             self.ready_list.plan()

@@ -11,7 +11,7 @@ from action_msgs.msg import GoalInfo
 from edulaunch.engine.sim.task import current_task
 from edulaunch.ros.read_only import ReadOnly
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy.impl.c_enum import CEnum
+from rclpy.impl.c_enum import Pybind11IntEnum
 
 if TYPE_CHECKING:
     from rclpy.action.server import ActionServer
@@ -29,7 +29,7 @@ class GoalState(IntEnum):
     ABORTED = 6
 
 
-class GoalEvent(CEnum):
+class GoalEvent(Pybind11IntEnum):
     """The events that change the state of a goal."""
 
     EXECUTE = 0

@@ -40,3 +40,13 @@ class Pybind11Enum(Enum, metaclass=_Pybind11Type):
 
     def __hash__(self) -> int:
         return hash(self.value)
+
+
+class Pybind11IntEnum(Pybind11Enum):
+    """Members that are also equal to their integer. All of them are true, and they have no order."""
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, (int, Pybind11IntEnum)) and int(self) == int(other)
+
+    def __hash__(self) -> int:
+        return hash(self.value)

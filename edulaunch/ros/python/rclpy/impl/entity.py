@@ -84,9 +84,9 @@ class ReadyList:
         """Compute `due_ns` again."""
         timers = self.timers
         if len(timers) == 1:
-            self.due_ns = timers[0].due_ns
+            self.due_ns = timers[0].rcl_due_ns
         else:
-            self.due_ns = min([timer.due_ns for timer in timers], default=NEVER_NS)
+            self.due_ns = min([timer.rcl_due_ns for timer in timers], default=NEVER_NS)
 
     def notify(self) -> None:
         """Wake the waiting executor, because an entity is ready or a due time has changed."""
@@ -129,10 +129,10 @@ class Entity:
 class TimedEntity(Entity):
     """An entity that becomes ready at a certain time.
 
-    :ivar due_ns: that time, in simulated nanoseconds; `NEVER_NS` while it is unknown.
+    :ivar rcl_due_ns: that time, in simulated nanoseconds; `NEVER_NS` while it is unknown.
     """
 
-    due_ns: int = NEVER_NS
+    rcl_due_ns: int = NEVER_NS
 
 
 class GraphEnd:
@@ -186,12 +186,16 @@ class ServiceEnd(GraphEnd):
         self, clock: ClockProtocol, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
     ) -> None:
         """Publish its requests and replies on `<service>/_service_event`."""
-        from rclpy.service_introspection import Introspection
+        from rclpy.service_introspection import Introspection, ServiceIntrospectionState
 
+        kind = type(introspection_state).__name__
+        if kind != ServiceIntrospectionState.__name__:
+            needed = 'introspection_state must be a ServiceIntrospectionState'
+            raise TypeError(f'configure_introspection(): incompatible function arguments: {needed}, not {kind}')
         if self._introspection is not None:
             self._introspection.stop()
         self._introspection = None
-        if introspection_state:
+        if introspection_state is not ServiceIntrospectionState.OFF:
             self._introspection = Introspection(
                 self.endpoint, self.srv_type.Event, clock, service_event_qos_profile, introspection_state
             )

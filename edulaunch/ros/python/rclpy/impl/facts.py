@@ -216,7 +216,7 @@ def _going_on(core: NodeCore, something_waits: bool) -> Facts:
     if executor is None or task is None or task is running_task():
         return
     entity, late_ns = executor.rcl_running_entity(), core.graph.sim.now_ns - VERY_LONG_NS
-    due = [timer for timer in core.timers if timer.due_ns <= late_ns and timer is not entity]
+    due = [timer for timer in core.timers if timer.rcl_due_ns <= late_ns and timer is not entity]
     if entity is not None and entity.ready_list is core.ready_list and (due or (something_waits and task.waits_for_ever())):
         timers = [callback_name(timer) or 'timer' for timer in due]
         data = {'node': core.full_name, 'callback': callback_name(entity), 'timers': timers}

@@ -171,7 +171,10 @@ class RcutilsLogger:
             site = self.contexts[place] = CallSite(name, severity, filters, options)
         else:
             site.check(name, severity, filters, options)
-        if filters and not site.lets_through(options, state.process.sim.now_ns):
+        sim = state.process.sim
+        if sim.keep_up is not None:
+            sim.keep_up()
+        if filters and not site.lets_through(options, sim.now_ns):
             return False
         if not isinstance(message, str):
             message = _text_of(message)

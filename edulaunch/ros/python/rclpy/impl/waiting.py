@@ -100,7 +100,7 @@ class Waiting:
         for ready_list in self._lists:
             start = len(batch)
             if ready_list.due_ns <= now:
-                batch += [timer for timer in ready_list.timers if timer.due_ns <= now and _may_begin(timer)]
+                batch += [timer for timer in ready_list.timers if timer.rcl_due_ns <= now and _may_begin(timer)]
             if ready_list.asked:
                 batch += [one for one in ready_list.asked if one.rcl_ask() and one.callback_group.can_execute(one)]
             if ready_list.entities:
@@ -130,8 +130,8 @@ class Waiting:
         for ready_list in self._lists:
             if ready_list.due_ns < due:
                 for timer in ready_list.timers:
-                    if timer.due_ns < due and _may_begin(timer):
-                        due = timer.due_ns
+                    if timer.rcl_due_ns < due and _may_begin(timer):
+                        due = timer.rcl_due_ns
         task = current_task()
         self._waiting.append(task)  # set before the check, so that a wake from another thread is never lost
         try:

@@ -337,6 +337,8 @@ def _new_timer(
     autostart: bool,
 ) -> Timer:
     period_ns = int(float(period_s) * S_TO_NS)
+    if period_ns >= 2**63:
+        raise TypeError(f'__init__(): incompatible constructor arguments: a period must fit into 64 bits, not {period_ns} ns')
     if period_ns < 0:
         raise RCLError('failed to create timer: timer period must be non-negative')
     core.check_context('failed to create timer')
@@ -380,7 +382,7 @@ def _watch_events(node: Any, entity: Any, impl: Any, callbacks: Any, group: Call
 
     if callbacks is None:
         callbacks = PublisherEventCallbacks() if side == 'publisher' else SubscriptionEventCallbacks()
-    callbacks.attach(node, entity, impl, group or core_of(node).default_callback_group)
+    callbacks.rcl_attach(node, entity, impl, group or core_of(node).default_callback_group)
 
 
 def _overridden(node: Any, options: QoSOverridingOptions | None, profile: QoSProfile, topic: str, side: str) -> QoSProfile:
