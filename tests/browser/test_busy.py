@@ -40,6 +40,26 @@ DRAWN = """times => {
   return drawn;
 }"""
 
+BODIES = """() => {  // the same turtle at three angles, drawn for a few turtles and for a crowd
+  const [view] = window.desk.worldViews, pen = view.canvas.getContext('2d'), [mover] = view.world.movers, ground = view.background(0);
+  const picture = (many, a) => {
+    view.here = Array(many).fill({});
+    pen.fillStyle = ground;
+    pen.fillRect(0, 0, view.side, view.side);
+    view.body(pen, mover, { x: 5.5, y: 5.5, a });
+    return pen.getImageData(0, 0, view.canvas.width, view.canvas.height).data;
+  };
+  const differs = (one, two) => one.reduce((sum, value, i) => sum + (Math.abs(value - two[i]) > 90), 0);
+  return [0, 0.5, -2.4].map(a => [differs(picture(1, a), picture(100, a)), differs(picture(1, a), picture(100, a + 1.5))]);
+}"""
+TURNED = """() => {
+  const [view] = window.desk.worldViews, pen = view.canvas.getContext('2d');
+  let turned = 0;
+  pen.rotate = () => { turned++; };
+  view.draw(window.desk.time);
+  return turned;
+}"""
+
 
 @pytest.fixture
 def page_of(browser: Any, tmp_path: Path) -> Iterator[Any]:
@@ -85,6 +105,32 @@ def test_input_is_never_left_out(page_of: Any) -> None:
     for _ in range(3):
         desk.page.keyboard.press('ArrowRight')
     assert desk.page.evaluate('window.desk.time') == pytest.approx(before + 3 * 0.016, abs=0.017)
+
+
+def test_a_crowd_is_drawn_from_turned_copies_that_look_like_a_single_turtle(page_of: Any) -> None:
+    desk = page_of(timeline(100, 200, 2), 'graph')
+    for equal, other in desk.page.evaluate(BODIES):
+        assert equal < other / 4, 'the copy of an angle is not the turtle at this angle'
+    assert desk.page.evaluate(TURNED) == 0
+
+
+def test_while_time_passes_only_rows_in_view_are_written(page_of: Any) -> None:
+    desk = page_of(timeline(3, 200, 20), 'frames')
+    desk.seek(0.2)
+    column = '() => [...window.desk.views.frames[0].table.rows].slice(1).map(row => row.cells[2].textContent)'
+    before = desk.page.evaluate(column)
+    desk.page.wait_for_function('() => window.desk.views.frames[0].visible.size < 60')
+    desk.page.evaluate('() => { window.desk.toggle(); }')
+    desk.page.wait_for_function('() => window.desk.time > 5')
+    desk.page.locator('table.small tr').last.scroll_into_view_if_needed()
+    desk.page.wait_for_function(
+        'text => window.desk.views.frames[0].table.rows[200].cells[2].textContent !== text', arg=before[-1]
+    )
+    playing = desk.page.evaluate(column)
+    assert playing[100] == before[100], 'a row that nobody sees was written'
+    desk.page.evaluate('() => { window.desk.toggle(); }')
+    desk.frame()
+    assert [text for text, old in zip(desk.page.evaluate(column), before, strict=True) if text == old] == []
 
 
 def test_a_step_of_a_large_launch_writes_only_the_rows_that_change(page_of: Any, tmp_path: Path) -> None:

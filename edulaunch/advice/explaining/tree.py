@@ -47,7 +47,8 @@ def place_of(entry: Entry) -> str:
     """Return 'file:line', or '' if the text contains it already."""
     if entry['file'] is None or (entry['kind'] == 'parameter' and 'origin' in entry):
         return ''
-    return f'{os.path.basename(entry["file"])}:{entry["line"]}'
+    created = f' (created at line {entry["created_line"]})' if 'created_line' in entry else ''
+    return f'{os.path.basename(entry["file"])}:{entry["line"]}{created}'
 
 
 def text_of(entry: Entry) -> str:

@@ -76,8 +76,10 @@ def _entries(branch: Branch) -> Iterator[Entry]:
     if kind in HIDDEN or is_ours:
         yield from below
         return
-    file, line = (None, None) if branch.origin is None else branch.origin
+    file, line = branch.place or (None, None)
     found = entry(kind, text, file, line, branch.is_taken)
+    if branch.origin is not None and branch.origin != branch.place:
+        found['created_line'] = branch.origin.line
     if branch.condition is not None:
         found['condition'] = branch.condition
         found['text'] += f'  [{branch.condition}: {"taken" if branch.is_taken else "not taken"}]'

@@ -83,7 +83,7 @@ class LaunchTrace(Watch):
         return self._add(_step_of(action), parent)
 
     def _add(self, step: Step, parent: Branch) -> Step:
-        step.parent_origin = parent.origin
+        step.parent_origin = parent.place
         step.parent = parent.number if isinstance(parent, Step) else -1
         step.depth = parent.depth + 1 if isinstance(parent, Step) else 0
         step.number = len(self.steps)

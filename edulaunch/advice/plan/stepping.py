@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 GO, INTO, NEXT, EVENT, LINE = 'go', 'into', 'next', 'event', 'line'
 """Never stop. Stop before the next action. Stop before the next action after this include or group. Stop before the next event.
-Stop before an action that a line of a file creates.
+Stop before an action that a line of a file creates, itself or by a function.
 """
 
 
@@ -38,8 +38,8 @@ class Stepper:
         if self.way == LINE:
             assert self._place is not None
             file, line = self._place
-            path = step.origin.file
-            return step.origin.line == line and file in (path, os.path.basename(path))
+            places = {step.origin, step.place or step.origin}
+            return any(place.line == line and file in (place.file, os.path.basename(place.file)) for place in places)
         return self._depth is None or step.depth <= self._depth
 
     def stops_at(self, event: Step) -> bool:

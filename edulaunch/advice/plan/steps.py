@@ -132,7 +132,7 @@ def _event_text(event: Any, about: Step | None) -> str:
     if name == 'ProcessExited':
         return f'{process} ended with exit code {event.returncode}'
     if name == 'TimerEvent':
-        place = '' if about is None or about.origin is None else f' of line {about.origin.line}'
+        place = '' if about is None or about.place is None else f' of line {about.place.line}'
         return f'the timer{place} ran out'
     texts = {'ProcessStarted': f'{process} started', 'Shutdown': f'shutdown: {getattr(event, "reason", "")}'}
     return texts.get(name, f'{name}{f" of {process}" if process else ""}')
@@ -140,7 +140,7 @@ def _event_text(event: Any, about: Step | None) -> str:
 
 def _action_row(step: Step) -> Row:
     kind, text = kind_and_text(step)
-    file, line = step.origin or (None, None)
+    file, line = step.place or (None, None)
     shown = entry(kind, text, file, line)
     if step.item is not None and step.is_taken:
         add_facts(shown, step)
@@ -150,6 +150,8 @@ def _action_row(step: Step) -> Row:
         for one in shown['children']
         if one['kind'] not in ('never', 'parameter')
     ]
+    if step.origin is not None and step.origin != step.place:
+        row['details'].append(['created', 'created at', *step.origin])
     values = [*_chains(step, shown), *_reasons(step)]
     if values:
         row['values'] = values

@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+import ast
+import os
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
+
+from edulaunch.ros.sources.source_package import parsed
 
 if TYPE_CHECKING:
     from edulaunch.engine.processes import Origin
@@ -39,6 +45,11 @@ class Branch:
         self._given: list[Any] | None = None
 
     @property
+    def place(self) -> Origin | None:
+        """Return where a reader looks for the action: its origin, or the call of a function that creates it and others."""
+        return None if self.origin is None else _call_of(self.action) or self.origin
+
+    @property
     def given_parameters(self) -> list[Any]:
         """Return `launch_ros.actions.Node.given_parameters()` of a node. The call is slow, so its result is cached."""
         if self._given is None:
@@ -48,8 +59,31 @@ class Branch:
     def add(self, branch: Branch) -> Branch:
         """Append a branch."""
         self.children.append(branch)
-        branch.parent_origin = self.origin
+        branch.parent_origin = self.place
         return branch
+
+
+def _call_of(action: Any) -> Origin | None:
+    """Return the outermost call, in the file of an action, of a function that the file calls at several places."""
+    found: Origin | None = None
+    for name, place in action.calls:
+        try:
+            changed_ns = os.stat(place.file).st_mtime_ns
+        except OSError:
+            return None
+        if _times_called(place.file, changed_ns)[name] > 1:
+            found = place
+    return found
+
+
+@lru_cache(64)
+def _times_called(file: str, changed_ns: int) -> Counter[str]:
+    """Return how many calls of each function a Python file contains."""
+    tree = parsed(file)
+    calls = () if tree is None else (node.func for node in ast.walk(tree) if isinstance(node, ast.Call))
+    return Counter(
+        call.id if isinstance(call, ast.Name) else call.attr for call in calls if isinstance(call, (ast.Name, ast.Attribute))
+    )
 
 
 class Setters:

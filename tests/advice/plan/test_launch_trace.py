@@ -74,6 +74,31 @@ def test_each_action_has_its_place_and_what_became_of_it(launch: Any) -> None:
     ]
 
 
+def test_what_a_function_creates_is_found_at_the_call_that_tells_it_from_the_others(launch: Any, session: Session) -> None:
+    found = launch("""
+    def once():
+        return [LogInfo(msg='once')]
+    return LaunchDescription([
+        talker('one'),
+        *[talker(name) for name in ('two', 'three')],
+        *once(),
+    ])
+    """)
+    first, last = HEAD.count('\n') + 1, HEAD.count('\n') - 1
+    places = [
+        (row['line'] - first, [detail[3] for detail in row['details'] if detail[0] == 'created'])
+        for row in found
+        if row.get('file')
+    ]
+    assert places == [(4, [last]), (5, [last]), (5, [last]), (2, [])]
+    stepper, (one, two, *_) = session.traces[-1].stepper, [step for step in session.traces[-1].steps if step.origin]
+    stops = [
+        [stepper.go('line', ('a.launch.py', line)) or stepper.stops_before(step) for step in (one, two)]
+        for line in (first + 4, last)
+    ]
+    assert stops == [[True, False], [True, True]]
+
+
 def test_what_is_left_out_says_which_value_is_the_reason_and_who_gave_it(launch: Any) -> None:
     found = launch(
         """

@@ -159,7 +159,7 @@ def test_setters_follow_scopes() -> None:
 
 def test_a_branch_knows_who_is_above_it_and_asks_for_parameters_once() -> None:
     asked: list[int] = []
-    action = SimpleNamespace(given_parameters=lambda: asked.append(1) or ['p'])
+    action = SimpleNamespace(calls=[], given_parameters=lambda: asked.append(1) or ['p'])
     origin: Any = ('/a.py', 3)
     above, below = Branch(action, origin), Branch(None, condition='if 1')
     assert above.add(below) is below

@@ -47,6 +47,26 @@ def test_what_a_students_action_makes_comes_from_its_own_line() -> None:
     assert made.origin.file == __file__
 
 
+def create(text: str) -> LogInfo:
+    return LogInfo(msg=text)
+
+
+def create_several(*texts: str) -> list[LogInfo]:
+    return [create(text) for text in texts]
+
+
+def test_an_action_knows_which_functions_of_its_file_were_called_to_create_it() -> None:
+    """A comprehension is part of the function around it, in Python 3.10 and in Python 3.12."""
+    mine = [LogInfo(msg=text) for text in 'a'][0]
+    made = create_several('a')[0]
+    first = create.__code__.co_firstlineno
+    assert made.origin is not None and made.origin.line == first + 1
+    names = [name for name, _ in made.calls]
+    assert names[:2] == ['create', 'create_several']
+    assert [place.line for _, place in made.calls][0] == first + 5
+    assert mine.calls == []
+
+
 def test_a_wrong_argument_of_an_include_is_shown_at_the_include(tmp_path: Path) -> None:
     (tmp_path / 'b.launch.py').write_text(
         'from launch import LaunchDescription\ndef generate_launch_description():\n    return LaunchDescription()\n'

@@ -7,6 +7,12 @@ class FramesView {
     this.desk = desk;
     this.turn = { yaw: -0.6, pitch: 0.55 };
     this.glyphs = new Map();
+    this.widths = new Map();
+    this.visible = new Set();
+    this.watch = new IntersectionObserver(rows => {
+      for (const row of rows) if (row.isIntersecting) this.visible.add(row.target); else this.visible.delete(row.target);
+      desk.redraw();
+    });
     this.box = make('div', { class: 'pane' });
     this.fixed = make('select', { 'aria-label': 'fixed frame' });
     this.mode = make('select', { 'aria-label': 'projection of the frames' });
@@ -63,8 +69,8 @@ class FramesView {
   draw(time) {
     const tree = this.desk.tree(time), names = tree.names();
     this.choices(names, tree);
-    const width = this.box.clientWidth - 4, height = Math.min(width * 0.72, 430);
-    const pen = sized(this.canvas, width, height);
+    const width = this.width = this.box.clientWidth - 4, height = Math.min(width * 0.72, 430);
+    const pen = sized(this.canvas, width, height), isTimeToTell = this.desk.isTimeToTell(this);
     pen.fillStyle = this.desk.colours.field;
     pen.fillRect(0, 0, width, height);
     if (!names.length) { note(pen, 'No transforms have been broadcast yet.', width, height, this.desk.colours.soft); return; }
@@ -80,9 +86,9 @@ class FramesView {
     for (const [name, pose] of [...seen].slice(0, MOST_NAMES)) this.label(pen, this.marked(name, time) ? `⚠ ${name}` : name, this.at(pose.p), taken, width, height);
     this.tell(time);
     if (seen.size > MOST_NAMES) note(pen, `${seen.size} frames, the first ${MOST_NAMES} with their names`, width, 24, this.desk.colours.soft);
-    this.canvas.setAttribute('aria-label', `${seen.size} frames seen from ${this.fixed.value}: ${[...seen].slice(0, MOST_NAMES).map(([name, pose]) => `${name} at ${pose.p.map(value => value.toFixed(2)).join(', ')}`).join('; ')}`);
-    if (this.desk.isTimeToTell(this)) this.rows(tree, seen, time);
-    this.look(time);
+    if (isTimeToTell) this.canvas.setAttribute('aria-label', `${seen.size} frames seen from ${this.fixed.value}: ${[...seen].slice(0, MOST_NAMES).map(([name, pose]) => `${name} at ${pose.p.map(value => value.toFixed(2)).join(', ')}`).join('; ')}`);
+    if (isTimeToTell) this.rows(tree, seen, time);
+    this.look(tree, time, isTimeToTell);
   }
   project(seen, width, height) {
     const above = this.mode.value === 'above', points = [...seen.values()].map(pose => pose.p);
@@ -96,7 +102,7 @@ class FramesView {
     this.length = r * 0.12;
     this.low = Math.min(0, z0);
     this.at = p => {
-      const [x, y, z] = p.map((value, i) => value - c[i]);
+      const x = p[0] - c[0], y = p[1] - c[1], z = p[2] - c[2];
       if (above) return [width / 2 + x * scale, height / 2 - y * scale];
       const across = x * cy - y * sy, deep = x * sy + y * cy;
       return [width / 2 + across * scale, height / 2 - (z * cp + deep * sp) * scale];
@@ -145,10 +151,11 @@ class FramesView {
   }
   label(pen, text, [x, y], taken, width, height) {
     pen.font = '12px system-ui, sans-serif';
-    const wide = pen.measureText(text).width + 6;
+    if (!this.widths.has(text)) this.widths.set(text, pen.measureText(text).width + 6);
+    const wide = this.widths.get(text);
     const places = [[8, -10], [8, 8], [-wide - 8, -10], [-wide - 8, 8], [8, -26], [8, 24], [-wide / 2, -30], [-wide / 2, 28], [8, -42], [8, 40]];
-    const free = ([l, t]) => l > 0 && t > 0 && l + wide < width && t + 15 < height && !taken.some(([a, b, w]) => l < a + w && a < l + wide && t < b + 15 && b < t + 15);
-    const [left, top] = places.map(([dx, dy]) => [x + dx, y + dy - 8]).find(free) || [x + 8, y - 18];
+    const free = (l, t) => l > 0 && t > 0 && l + wide < width && t + 15 < height && !taken.some(([a, b, w]) => l < a + w && a < l + wide && t < b + 15 && b < t + 15);
+    const [dx, dy] = places.find(([dx, dy]) => free(x + dx, y + dy - 8)) || places[0], left = x + dx, top = y + dy - 8;
     taken.push([left, top, wide]);
     pen.fillStyle = this.desk.colours.plate;
     pen.fillRect(left, top, wide, 15);
@@ -162,7 +169,22 @@ class FramesView {
     this.told.hidden = !rows.length;
     if (rows.length && this.desk.isTimeToTell(this.told)) this.told.replaceChildren(make('b', {}, this.chosen), ...sentences(rows));
   }
+  /* Fill in the table. While time passes, only the rows in view get new numbers. */
   rows(tree, seen, time) {
+    const links = [...tree.links.values()], key = links.map(link => [link.child, link.parent, link.parents, this.marked(link.child, time), this.marked(link.parent, time)].join()).join('\n');
+    if (key !== this.listed) {
+      this.listed = key;
+      this.list(links, time);
+    }
+    links.forEach((link, i) => {
+      const row = this.lines[i], pose = seen.get(link.child), age = time - (link.stamp - this.desk.store.start);
+      if (this.desk.moves && !this.visible.has(row)) return;
+      const texts = [...(pose ? [...pose.p, yawOf(pose.q)].map(value => value.toFixed(3)) : ['another', 'tree', '', '']), link.fixed ? 'static' : `${Math.max(0, age).toFixed(2)} s`];
+      texts.forEach((text, n) => { const cell = row.children[n + 2].firstChild; if (cell.data !== text) cell.data = text; });
+      row.className = !link.fixed && age > 1 ? 'old' : '';
+    });
+  }
+  list(links, time) {
     const head = make('tr', {}, ...['frame', 'parent', 'x', 'y', 'z', 'yaw', 'age'].map(text => make('th', {}, text)));
     const name = frame => {
       if (!this.marked(frame, time)) return frame;
@@ -170,18 +192,18 @@ class FramesView {
       mark.addEventListener('click', () => this.point('frame', frame));
       return mark;
     };
-    const rows = [...tree.links.values()].map(link => {
-      const pose = seen.get(link.child), age = time - (link.stamp - this.desk.store.start);
-      const cells = [link.parents > 1 ? `${link.child} ⚠ two parents` : name(link.child), name(link.parent),
-        ...(pose ? [...pose.p, yawOf(pose.q)].map(value => value.toFixed(3)) : ['another', 'tree', '', '']),
-        link.fixed ? 'static' : `${Math.max(0, age).toFixed(2)} s`];
-      return make('tr', { class: !link.fixed && age > 1 ? 'old' : '' }, ...cells.map(text => make('td', {}, text)));
-    });
-    this.table.replaceChildren(head, ...rows);
+    this.lines = links.map(link => make('tr', {}, ...[link.parents > 1 ? `${link.child} ⚠ two parents` : name(link.child), name(link.parent), '', '', '', '', ''].map(text => make('td', {}, text))));
+    this.table.replaceChildren(head, ...this.lines);
+    this.watch.disconnect();
+    this.visible = new Set(this.lines);
+    for (const row of this.lines) this.watch.observe(row);
   }
-  look(time) {
+  look(tree, time, isTimeToTell) {
     const asked = this.when.value === '' ? null : Number(this.when.value);
-    const found = lookup(this.desk.store, this.target.value, this.source.value, asked, time);
+    const found = lookup(this.desk.store, this.target.value, this.source.value, asked, time, tree);
+    this.bars(found, time);
+    if (!isTimeToTell) return;
+    if (found.spans) this.spans.setAttribute('aria-label', found.spans.map(span => `${span.child} from ${span.from.toFixed(2)} to ${span.to.toFixed(2)} s`).join('; '));
     if (found.error) {
       this.answer.textContent = `${found.error}: ${found.text}`;
       this.answer.className = 'mono bad';
@@ -190,11 +212,10 @@ class FramesView {
       this.answer.textContent = `translation [${show(p)}]  rotation [${show(q)}]  yaw ${yawOf(q).toFixed(3)} rad`;
       this.answer.className = 'mono';
     }
-    this.bars(found, time);
   }
   /* Draw which times the buffer has for each link of the chain, and the requested time. */
   bars(found, time) {
-    const spans = found.spans || [], width = this.box.clientWidth - 28, height = spans.length ? 16 * spans.length + 18 : 1;
+    const spans = found.spans || [], width = this.width - 24, height = spans.length ? 16 * spans.length + 18 : 1;
     const pen = sized(this.spans, width, height);
     if (!spans.length) return;
     const from = Math.min(time - CACHE_S - 0.5, found.asked), to = Math.max(time, found.asked) + 0.5, at = value => 90 + (value - from) / (to - from) * (width - 96);
@@ -212,7 +233,6 @@ class FramesView {
       line(pen, [[at(value), 0], [at(value), height - 12]]);
       pen.fillText(text, Math.min(at(value) - 10, width - 34), height - 2);
     }
-    this.spans.setAttribute('aria-label', spans.map(span => `${span.child} from ${span.from.toFixed(2)} to ${span.to.toFixed(2)} s`).join('; '));
   }
 }
 

@@ -67,7 +67,7 @@ class LaunchView {
     const found = this.stops_of(launch).find(row => {
       if (row.order <= from && !(from === row.order && !here)) return false;
       if (row.kind === 'event') { deep = Infinity; return way === 'event'; }
-      return way === 'line' ? row.line === line && baseName(row.file) === baseName(file) : way !== 'event' && row.depth <= deep;
+      return way === 'line' ? baseName(row.file) === baseName(file) && (row.line === line || row.details.some(([kind, , , created]) => kind === 'created' && created === line)) : way !== 'event' && row.depth <= deep;
     });
     if (found && !(launch.at !== null && found.number === launch.at)) { this.show(found); return; }
     if (desk.live && (launch.at !== null || !launch.over)) {

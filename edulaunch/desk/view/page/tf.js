@@ -32,6 +32,7 @@ class Tree {
     this.store = store;
     this.time = time;
     this.links = new Map();
+    this.placed = new Map();
     for (const track of store.tracks.values()) {
       const number = track.at(time);
       if (number < 0) continue;
@@ -44,25 +45,20 @@ class Tree {
       });
     }
   }
-  names() { return [...new Set([...this.links.values()].flatMap(link => [link.parent, link.child]))]; }
-  root(frame) {
-    for (let steps = 0; this.links.has(frame) && steps < 1000; steps++) frame = this.links.get(frame).parent;
-    return frame;
-  }
-  /* Pose of a frame in its root. */
-  pose(frame) {
-    let found = IDENTITY;
-    for (let steps = 0; this.links.has(frame) && steps < 1000; steps++) {
-      const link = this.links.get(frame);
-      found = product(link.transform, found);
-      frame = link.parent;
-    }
+  names() { return this.all ??= [...new Set([...this.links.values()].flatMap(link => [link.parent, link.child]))]; }
+  /* Root of a frame and its pose there. Each is computed once, because there may be hundreds of frames below one another. */
+  inRoot(frame) {
+    const chain = [];
+    while (!this.placed.has(frame) && this.links.has(frame) && chain.length < 1000) { chain.push(frame); frame = this.links.get(frame).parent; }
+    let found = this.placed.get(frame) || { root: frame, pose: IDENTITY };
+    for (const child of chain.reverse()) this.placed.set(child, found = { root: found.root, pose: product(found.pose, this.links.get(child).transform) });
     return found;
   }
+  root(frame) { return this.inRoot(frame).root; }
   /* Return the pose of every frame that is connected to `fixed`, relative to `fixed`. */
   seenFrom(fixed) {
-    const root = this.root(fixed), back = inverse(this.pose(fixed)), found = new Map();
-    for (const name of this.names()) if (this.root(name) === root) found.set(name, product(back, this.pose(name)));
+    const { root, pose } = this.inRoot(fixed), back = inverse(pose), found = new Map();
+    for (const name of this.names()) if (this.root(name) === root) found.set(name, product(back, this.inRoot(name).pose));
     return found;
   }
 }
@@ -76,8 +72,8 @@ function held(track, time) {
 }
 
 /* Return the result of `lookup_transform(target, source, stamp)` at `time`; stamp is in seconds since the start, or null for the latest. */
-function lookup(store, target, source, stamp, time) {
-  const tree = new Tree(store, time), known = new Set(tree.names());
+function lookup(store, target, source, stamp, time, tree = new Tree(store, time)) {
+  const known = new Set(tree.names());
   const absolute = value => (store.start + value).toFixed(6);
   for (const [frame, argument] of [[target, 'target_frame'], [source, 'source_frame']]) {
     if (!known.has(frame)) return { error: 'LookupException', text: `"${frame}" passed to lookupTransform argument ${argument} does not exist. ` };

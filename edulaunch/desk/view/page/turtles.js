@@ -3,6 +3,7 @@
 const MARK_EVERY_PX = 70, CANVAS_M = 11.088889, GONE_S = 0.1, JUMP_M = 0.5;
 const SHELLS = [[112, 173, 88], [236, 152, 70], [204, 74, 62], [158, 126, 190], [64, 176, 172], [240, 206, 72]];
 const MARKS = ['', '●', '▲', '■', '◆', '✚'];
+const TURN = 2 * Math.PI, ANGLES = 60, MOST_NAMED = 14;
 const rgb = (colour, alpha = 1) => `rgba(${colour.join()},${alpha})`;
 
 /* A turtle or robot with its poses from its pose or odometry topic. */
@@ -279,14 +280,24 @@ class WorldView {
   body(pen, mover, { x, y, a }) {
     const size = this.world.kind === 'turtlesim' ? this.side / 9.5 : Math.min(Math.max(this.scale * 0.4, 22), this.side / 8);
     const colour = SHELLS[mover.number % SHELLS.length];
+    const [px, py] = this.place(x, y), draw = mover.robot ? drawRobot : drawTurtle;
+    if (this.isCrowd && !mover.parts) {
+      const sheet = this.stamp(draw, colour, size, true), edge = sheet.height, side = edge / this.ratio, whole = value => Math.round((value - side / 2) * this.ratio) / this.ratio;
+      const angle = (Math.round(a / TURN * ANGLES) % ANGLES + ANGLES) % ANGLES;
+      pen.drawImage(sheet, angle * edge, 0, edge, edge, whole(px), whole(py), side, side);
+      return;
+    }
     pen.save();
-    pen.translate(...this.place(x, y));
+    pen.translate(px, py);
     pen.rotate(-a);
-    if (mover.parts) { this.shape(pen, mover.parts, colour); pen.restore(); return; }
-    const stamp = this.stamp(mover.robot ? drawRobot : drawTurtle, colour, size), side = stamp.width / this.ratio;
-    pen.drawImage(stamp, -side / 2, -side / 2, side, side);
+    if (mover.parts) this.shape(pen, mover.parts, colour);
+    else {
+      const stamp = this.stamp(draw, colour, size), side = stamp.width / this.ratio;
+      pen.drawImage(stamp, -side / 2, -side / 2, side, side);
+    }
     pen.restore();
   }
+  get isCrowd() { return this.here.length > MOST_NAMED; }
   /* Draw a robot from its description, at its real size. The nose of a small robot is enlarged. */
   shape(pen, parts, colour) {
     const reach = Math.max(...parts.flatMap(([, corners]) => corners.flat().map(Math.abs))), grow = Math.max(1, 15 / (reach * this.scale));
@@ -300,17 +311,28 @@ class WorldView {
       });
     }
   }
-  /* Draw each colour and size of a body once, because a turtle has twenty lines and there may be a hundred turtles. */
-  stamp(draw, colour, size) {
-    const key = [draw.name, colour, size, this.ratio].join();
+  /* Draw each colour and size of a body once, because a turtle has twenty lines and there may be a hundred turtles.
+     A crowd takes copies from a sheet of all angles in steps of 6 degrees, because the computer copies whole pixels much faster than it turns a picture. */
+  stamp(draw, colour, size, turned = false) {
+    const key = [draw.name, colour, size, this.ratio, turned].join();
     if (this.stamps?.key !== this.side) this.stamps = { key: this.side, known: new Map() };
     if (!this.stamps.known.has(key)) {
       const canvas = document.createElement('canvas'), pen = canvas.getContext('2d');
-      canvas.width = canvas.height = Math.ceil(size * 1.3 * this.ratio);
-      pen.translate(canvas.width / 2, canvas.height / 2);
-      pen.scale(size * this.ratio, -size * this.ratio);
-      pen.lineWidth = 1 / size;
-      draw(pen, colour);
+      const edge = canvas.width = canvas.height = Math.ceil(size * 1.3 * this.ratio);
+      if (turned) {
+        const stamp = this.stamp(draw, colour, size);
+        canvas.width = edge * ANGLES;
+        for (let i = 0; i < ANGLES; i++) {
+          pen.setTransform(1, 0, 0, 1, (i + 0.5) * edge, edge / 2);
+          pen.rotate(-i / ANGLES * TURN);
+          pen.drawImage(stamp, -edge / 2, -edge / 2);
+        }
+      } else {
+        pen.translate(edge / 2, edge / 2);
+        pen.scale(size * this.ratio, -size * this.ratio);
+        pen.lineWidth = 1 / size;
+        draw(pen, colour);
+      }
       this.stamps.known.set(key, canvas);
     }
     return this.stamps.known.get(key);
@@ -336,7 +358,7 @@ class WorldView {
   }
   /* Draw names beside their turtles, moved where they would overlap; in a crowd, draw only the name under the pointer. */
   names(pen) {
-    const crowd = this.here.length > 14 || this.desk.hurry > 1;
+    const crowd = this.isCrowd || this.desk.hurry > 1;
     pen.font = '12px system-ui, sans-serif';
     for (const { mover, pose, label, place } of this.here) {
       if (crowd && mover !== this.over) continue;

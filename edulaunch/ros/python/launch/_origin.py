@@ -29,6 +29,7 @@ are `id()`s, because the hash of a code object covers its whole content. For a l
 longer than creating an action.
 """
 _KEPT_TABLES = 64
+_MOST_CALLS = 20
 _TABLES: dict[int, tuple[CodeType, list[int], list[int]]] = {}
 """Line tables by the `id()` of their code object, which they keep alive."""
 
@@ -36,7 +37,8 @@ _TABLES: dict[int, tuple[CodeType, list[int], list[int]]] = {}
 def caller_outside_launch(made: object) -> Place | None:
     """Return the place in the innermost running code that is neither ours nor the constructor of `made` itself.
 
-    An action that one of our actions creates during its visit has the origin of that action.
+    An action that one of our actions creates during its visit has the origin of that action. The calls of a function of the same
+    file that creates the action are stored in `made`.
     """
     frame: FrameType | None = sys._getframe(2)
     while frame is not None:
@@ -46,9 +48,23 @@ def caller_outside_launch(made: object) -> Place | None:
                 place: Place | None = getattr(frame.f_locals['self'], '_Action__origin', None)
                 return None if place is None else Inherited(place)
         elif code.co_name != '__init__' or not _makes(code, frame, made):
+            outer = frame.f_back
+            if outer is not None and outer.f_code.co_filename == code.co_filename:
+                made.__dict__['_Action__calls'] = _calls_around(frame)
             return code, frame.f_lasti
         frame = frame.f_back
     return None
+
+
+def _calls_around(frame: FrameType) -> list[tuple[str, Place]]:
+    """Return the functions around a frame that their own file calls, each with the place of its call, the innermost first."""
+    found: list[tuple[str, Place]] = []
+    file, outer = frame.f_code.co_filename, frame.f_back
+    while outer is not None and outer.f_code.co_filename == file and len(found) < _MOST_CALLS:
+        if not frame.f_code.co_name.startswith('<'):  # a comprehension is part of the function around it
+            found.append((frame.f_code.co_name, (outer.f_code, outer.f_lasti)))
+        frame, outer = outer, outer.f_back
+    return found
 
 
 def _makes(code: CodeType, frame: FrameType, made: object) -> bool:

@@ -47,6 +47,15 @@ class Action(LaunchDescriptionEntity):
         return origin_of(place) if type(place) is Inherited else place
 
     @property
+    def calls(self) -> list[tuple[str, Origin]]:
+        """The functions of the launch file that created this action, each with the line that calls it, the innermost first.
+
+        The list is empty if the function that launch itself calls created it. (edulaunch only.)
+        """
+        places: Any = self.__dict__.get('_Action__calls', ())
+        return [(name, found) for name, place in places if (found := origin_of(place)) is not None]
+
+    @property
     def is_made_by_launch(self) -> bool:
         """Whether launch itself created this action while it visited another one, which gives it its origin. (edulaunch only.)"""
         return type(self.__dict__.get('_Action__origin')) is Inherited
