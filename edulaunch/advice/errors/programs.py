@@ -96,8 +96,14 @@ DOMAIN_ID = about(
 )
 RUNAWAY = about(
     'programs.runaway',
-    what='this loop never waits, so no other program can run',
-    do='wait in each round with time.sleep(), rclpy.spin_once() or rate.sleep(), or use a timer instead',
+    what=(
+        '{blocked} waits here for something outside the simulation, and no other program can run meanwhile',
+        'this loop never waits, so no other program can run',
+    ),
+    do=(
+        'give the wait a timeout, such as sock.settimeout(0.1), or leave {blocked} out where the other side is missing',
+        'wait in each round with time.sleep(), rclpy.spin_once() or rate.sleep(), or use a timer instead',
+    ),
     hides=('programs.never-spun',),
 )
 WITH_INIT = about(

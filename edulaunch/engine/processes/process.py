@@ -13,7 +13,7 @@ from edulaunch.engine.processes.real_machine import Environment
 from edulaunch.engine.processes.signals import SignalDelivery
 from edulaunch.engine.processes.spec import ProcessSpec
 from edulaunch.engine.processes.streams import Streams
-from edulaunch.engine.processes.watchdog import RunawayProgram
+from edulaunch.engine.processes.watchdog import BlockedProgram, RunawayProgram
 from edulaunch.engine.sim.task import Task, running_task
 
 if TYPE_CHECKING:
@@ -197,7 +197,8 @@ class Process:
         self.limit.reset()
         if not error.counted:
             self.note('stopped', f'{self.name} was stopped because it took too long: this run cannot repeat exactly')
-        self._write_error(text, 'RunawayProgramError', str(error), place, {'about': 'programs.runaway'})
+        facts = {'about': 'programs.runaway', 'blocked': self.name if isinstance(error, BlockedProgram) else None}
+        self._write_error(text, 'RunawayProgramError', str(error), place, facts)
 
     def report_exit_call(self, error: Exception) -> None:
         """Write an error of a function that was registered with `atexit`, as Python does."""

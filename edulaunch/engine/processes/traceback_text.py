@@ -15,6 +15,7 @@ from typing import Any
 from edulaunch.engine.facts import facts_of
 from edulaunch.engine.processes.frame_owner import is_engine, is_library
 from edulaunch.engine.processes.spec import Origin
+from edulaunch.engine.processes.watchdog import BlockedProgram
 
 MOST_NAMES, LONGEST_NAME = 750, 40
 STEP, CASE = 2, 1
@@ -226,7 +227,8 @@ def runaway_text(program: str, error: BaseException) -> tuple[str, Origin | None
     text, place = student_traceback(error)
     frames = ''.join(f'{line}\n' for line in text.splitlines() if line.startswith((' ', 'Traceback')))
     where = f' at {place}' if place is not None else ''
-    return f'{frames}RunawayProgramError: {program} {error} without waiting for anything; it was stopped{where}.\n', place
+    did = str(error) if isinstance(error, BlockedProgram) else f'{error} without waiting for anything'
+    return f'{frames}RunawayProgramError: {program} {did}; it was stopped{where}.\n', place
 
 
 def innermost_place(trace: TracebackType | None) -> Origin | None:

@@ -27,6 +27,8 @@ ASLEEP = 10
 """The factors by which a turn may last longer if variables change, if a library works (or is being imported), and in real
 time.
 """
+_WAKE = getattr(signal, 'SIGURG', None)
+"""The signal that interrupts a call of the system; without a handler it does nothing."""
 PAUSES_S = (0.01, 0.03, 0.1, 0.3)
 """Pauses between attempts to start the thread, for a computer that has no threads left for a moment."""
 VALUES = frozenset({int, float, bool, str, bytes, complex})
@@ -43,6 +45,13 @@ class RunawayProgram(BaseException):
     def __init__(self, did: str = 'kept its turn for too long', *, counted: bool = False) -> None:
         super().__init__(did)
         self.counted = counted
+
+
+class BlockedProgram(RunawayProgram):
+    """Raised inside a program that waits in a call of the operating system, such as `accept()` of a socket."""
+
+    def __init__(self, did: str = 'waited for too long for something outside the simulation') -> None:
+        super().__init__(did)
 
 
 class Turn(NamedTuple):
@@ -80,6 +89,9 @@ class Watchdog:
         if self._started or sys.platform == 'emscripten':
             return
         self._started = True
+        in_main = threading.current_thread() is threading.main_thread()
+        if _WAKE is not None and in_main and signal.getsignal(_WAKE) is signal.SIG_DFL:
+            signal.signal(_WAKE, lambda *_: None)
         for pause in PAUSES_S:
             with suppress(RuntimeError):
                 self._new_thread().start()
@@ -114,15 +126,17 @@ class Watchdog:
             most = self.seconds * (IN_LIBRARY if seen.state is None else WORKING)
             is_still = same >= LOOKS and now_s - changed_s >= self.seconds
             if is_still or (looks >= LOOKS and now_s - began_s >= most) or looks >= ASLEEP * LOOKS:
-                self._end(seen.task)
+                self._end(seen.task, BlockedProgram if now_s - began_s < self.seconds else RunawayProgram)
                 seen = None
 
-    def _end(self, task: Task) -> None:
+    def _end(self, task: Task, kind: type[RunawayProgram]) -> None:
         import ctypes
 
         if self._running()[0] is task:
             # This thread has just received the interpreter lock, and keeps it longer than these two lines take.
-            ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self.thread or 0), ctypes.py_object(RunawayProgram))
+            ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self.thread or 0), ctypes.py_object(kind))
+            if _WAKE is not None and self.thread is not None and callable(signal.getsignal(_WAKE)):
+                signal.pthread_kill(self.thread, _WAKE)  # only a signal ends a call of the operating system
 
     def _look(self) -> Turn | None:
         """Return the current turn; None if the hub runs, or a program waits for a person."""

@@ -225,3 +225,65 @@ def test_without_rosbags_the_message_says_which_extra_to_install(machine, monkey
         in typed.err
     )
     assert list(machine.folder.iterdir()) == []
+
+
+def topics_of(bag: Path) -> set[str]:
+    return {topic for _, topic, _ in read(bag)}
+
+
+def test_record_with_the_time_of_clock_leaves_out_what_comes_before_it(machine) -> None:
+    recorder = machine.start('ros2 bag record --use-sim-time -o timed --topics /turtle1/pose')
+    machine.session.run(1.0)
+    publish = "ros2 topic pub -r 20 /clock rosgraph_msgs/msg/Clock '{clock: {sec: 77, nanosec: 5}}'"
+    machine.run(publish, 1.0)
+    recorder.interrupt()
+    assert {time for time, _, _ in read(machine.folder / 'timed')} == {77_000_000_005}
+
+
+def test_record_with_clock_and_without_discovery_is_refused(machine) -> None:
+    assert '--use-sim-time and --no-discovery both set' in machine.fails('ros2 bag record -a --use-sim-time --no-discovery')
+
+
+def test_record_without_keys_and_paused_keeps_nothing(machine) -> None:
+    typed = machine.run('ros2 bag record -a -o still --start-paused --disable-keyboard-controls --node-name ear', 1.0)
+    assert machine.read('ros2 node list').count('/ear\n') == 1
+    typed.interrupt()
+    assert 'Press SPACE for pausing/resuming' not in logged(typed.err)
+    assert read(machine.folder / 'still') == []
+
+
+def test_record_leaves_topics_types_and_services_out(machine) -> None:
+    machine.run(
+        'ros2 bag record -a -o some --exclude-topics /rosout --exclude-topic-types turtlesim/msg/Color '
+        '--exclude-services /spawn --ignore-leaf-topics',
+        1.0,
+    ).interrupt()
+    assert topics_of(machine.folder / 'some') == set()
+    machine.run('ros2 bag record -a -o more --exclude-topics /rosout --exclude-topic-types turtlesim/msg/Color', 1.0).interrupt()
+    assert topics_of(machine.folder / 'more') == {'/turtle1/pose'}
+
+
+@pytest.mark.parametrize('mode', ['file', 'message'])
+def test_a_compressed_bag_can_be_read_and_says_what_it_was_told(machine, mode: str) -> None:
+    options = f'--compression-mode {mode} --compression-format zstd --custom-data who=me -b 1000 --log-level error'
+    typed = machine.run(f'ros2 bag record -o small --topics /turtle1/pose {options}', 1.0)
+    typed.interrupt()
+    assert topics_of(machine.folder / 'small') == {'/turtle1/pose'}
+    text = (machine.folder / 'small/metadata.yaml').read_text()
+    assert 'compression_format: zstd' in text and 'who: me' in text
+    assert typed.err == ''
+
+
+@pytest.mark.parametrize(
+    ('options', 'times'),
+    [('--playback-until-sec 0.5', []), ('--services /nothing', []), ('--wait-for-all-acked 1 --log-level warn', [0.0, 0.5, 1.0])],
+)
+def test_play_knows_the_other_options_of_jazzy(bag, options: str, times: list[float]) -> None:
+    assert heard(bag, options) == times
+
+
+def test_info_sorts_by_count(machine) -> None:
+    machine.run('ros2 bag record -a -o all', 1.0).interrupt()
+    rows = machine.read('ros2 bag info all --sort count')
+    counts = [int(row.split('Count: ')[1].split()[0]) for row in rows.splitlines() if 'Count: ' in row]
+    assert counts == sorted(counts) and len(set(counts)) > 1

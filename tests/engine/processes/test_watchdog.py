@@ -124,9 +124,9 @@ def limits(watchdog: Watchdog, monkeypatch: pytest.MonkeyPatch) -> list[float]:
         time_s += 0.01
         return time_s
 
-    def note(task: Any) -> None:
+    def note(task: Any, kind: Any) -> None:
         stopped.append(round(time_s - began_s, 3))
-        end(task)
+        end(task, kind)
 
     for name, patched in (('_processor_s', processor_s), ('_look', first_look), ('_end', note)):
         monkeypatch.setattr(watchdog, name, patched)
@@ -194,3 +194,19 @@ def test_a_moment_without_threads_is_waited_for(world: Any, monkeypatch: pytest.
     attempts[:] = range(99)
     with pytest.raises(RuntimeError, match='new thread'):
         Watchdog(world.sim, 0.2).start()
+
+
+@pytest.mark.skipif(not hasattr(signal, 'SIGURG'), reason='Windows cannot interrupt a call of the system')
+def test_a_call_of_the_system_that_waits_for_the_outside_is_interrupted(watched: Any) -> None:
+    wrote = watched.run(
+        """
+        import socket
+        listening = socket.socket()
+        listening.bind(('127.0.0.1', 0))
+        listening.listen(1)
+        listening.accept()
+        """
+    )
+    assert watched.codes == {'program-1': 1}
+    assert 'program-1 waited for too long for something outside the simulation; it was stopped at ' in wrote
+    assert wrote.splitlines()[-1].startswith('  help: program-1 waits here for something outside the simulation')

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from importlib.util import find_spec
 from pathlib import Path
@@ -19,6 +19,19 @@ from edulaunch.errors import MissingExtra
 EVENT_TOPIC, EVENT_TYPE = '/_service_event', '_Event'
 """The endings of the topic of a service's events, and of its type."""
 WIDTH = 19
+LOG_LEVELS = ('debug', 'info', 'warn', 'error', 'fatal')
+SORTED_BY: dict[str, Callable[[dict[str, Any]], Any]] = {
+    'name': lambda entry: entry['topic_metadata']['name'],
+    'type': lambda entry: entry['topic_metadata']['type'],
+    'count': lambda entry: entry['message_count'],
+}
+
+
+def set_level(logger: Any, word: str) -> None:
+    """Show the messages of a logger from this level on: one of `LOG_LEVELS`."""
+    from rclpy.logging import get_logging_severity_from_string
+
+    logger.set_level(get_logging_severity_from_string(word))
 
 
 def folder_of(path: str) -> str:
@@ -103,12 +116,15 @@ def info_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the bag, and how much to print."""
     parser.add_argument('bag_path', help='Bag to open')
     parser.add_argument('-t', '--topic-name', action='store_true', help='Only display topic names.')
+    parser.add_argument('--sort', choices=tuple(SORTED_BY), default='name', help='Configuration for sorting of output.')
+    parser.add_argument('-s', '--storage', metavar='ID', help='accepted; the storage is found out from the bag')
 
 
 def info_verb(arguments: argparse.Namespace) -> None:
     """Print the summary: files, times, the messages of each topic and the events of each service."""
     folder = found_bag(arguments.bag_path)
     content = read_metadata(arguments.bag_path, folder)
+    content['topics_with_message_count'].sort(key=SORTED_BY[arguments.sort])
     if arguments.topic_name:
         say_lines([each['topic_metadata']['name'] for each in content['topics_with_message_count']])
     else:

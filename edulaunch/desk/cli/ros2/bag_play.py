@@ -8,7 +8,7 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.desk.cli.ros2 import cli_node
-from edulaunch.desk.cli.ros2.bag import EVENT_TOPIC, EVENT_TYPE, Keys, event_kind, messages_of, opened
+from edulaunch.desk.cli.ros2.bag import EVENT_TOPIC, EVENT_TYPE, LOG_LEVELS, Keys, event_kind, messages_of, opened, set_level
 from edulaunch.desk.cli.ros2.bag_metadata import unreadable
 from edulaunch.desk.cli.ros2.fill_message import interface_class
 from edulaunch.engine.interfaces import current_registry
@@ -23,6 +23,13 @@ if TYPE_CHECKING:
 REQUEST_RECEIVED = 1
 LOOK_AT_KEYS_NS = 50_000_000
 CLOCK_HZ = 40.0
+ACCEPTED = (
+    (('--read-ahead-queue-size',), 'the whole bag is read first'),
+    (('--qos-profile-overrides-path',), 'all publishers are reliable'),
+    (('--storage-config-file',), 'the storage has its usual settings'),
+    (('--wait-for-all-acked',), 'a message arrives before the next one is published'),
+)
+"""Options of ROS 2 without an effect in a simulation: their names, and what happens instead."""
 
 
 class Player:
@@ -35,6 +42,7 @@ class Player:
         self._node = node
         self._arguments = arguments
         self._log = node.get_logger()
+        set_level(self._log, arguments.log_level)
         self._sim = current_process().sim
         self._names = dict(text.split(':=', 1) for text in arguments.remap if ':=' in text)
         self._keys = None if arguments.disable_keyboard_controls else Keys()
@@ -55,19 +63,32 @@ class Player:
         with opened(path) as reader:
             senders = {each.id: self._sender(each) for each in reader.connections if self._is_wanted(each.topic)}
             self._first_ns = reader.start_time + round(chosen.start_offset * 1e9)
-            last_ns = self._first_ns + round(chosen.playback_duration * 1e9) if chosen.playback_duration >= 0 else None
+            last_ns = self._last_ns()
             for connection, time_ns, data in messages_of(path, reader, start=self._first_ns, stop=last_ns):
                 sender = senders.get(connection.id)
                 if sender is not None and not (self._is_request(connection) and event_kind(data) != REQUEST_RECEIVED):
                     self.messages.append((time_ns - self._first_ns, sender[0], _message(path, data, sender[1])))
 
+    def _last_ns(self) -> int | None:
+        """Return the time in the bag at which the playback ends, if the command line gives one."""
+        chosen = self._arguments
+        duration_s, until_s, until_ns = chosen.playback_duration, chosen.playback_until_sec, chosen.playback_until_nsec
+        ends = [
+            *([self._first_ns + round(duration_s * 1e9)] if duration_s >= 0 else []),
+            *([round(until_s * 1e9)] if until_s >= 0 else []),
+            *([until_ns] if until_ns >= 0 else []),
+        ]
+        return min(ends, default=None)
+
     def _is_wanted(self, topic: str) -> bool:
         chosen, name = self._arguments, topic.removesuffix(EVENT_TOPIC)
-        if name in chosen.exclude_topics or (chosen.exclude_regex and re.search(chosen.exclude_regex, name)):
+        if name in (*chosen.exclude_topics, *chosen.exclude_services) or (
+            chosen.exclude_regex and re.search(chosen.exclude_regex, name)
+        ):
             return False
-        if chosen.topics is None and not chosen.regex:
+        if not (chosen.topics or chosen.services or chosen.regex):
             return True
-        return name in (chosen.topics or ()) or bool(chosen.regex and re.search(chosen.regex, name))
+        return name in (*chosen.topics, *chosen.services) or bool(chosen.regex and re.search(chosen.regex, name))
 
     def _is_request(self, connection: Any) -> bool:
         return bool(self._arguments.publish_service_requests and connection.topic.endswith(EVENT_TOPIC))
@@ -164,8 +185,10 @@ def play_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         '-r', '--rate', type=_rate_hz, default=1.0, help='rate at which to play back messages. Valid range > 0.0.'
     )
-    parser.add_argument('--topics', nargs='+', default=None, metavar='topic', help='Space-delimited list of topics to play.')
+    parser.add_argument('--topics', nargs='+', default=[], metavar='topic', help='Space-delimited list of topics to play.')
+    parser.add_argument('--services', nargs='+', default=[], metavar='service', help='Space-delimited list of services to play.')
     parser.add_argument('--exclude-topics', nargs='+', default=[], metavar='topic', help='Topics that are not played.')
+    parser.add_argument('--exclude-services', nargs='+', default=[], metavar='service', help='Services that are not played.')
     parser.add_argument('-e', '--regex', default='', help='Play only topics and services matching the regular expression.')
     parser.add_argument('-x', '--exclude-regex', default='', help='Do not play topics and services matching it.')
     parser.add_argument('-m', '--remap', nargs='+', default=[], metavar='old:=new', help='Play topics under other names.')
@@ -192,7 +215,12 @@ def _add_play_times(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('-d', '--delay', type=float, default=0.0, help='Sleep duration before play (each loop), in seconds.')
     parser.add_argument('-p', '--start-paused', action='store_true', help='Start the playback player in a paused state.')
     parser.add_argument('--disable-keyboard-controls', action='store_true', help='disables keyboard controls for playback.')
-    parser.add_argument('--read-ahead-queue-size', type=int, default=1000, help='accepted; the whole bag is read first')
+    parser.add_argument('--playback-until-sec', type=float, default=-1.0, help='Playback until the timestamp, in seconds.')
+    parser.add_argument('--playback-until-nsec', type=int, default=-1, help='Playback until the timestamp, in nanoseconds.')
+    parser.add_argument('--log-level', choices=LOG_LEVELS, default='info', help='Logging level.')
+    for names, hint in ACCEPTED:
+        parser.add_argument(*names, help=f'accepted; {hint}')
+    parser.add_argument('--disable-loan-message', action='store_true', help='accepted; no message is loaned')
 
 
 def play_verb(arguments: argparse.Namespace) -> None:

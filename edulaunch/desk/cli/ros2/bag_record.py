@@ -5,12 +5,13 @@ from __future__ import annotations
 import argparse
 import os
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
+from struct import unpack
 from typing import TYPE_CHECKING, Any, Protocol
 
 from edulaunch.desk.cli.ros2 import cli_node, graph_names
-from edulaunch.desk.cli.ros2.bag import EVENT_TOPIC, Keys, folder_of, new_folder, require_rosbags
+from edulaunch.desk.cli.ros2.bag import EVENT_TOPIC, LOG_LEVELS, Keys, folder_of, new_folder, require_rosbags, set_level
 from edulaunch.desk.cli.ros2.output import with_help
 from edulaunch.engine.graph import qos
 from edulaunch.engine.graph.graph import Graph
@@ -28,6 +29,19 @@ if TYPE_CHECKING:
 BagMessage = tuple[int, str, Any]
 """Time of arrival in ns, topic, and wire tuple; a message from a real network has its bytes instead of the tuple."""
 SEPARATOR = '=' * 80
+ACCEPTED = (
+    (('-b', '--max-bag-size'), 'the bag has one file'),
+    (('-d', '--max-bag-duration'), 'the bag has one file'),
+    (('--max-cache-size',), 'the messages stay in memory until the end of the recording'),
+    (('-f', '--serialization-format'), 'the messages are saved as cdr'),
+    (('--qos-profile-overrides-path',), 'the recorder requests the QoS that the publishers offer'),
+    (('--storage-config-file',), 'the storage has its usual settings'),
+    (('--storage-preset-profile',), 'the storage has its usual settings'),
+    (('--compression-queue-size',), 'the bag is compressed at the end'),
+    (('--compression-threads',), 'the bag is compressed at the end'),
+    (('--compression-threads-priority',), 'the bag is compressed at the end'),
+)
+"""Options of ROS 2 without an effect in a simulation: their names, and what happens instead."""
 
 
 class BagTopic:
@@ -35,16 +49,26 @@ class BagTopic:
 
     :param publishers: the publishers of the topic; the subscription requests the QoS that all of them offer.
     :param messages: the list to which arriving messages are appended.
+    :param now_ns: return the time of arrival; 0 if there is no time yet, and then the message is left out.
     """
 
-    def __init__(self, graph: Graph, node: NodeEntry, publishers: list[Publisher], messages: list[BagMessage]) -> None:
+    def __init__(
+        self,
+        graph: Graph,
+        node: NodeEntry,
+        publishers: list[Publisher],
+        messages: list[BagMessage],
+        now_ns: Callable[[], int],
+        *,
+        is_paused: bool = False,
+    ) -> None:
         first = publishers[0]
         self.name = first.topic_name
         self.cls = first.cls
         self.offered = [publisher.qos for publisher in publishers]
         self._keep = messages.append
-        self._sim = node.process.sim
-        self.is_paused = False
+        self._now_ns = now_ns
+        self.is_paused = is_paused
         self._queue: Any = ()
         subscription = graph.create_subscription(node, self.name, self.cls, _suitable(self.offered), self._on_ready)
         self._queue = subscription.queue
@@ -53,8 +77,9 @@ class BagTopic:
     def _on_ready(self) -> None:
         while self._queue:
             wire = self._queue.popleft()[0]
-            if not self.is_paused:
-                self._keep((self._sim.now_ns, self.name, wire))
+            at_ns = 0 if self.is_paused else self._now_ns()
+            if at_ns:
+                self._keep((at_ns, self.name, wire))
 
 
 def _suitable(offered: list[qos.QoS]) -> qos.QoS:
@@ -80,6 +105,13 @@ def record_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         '-x', '--exclude', '--exclude-regex', default='', help='Exclude topics containing provided regular expression.'
     )
+    parser.add_argument('--exclude-topics', nargs='+', default=[], metavar='Topic', help='List of topics not being recorded.')
+    parser.add_argument(
+        '--exclude-topic-types', nargs='+', default=[], metavar='Type', help='List of topic types not being recorded.'
+    )
+    parser.add_argument(
+        '--exclude-services', nargs='+', default=[], metavar='Service', help='List of services not being recorded.'
+    )
     parser.add_argument(
         '-o', '--output', metavar='OUTPUT', help='Destination of the bagfile to create, defaults to a timestamped folder.'
     )
@@ -87,6 +119,9 @@ def record_arguments(parser: argparse.ArgumentParser) -> None:
         '-s', '--storage', choices=('mcap', 'sqlite3'), default='mcap', help="Storage identifier to be used, defaults to 'mcap'."
     )
     _add_discovery(parser)
+    _add_control(parser)
+    for names, hint in ACCEPTED:
+        parser.add_argument(*names, help=f'accepted; {hint}')
 
 
 def _add_discovery(parser: argparse.ArgumentParser) -> None:
@@ -100,6 +135,29 @@ def _add_discovery(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument('--include-hidden-topics', action='store_true', help='Discover and record hidden topics as well.')
     parser.add_argument('--no-discovery', action='store_true', help='Disables topic auto discovery during recording.')
+    parser.add_argument('--ignore-leaf-topics', action='store_true', help='Ignore topics without a subscription.')
+    parser.add_argument(
+        '--include-unpublished-topics', action='store_true', help='accepted; a topic is recorded once it has a publisher'
+    )
+
+
+def _add_control(parser: argparse.ArgumentParser) -> None:
+    """Add clock, keys, the name of the node, and what the bag says about itself."""
+    parser.add_argument('--use-sim-time', action='store_true', help='Use the time of the /clock topic for message timestamps.')
+    parser.add_argument('--start-paused', action='store_true', help='Start the recorder in a paused state.')
+    parser.add_argument('--disable-keyboard-controls', action='store_true', help='disables keyboard controls for recorder')
+    parser.add_argument('--node-name', default='rosbag2_recorder', help='Specify the recorder node name. Default is %(default)s.')
+    parser.add_argument(
+        '--custom-data', nargs='*', default=[], metavar='KEY=VALUE', help='Key=value pairs that are stored in the metadata.'
+    )
+    parser.add_argument('--log-level', choices=LOG_LEVELS, default='info', help='Logging level.')
+    parser.add_argument(
+        '--compression-mode',
+        choices=('none', 'file', 'message'),
+        default='none',
+        help='Choose mode of compression for the storage.',
+    )
+    parser.add_argument('--compression-format', choices=('', 'zstd'), default='', help='Choose the compression format.')
 
 
 def record_verb(arguments: argparse.Namespace) -> str | None:
@@ -113,15 +171,20 @@ def record_verb(arguments: argparse.Namespace) -> str | None:
             '--regex',
             'write `ros2 bag record -a` to record everything',
         )
+    if arguments.use_sim_time and arguments.no_discovery:
+        return (
+            '[ERROR] [ros2bag]: --use-sim-time and --no-discovery both set, but are incompatible settings. The /clock topic '
+            'needs to be discovered to record with sim time.'
+        )
     require_rosbags()
     folder = new_folder() if arguments.output is None else folder_of(arguments.output)
     if os.path.exists(folder):
         return f"[ERROR] [ros2bag]: Output folder '{folder}' already exists."
-    with cli_node.cli_node(name='rosbag2_recorder', signals='SIGTERM') as node:
+    with cli_node.cli_node(name=arguments.node_name, signals='SIGTERM') as node:
         recorder = BagRecorder(node, [graph_names.absolute(name) for name in wanted], arguments)
         with suppress(KeyboardInterrupt):  # Ctrl-C is the usual end of a recording
             recorder.record()
-        recorder.write(folder, arguments.storage)
+        recorder.write(folder)
     return None
 
 
@@ -135,34 +198,58 @@ class BagRecorder:
     def __init__(self, node: Node, wanted: list[str], arguments: argparse.Namespace) -> None:
         self._node = node
         self._wanted = wanted
+        unwanted = [*arguments.exclude_topics, *map(_event_topic, arguments.exclude_services)]
+        self._unwanted = {graph_names.absolute(name) for name in unwanted}
         self._arguments = arguments
         from edulaunch.ros.node_facts import core_of
 
         self._core = core_of(node)
         self._log = node.get_logger()
-        self._is_paused = self._is_complete = False
+        set_level(self._log, arguments.log_level)
+        self._is_paused, self._is_complete = arguments.start_paused, False
+        self._clock: list[BagMessage] = []
+        self._clock_topic: BagTopic | None = None
         self.topics: dict[str, BagTopic] = {}
         self.messages: list[BagMessage] = []
 
     def record(self) -> None:
         """Record until ROS 2 is shut down. Raise KeyboardInterrupt on Ctrl-C."""
-        self._log.info('Press SPACE for pausing/resuming')
+        keys = None if self._arguments.disable_keyboard_controls else Keys()
+        if keys is not None:
+            self._log.info('Press SPACE for pausing/resuming')
         self._log.info('Listening for topics...')
         self._log.info('Event publisher thread: Starting')
         self._subscribe()
         self._log.info('Recording...')
-        keys, every_s = Keys(), self._arguments.polling_interval / 1000
-        while cli_node.pause(self._node, every_s):
-            if ' ' in keys.pressed():
+        while cli_node.pause(self._node, self._arguments.polling_interval / 1000):
+            if keys is not None and ' ' in keys.pressed():
                 self._pause()
+            self._follow_clock()
             if self._is_searching():
                 self._subscribe()
+
+    def _follow_clock(self) -> None:
+        graph = self._core.graph
+        if self._arguments.use_sim_time and self._clock_topic is None and '/clock' in graph.publishers:
+            self._clock_topic = BagTopic(graph, self._core.entry, graph.publishers['/clock'], self._clock, lambda: 1)
 
     def _pause(self) -> None:
         self._is_paused = not self._is_paused
         self._log.info('Pausing recording.' if self._is_paused else 'Resuming recording.')
         for topic in self.topics.values():
             topic.is_paused = self._is_paused
+
+    def _now_ns(self) -> int:
+        """Return the time for a message that arrives now; 0 before the first message of /clock."""
+        sim = self._core.entry.process.sim
+        if not self._arguments.use_sim_time:
+            return int(sim.now_ns)
+        if not self._clock:
+            return 0
+        wire = self._clock[-1][2]
+        del self._clock[:-1]
+        seconds, nanoseconds = unpack('<iI', wire[4:12]) if isinstance(wire, bytes) else wire
+        return int(seconds * 1_000_000_000 + nanoseconds)
 
     def _is_searching(self) -> bool:
         if self._is_complete or self._arguments.no_discovery:
@@ -181,6 +268,10 @@ class BagRecorder:
         chosen, is_event = self._arguments, topic.endswith(EVENT_TOPIC)
         if topic not in self._core.graph.publishers or (chosen.exclude and re.search(chosen.exclude, topic)):
             return False
+        if topic in self._unwanted or type_name in chosen.exclude_topic_types:
+            return False
+        if chosen.ignore_leaf_topics and not self._node.count_subscribers(topic):
+            return False
         if topic in self._wanted:
             return True
         if is_event:
@@ -192,14 +283,23 @@ class BagRecorder:
 
     def _listen(self, topic: str) -> None:
         graph = self._core.graph
-        self.topics[topic] = BagTopic(graph, self._core.entry, graph.publishers[topic], self.messages)
+        self.topics[topic] = BagTopic(
+            graph, self._core.entry, graph.publishers[topic], self.messages, self._now_ns, is_paused=self._is_paused
+        )
         self._log.info(f"Subscribed to topic '{topic}'")
 
-    def write(self, folder: str, storage: str) -> None:
+    def write(self, folder: str) -> None:
         """Write the bag, and report the end of the recording."""
         self._log.info('Event publisher thread: Exiting')
-
-        write_bag(folder, storage, list(self.topics.values()), self.messages)
+        chosen = self._arguments
+        write_bag(
+            folder,
+            chosen.storage,
+            list(self.topics.values()),
+            self.messages,
+            compression=chosen.compression_mode,
+            custom_data=dict(pair.split('=', 1) for pair in chosen.custom_data if '=' in pair),
+        )
         self._log.info('Recording stopped')
 
 
@@ -212,7 +312,14 @@ class Topic(Protocol):
 
 
 def write_bag(
-    folder: str, storage: str, topics: Iterable[Topic], messages: list[BagMessage], registry: Registry | None = None
+    folder: str,
+    storage: str,
+    topics: Iterable[Topic],
+    messages: list[BagMessage],
+    registry: Registry | None = None,
+    *,
+    compression: str = 'none',
+    custom_data: Mapping[str, str] | None = None,
 ) -> None:
     """Write `metadata.yaml` and one storage file.
 
@@ -220,11 +327,17 @@ def write_bag(
     :param storage: 'mcap' or 'sqlite3'.
     :param messages: the messages in order of time.
     :param registry: has the message types (default: all types that can be imported).
+    :param compression: 'none', 'file', or 'message'.
+    :param custom_data: stored in the metadata.
     """
-    from rosbags.rosbag2 import StoragePlugin, Writer
+    from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin, Writer
 
     registry = registry or current_registry()
-    with Writer(folder, version=9, storage_plugin=StoragePlugin[storage.upper()]) as writer:
+    bag = Writer(folder, version=9, storage_plugin=StoragePlugin[storage.upper()])
+    bag.set_compression(CompressionMode[compression.upper()], CompressionFormat.ZSTD)
+    for key, value in (custom_data or {}).items():
+        bag.set_custom_data(key, value)
+    with bag as writer:
         connections = {}
         for topic in topics:
             kind = topic.cls.TYPE
