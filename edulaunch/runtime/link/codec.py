@@ -53,6 +53,7 @@ class FrameKind(IntEnum):
     ENTRIES = 27  # a call: the entries of a parameter file
     FINISH = 28  # a call: the run has ended, with the facts of its launch
     MAY_START = 33  # a call: whether a program can be started
+    TEMPORARY = 34  # the path of a temporary file or folder
 
 
 def dump(value: Any) -> bytes:

@@ -127,6 +127,9 @@ class ConfinedRecorder(Recorder):
     def note(self, process: Process | None, kind: str, text: str) -> None:
         self.peer.send(FrameKind.NOTE, dump([None if process is None else process.pid, kind, text]))
 
+    def temporary(self, path: str) -> None:
+        self.peer.send(FrameKind.TEMPORARY, dump(path))
+
     def fact(self, process: Process, kind: str, key: Hashable, data: dict[str, Any]) -> None:
         self.peer.send(FrameKind.FACT, dump([process.pid, kind, key, data]))
 

@@ -5,6 +5,7 @@ It trusts no report of the confined peer about others, and reads nothing of the 
 
 from __future__ import annotations
 
+import os
 import socket
 from collections import Counter
 from collections.abc import Callable, Mapping, Sized
@@ -173,6 +174,7 @@ class Trusted:
                 FrameKind.WROTE: self._wrote,
                 FrameKind.LOG: self._log,
                 FrameKind.NOTE: self._note,
+                FrameKind.TEMPORARY: self._temporary,
                 FrameKind.FACT: self._fact,
                 FrameKind.FACT_OVER: self._fact_over,
                 FrameKind.WATCH: self._watch,
@@ -267,6 +269,12 @@ class Trusted:
         pid, kind, text = load(bytes(payload))
         program: Any = None if pid is None else self._programs[pid]
         self.recorder.note(program, text_of(kind), text_of(text))
+
+    def _temporary(self, payload: memoryview) -> None:
+        path = text_of(load(bytes(payload)))
+        if os.path.dirname(path) in ('', '/'):
+            raise Violation('not the path of a temporary file')
+        self.recorder.temporary(path)
 
     def _fact(self, payload: memoryview) -> None:
         pid, kind, key, data = load(bytes(payload))

@@ -196,7 +196,7 @@ def test_an_export_stands_beside_the_recording(
 
 def test_a_topic_without_messages_is_not_exported(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['recording', 'export', str(file), '--csv', str(tmp_path / 'a'), '--topics', '/no']) == 2
-    assert capsys.readouterr().err.startswith('error: nothing was published on /no\n  help: topics: /')
+    assert capsys.readouterr().err.startswith('error: nothing was published on /no\n  help: choose topics with messages: /')
     (tmp_path / 'a').write_text('')
     assert main(['recording', 'export', str(file), '--csv', str(tmp_path / 'a' / 'b')]) == 2
     assert capsys.readouterr().err == f'error: cannot write {tmp_path}/a/b: Not a directory\n'

@@ -173,6 +173,7 @@ def fake_order() -> Iterator[tuple[str, bytes]]:
     yield 'a call that only we make', call(FrameKind.OUTPUT, [1001, 'stdout', 'x'])
     yield 'an endless frame', (LONGEST_FRAME + 1).to_bytes(4, 'little') + bytes((FrameKind.NOTE,))
     yield 'no JSON', frame(FrameKind.NOTE, b'\xff')
+    yield 'a temporary file that is a whole folder of the computer', frame(FrameKind.TEMPORARY, dump('/usr'))
     yield 'nothing in it', b''.join(frame(kind, b'') for kind in FrameKind)
 
 
@@ -253,6 +254,11 @@ def test_a_topic_of_a_world_has_the_world_among_its_publishers_and_says_who_else
     assert [
         row[4] for row, of in zip(trusted.recorder.nodes, provenance.owners['nodes'], strict=True) if of in provenance.programs
     ] == [sim]
+
+
+def test_the_digest_of_a_recording_does_not_depend_on_the_name_of_a_temporary_file() -> None:
+    trusted, error = meet(frame(FrameKind.TEMPORARY, dump('/tmp/my-x1y2')) + token())
+    assert isinstance(error, Gone) and trusted.recorder.roots == [['/tmp/my-x1y2', '@temporary']]
 
 
 def test_too_many_bytes_are_too_many() -> None:
