@@ -45,7 +45,7 @@ def private_name(recording: Recording) -> Iterator[Finding]:
     why='the other programs continue without it, and launch itself reports success',
     do=(
         'check line {at}, where the program ended',
-        'follow the help of the command: {help}',
+        '{help}',
         'check the last output of the program: {said}',
         'check the last output of the program',
     ),

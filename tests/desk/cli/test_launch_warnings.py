@@ -29,7 +29,7 @@ def test_what_a_command_in_a_launch_file_said_to_help_is_told_in_full(run, tmp_p
     code, _, err = run(describe("ExecuteProcess(cmd=['ros2', 'launch', 'turtlesim', 'no' * 90 + '_multisim.launch.py'])"))
     *_, help = err.splitlines()
     assert code == 0 and 'died with exit code 1' in err
-    assert help == '  help: launch files of turtlesim: multisim.launch.py'
+    assert help == '  help: choose a launch file of turtlesim: multisim.launch.py'
 
 
 def test_a_misspelt_argument_is_accepted_with_one_warning(run) -> None:
