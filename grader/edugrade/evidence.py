@@ -68,7 +68,10 @@ class Scenario(NamedTuple):
     @property
     def words(self) -> str:
         """The arguments for a sentence, or 'no arguments', and the programs that cannot start."""
-        return ' and '.join([self.command or 'no arguments', *(f'a {each} that cannot start' for each in self.fails)])
+        words = self.command or 'no arguments'
+        for each in self.fails:
+            words = f'{words} and a {each} that cannot start'
+        return words
 
 
 class Outcome(NamedTuple):

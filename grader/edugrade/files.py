@@ -10,7 +10,7 @@ from contextlib import suppress
 
 from edulaunch.errors import UnusableInput
 
-from .faults import raise_fault
+from .faults import REPAIR, fault_of, raise_fault
 
 BINARY = getattr(os, 'O_BINARY', 0)
 """A flag for `os.open`, without which Windows changes line ends."""
@@ -75,7 +75,7 @@ def write_whole(path: str, text: str | bytes) -> None:
     except (OSError, ValueError) as error:  # ValueError: a zero byte in the path
         raise UnusableInput(
             f'the file {path} cannot be written: {getattr(error, "strerror", None) or error}',
-            help='name a file in a folder that exists and that you may write to',
+            help=REPAIR if fault_of(error) else 'name a file in a folder that exists and that you may write to',
         ) from None
 
 

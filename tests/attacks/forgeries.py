@@ -53,6 +53,42 @@ SWAPPED = (
     '&quot;kitchen&quot; else &quot;$(var room)&quot;\')"><remap from="chatter" to="/hall/chatter"/></node>'
 )
 
+OTHER_TRANSFORMS = '''import gc
+from math import cos, sin
+
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, ExecuteProcess, OpaqueFunction, TimerAction
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+CART = """<robot name="cart"><link name="base_link"/><link name="mast"/><link name="camera"/>
+  <joint name="mast_joint" type="continuous"><parent link="base_link"/><child link="mast"/><axis xyz="0 0 1"/></joint>
+  <joint name="camera_joint" type="fixed"><parent link="mast"/><child link="camera"/></joint>
+</robot>"""
+
+
+def patch(context):
+    angle = float(LaunchConfiguration('angle').perform(context))
+
+    def published(joint, position):
+        if joint.child == 'camera':
+            return (0.0, 0.0, 0.3), (0.0, 0.0, 0.0, 1.0)
+        return (0.1, 0.0, 0.2), (0.0, 0.0, sin(angle / 2), cos(angle / 2))
+
+    found = [each for each in gc.get_objects() if isinstance(each, type) and each.__name__ == 'Joint' and 'robot_state' in each.__module__]
+    for each in found:
+        each.transform = published
+
+
+def generate_launch_description():
+    motor = ['ros2', 'topic', 'pub', '-r', '10', '/joint_states', 'sensor_msgs/msg/JointState']
+    return LaunchDescription([
+        DeclareLaunchArgument('angle', default_value='0.5'),
+        Node(package='robot_state_publisher', executable='robot_state_publisher', parameters=[{'robot_description': CART}]),
+        ExecuteProcess(cmd=[*motor, '{header: auto, name: [mast_joint], position: [0.0]}']),
+        *[TimerAction(period=at, actions=[OpaqueFunction(function=patch)]) for at in (0.0, 0.01)],
+    ])
+'''
 FORGERIES: dict[str, Attack] = {
     'black_box: poses without a simulator': Attack(
         'black_box',
@@ -312,6 +348,7 @@ FORGERIES: dict[str, Attack] = {
             arguments={'angle': '0.5'},
         ),
     ),
+    'mast: another program of transforms in the place of the stock one': Attack('mast', 3, OTHER_TRANSFORMS),
     'careful: a driver that waits for nothing': Attack(
         'careful',
         7,

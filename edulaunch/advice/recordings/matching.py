@@ -152,7 +152,7 @@ def unused(recording: Recording) -> Iterator[Finding]:
             continue
         node, (file, line) = nodes[0], process.origin or NOWHERE
         names = [name for name in _names(node) if not is_ros_own(name, (f'{node.name}/',))]
-        for one in _rules(process):
+        for one in remappings(process):
             if one.match.lstrip('/') not in ('tf', 'tf_static') and one.match not in used:
                 facts = {'old': one.match, 'new': one.replacement, 'near': _near(node, one, names), 'names': names[:8]}
                 yield found('node', node.name, file=file, line=line, time_s=node.started_s, **facts)
@@ -166,7 +166,7 @@ def _used(recording: Recording) -> set[str]:
     return {
         one.match
         for process in recording.processes
-        for one in _rules(process)
+        for one in remappings(process)
         if any(_has(node, one) for node in nodes.get(process.name, ()))
     }
 
@@ -179,7 +179,7 @@ def _near(node: NodeRecord, rule: RemapRule, names: list[str]) -> str | None:
     return near or next((name for name in names if name.rpartition('/')[2] == tail), None)
 
 
-def _rules(process: ProcessRecord) -> Iterator[RemapRule]:
+def remappings(process: ProcessRecord) -> Iterator[RemapRule]:
     """Yield the remapping rules of a command line that apply to topics and services."""
     for flag, text in zip(process.argv, process.argv[1:], strict=False):
         if flag in ('-r', '--remap'):

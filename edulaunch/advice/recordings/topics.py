@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from edulaunch.advice.recordings.matching import remappings
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import end_place, ends_by_name, is_ros_own, own_nodes, programs, speaker
+from edulaunch.engine.graph.names import expand_name
 from edulaunch.engine.nearest import nearest, nearest_spelling
 
 if TYPE_CHECKING:
@@ -64,7 +66,9 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
     own = own_nodes(recording) | _commands(recording)
     for end in lone_ends(recording, 'publisher'):
         other = meant(end, subscriptions)
-        if other is not None and (end.node in own or other.node in own) and _sent(recording, end):
+        if other is None or _moved(recording, end.name)[1] not in (None, other.name):
+            continue
+        if (end.node in own or other.node in own) and _sent(recording, end):
             mine = end if end.node in own else other
             place = end_place(recording, mine.kind, mine.name, mine.node)
             yield found(
@@ -79,6 +83,18 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
             )
 
 
+def _moved(recording: Recording, topic: str) -> tuple[str, str] | tuple[None, None]:
+    """Return the node that would subscribe to this topic without a remapping, and the topic to which it subscribes instead."""
+    for process in recording.processes:
+        for node in (each for each in recording.nodes if each.process == process.name):
+            namespace, _, name = node.name.rpartition('/')
+            for one in remappings(process):
+                old, new = (expand_name(text, name, namespace or '/') for text in (one.match, one.replacement))
+                if old == topic != new and one.node_name in (None, name) and any(new == known for known, _ in node.subscriptions):
+                    return node.name, new
+    return None, None
+
+
 def _commands(recording: Recording) -> set[str]:
     """Return the nodes with remappings from launch files, and those of `ros2 topic pub`, because a student typed their names."""
     typed = {process.name for process in recording.processes if '-r' in process.argv or process.argv[1:2] == ['topic']}
@@ -91,6 +107,7 @@ def _commands(recording: Recording) -> set[str]:
     why='a message on a topic without a subscription is lost',
     do=(
         'give a value to the variable in this name: {empty} is the text of a variable without one',
+        'remove the remapping of {topic} to {moved} from {mover}, or give {node} the same one',
         'publish on {near}, which has a subscription',
         'start the node that subscribes to {topic}, or look up its name with `ros2 topic list -t`',
     ),
@@ -105,8 +122,9 @@ def nobody_listens(recording: Recording) -> Iterator[Finding]:
             file, line = end_place(recording, end.kind, end.name, end.node)
             listening = [name for name in subscribed if ends_by_name(recording)['subscription', name][0].type == end.type]
             near = nearest(end.name, listening) if len(listening) > 1 else next(iter(listening), None)
+            mover, moved = _moved(recording, end.name)
             facts = {'node': speaker(recording, end.node), 'near': near, 'empty': _empty_part(end.name)}
-            yield found('topic', end.name, file=file, line=line, time_s=end.made_s, **facts)
+            yield found('topic', end.name, file=file, line=line, time_s=end.made_s, **facts, mover=mover, moved=moved)
 
 
 def _empty_part(name: str) -> str | None:

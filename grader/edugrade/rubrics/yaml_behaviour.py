@@ -8,6 +8,7 @@ from bisect import bisect_right
 from math import inf
 
 from ..evidence import Evidence, Failure, Mismatch, Missing
+from ..library.description import joints_of, require_derived
 from ..library.frames import transforms
 from ..library.identity import rows_of
 from ..library.launched import refuse_strangers
@@ -166,36 +167,23 @@ def _distance(track: Track, time_s: float, x: float, y: float) -> float:
 
 @kind('The robot description has a joint from {parent} to {child}', 'child parent', 'joint')
 def described(run: Evidence, wanted: Wanted) -> None:
-    """Require a joint between two links in the robot description on /robot_description; `joint` is movable, or a type."""
+    """Require a joint between two links in the robot description on /robot_description, and transforms that follow from it.
+    `joint` is movable, or a type.
+    """
     for one in wanted.of_each(run):
         found = require_topic(one.run, one.scenario, '/robot_description', try_=wanted.try_)
         refuse_strangers(one.recording, found.name, 'robot_state_publisher')
         texts = [message.data for _, message in one.recording.messages(found.name) if hasattr(message, 'data')]
-        links = _links(str(texts[-1])) if texts else {}
+        joints = joints_of(str(texts[-1])) if texts else {}
         child, parent = one.text('child'), one.text('parent')
-        known, kind_of = links.get(child, ('', ''))
-        if known != parent:
-            seen = ', '.join(f'{above} to {link}' for link, (above, _) in links.items()) or 'no joint'
+        known = joints.get(child)
+        if known is None or known.parent != parent:
+            seen = ', '.join(f'{joint.parent} to {link}' for link, joint in joints.items()) or 'no joint'
             raise Missing(f'the joint from {parent} to {child} in the robot description', seen=seen, **one.advice)
-        asked = str(wanted['joint'] or kind_of)
-        if kind_of != asked and not (asked == MOVABLE and kind_of != 'fixed'):
-            raise Mismatch(f'the type of the joint from {parent} to {child}', asked, kind_of or 'no type', **one.advice)
-
-
-def _links(text: str) -> dict[str, tuple[str, str]]:
-    """Return the parent of each link of a robot description and the type of its joint, or {} for an invalid description."""
-    from xml.etree import ElementTree
-
-    try:
-        joints = list(ElementTree.fromstring(text).iter('joint'))
-    except (ElementTree.ParseError, ValueError):
-        return {}
-    ends = [(joint.find('child'), joint.find('parent'), joint.get('type', '')) for joint in joints]
-    return {
-        child.get('link', ''): (parent.get('link', ''), of_type)
-        for child, parent, of_type in ends
-        if child is not None and parent is not None
-    }
+        asked = str(wanted['joint'] or known.kind)
+        if known.kind != asked and not (asked == MOVABLE and known.kind != 'fixed'):
+            raise Mismatch(f'the type of the joint from {parent} to {child}', asked, known.kind or 'no type', **one.advice)
+        require_derived(one.run, one.scenario, child, known, wanted.try_)
 
 
 @kind('A bag contains the messages of {topic}', 'topic', 'package')

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterator, Sequence
 
 from edulaunch.errors import UnusableInput
 
@@ -17,6 +18,7 @@ from .students import ARCHIVES
 from .work import Options, grade_here, work_to_do
 
 Results = Sequence[tuple[Entry, Result | None]]
+MOST_REASONS = 5
 
 
 def main(words: Sequence[str]) -> int:
@@ -90,4 +92,18 @@ def _write_tables(results: Results, csv: str | None, html: str | None, junit: st
 def _closing(results: Results, kept: int, folder: str) -> str:
     marked = sum(1 for _, found in results if found and found.get('points', {}).get('earned') is not None)
     before = f', {kept} of them from an earlier batch' if kept else ''
-    return f'{len(results)} submissions{before}; {marked} have a mark. Results: {folder}'
+    closing = f'{len(results)} submissions{before}; {marked} have a mark. Results: {folder}'
+    return '\n'.join([closing, *_reasons(results)])
+
+
+def _reasons(results: Results) -> Iterator[str]:
+    """Yield the reasons why submissions have no mark, with their numbers; the most frequent one comes first."""
+    from .tables import rows
+
+    without = Counter(
+        row['first_problem'] if found else 'its result could not be saved'
+        for row, (_, found) in zip(rows(results), results, strict=True)
+        if (found or {}).get('points', {}).get('earned') is None
+    )
+    for reason, count in without.most_common(MOST_REASONS):
+        yield f'No mark for {count}: {reason}'

@@ -301,6 +301,8 @@ def test_a_result_that_cannot_be_written_is_no_older_mark(
         assert main(words[:4]) == 3
     said = capsys.readouterr()
     assert '0 have a mark' in said.out and 'No space left on device' in said.err
+    assert said.out.endswith('\nNo mark for 1: its result could not be saved\n')
+    assert 'free disk space' in said.err and 'name a file' not in said.err
     assert main([*words, '--resume']) == 0
 
 
@@ -332,7 +334,9 @@ def test_a_result_that_the_grader_could_not_make_is_from_no_earlier_batch(
 
     monkeypatch.setattr('edugrade.classes.batch.work.document', short_of_memory)
     assert main(['batch', str(folder), '--rubric', str(rubric)]) == 3
-    assert capsys.readouterr().out.startswith('1 submissions; 0 have a mark.')
+    said = capsys.readouterr().out
+    assert said.startswith('1 submissions; 0 have a mark.')
+    assert said.endswith('\nNo mark for 1: not graded: this computer has no memory left\n')
 
 
 def test_a_table_says_what_confined_a_mark_and_is_safe_in_every_country() -> None:
