@@ -19,7 +19,8 @@ from edulaunch.canvas.system_scene import ADDED, CHANGED, GONE, SAME, Panel, Sys
 ABOVE, BELOW, BETWEEN = 24.0, 20.0, 16.0
 WIDEST_PAIR = 640.0
 """The largest width of panels that are side by side; wider panels are one above the other."""
-SIGNS: dict[str, Colour] = {ADDED: style.GREEN, GONE: style.RED, CHANGED: style.SAND, SAME: style.MUTED}
+SIGNS: dict[str, Colour] = {ADDED: style.BLUE, GONE: style.ORANGE, CHANGED: style.INK, SAME: style.MUTED}
+"""Blue and orange differ for colour-blind people, too. Red means an error only."""
 KINDS = {'node': 'oval: node', 'topic': 'box: topic', 'service': 'double border: service', 'frame': 'thick border: frame'}
 WORDS = {ADDED: '+ only in this one', GONE: '- only in this one', CHANGED: '~ changed'}
 

@@ -19,6 +19,7 @@ SAND: Colour = (138, 109, 26)
 SAND_TINT: Colour = (255, 248, 228)
 GREEN: Colour = (30, 130, 76)
 GREEN_TINT: Colour = (232, 246, 238)
+ORANGE: Colour = (150, 78, 0)
 RED: Colour = (192, 40, 32)
 RED_TINT: Colour = (255, 240, 238)
 

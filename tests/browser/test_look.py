@@ -14,9 +14,45 @@ from edulaunch.desk.view.page import recorded_page, script
 from edulaunch.desk.view.replay import timeline_of
 from edulaunch.engine.recording import Recording
 from tests.browser.desk import Desk
-from tests.browser.lab import Lab
+from tests.browser.lab import WANTED, Lab
 
 pytestmark = pytest.mark.browser
+CONTRAST = """() => {  // text of the view whose contrast with what is behind it is too low, as WCAG 2.2 defines it
+  const host = [...document.querySelectorAll('*')].find(one => one.shadowRoot?.querySelector('.desk')), root = host.shadowRoot, found = [];
+  const parsed = text => { const [r, g, b, a = 1] = text.match(/[\\d.]+/g)?.map(Number) ?? [0, 0, 0, 0]; return [r, g, b, a]; };
+  const over = ([r, g, b, a], [R, G, B]) => [r * a + R * (1 - a), g * a + G * (1 - a), b * a + B * (1 - a)];
+  const light = parts => parts.map(v => v / 255).map(v => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4).reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+  const ratio = (one, two) => { const [low, high] = [light(one), light(two)].sort((a, b) => a - b); return (high + 0.05) / (low + 0.05); };
+  const above = element => element.parentElement ?? element.getRootNode().host ?? null;
+  const ground = element => {
+    const layers = [];
+    for (let at = element; at; at = above(at)) {
+      const shape = at.tagName === 'g' && [...at.children].find(one => ['rect', 'ellipse', 'path'].includes(one.tagName) && getComputedStyle(one).fill !== 'none');
+      const colour = parsed(shape ? getComputedStyle(shape).fill : getComputedStyle(at).backgroundColor);
+      layers.push(colour);
+      if (colour[3] === 1) break;
+    }
+    return layers.reverse().reduce((below, layer) => over(layer, below), [255, 255, 255]);
+  };
+  const walk = document.createTreeWalker(root.querySelector('.desk'), NodeFilter.SHOW_TEXT);
+  let count = 0;
+  while (walk.nextNode()) {
+    const element = walk.currentNode.parentElement, text = walk.currentNode.data.trim();
+    if (!text || !element.checkVisibility() || element.closest(':disabled, style, option')) continue;
+    const style = getComputedStyle(element), behind = ground(element), size = parseFloat(style.fontSize), isLarge = size >= 24 || (size >= 18.66 && style.fontWeight >= 700);
+    let faint = 1;
+    for (let at = element; at; at = above(at)) faint *= Number(getComputedStyle(at).opacity);
+    const colour = parsed(element.namespaceURI.endsWith('svg') ? style.fill : style.color), seen = over([...colour.slice(0, 3), colour[3] * faint], behind);
+    count++;
+    if (ratio(seen, behind) < (isLarge ? 3 : 4.5)) found.push(`${text.slice(0, 40)}: ${seen.map(Math.round)} on ${behind.map(Math.round)}, ${ratio(seen, behind).toFixed(2)}`);
+  }
+  return { count, found };
+}"""
+HOST = "[...document.querySelectorAll('*')].find(one => one.shadowRoot?.querySelector('.desk')).shadowRoot"
+REACHED = f"""() => {{ const all = [...{HOST}.querySelectorAll('button, select, input, summary, [tabindex="0"]')];
+  return all.filter(e => e.checkVisibility() && !e.disabled && e.tabIndex < 0 && e.getAttribute('role') !== 'tab').map(e => e.outerHTML.slice(0, 80)); }}"""
+"""The controls that the tabulator does not reach."""
+WIDER = f"() => {{ const panel = {HOST}.querySelector('.panel'); return panel.scrollWidth - panel.clientWidth; }}"
 TABS = ('launch', 'frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'parameters', 'terminal')
 
 
@@ -93,9 +129,10 @@ def test_a_widget_follows_the_theme_of_jupyterlab_until_somebody_chooses(live: D
 def test_in_jupyterlab_the_view_and_its_3d_canvas_have_the_theme_of_jupyterlab(
     lab: Lab, course: Path, shots: Path, axe: str
 ) -> None:
-    """The system's theme is the other one each time. axe-core finds no violation in the widget.
+    """The system's theme is the other one each time. axe-core finds no violation in the widget, and each tab fits in it.
 
-    The contrast of colours is measured on the page alone: axe-core takes text in JupyterLab's scrolled panels as hidden.
+    The contrast is measured by hand: axe-core takes text in JupyterLab's scrolled panels as hidden. The arrow keys reach each tab,
+    and the tabulator each control.
     """
     code = "import edulaunch\nmachine = edulaunch.start('turtle_tf2_py', 'turtle_tf2_demo.launch.py')\nmachine.view('frames')"
     cell: dict[str, Any] = {
@@ -127,9 +164,20 @@ def test_in_jupyterlab_the_view_and_its_3d_canvas_have_the_theme_of_jupyterlab(
             shade = canvas.evaluate(brightness)
             assert shade is not None and (shade < 80 if name == 'dark' else shade > 200), (name, shade)
             page.screenshot(path=shots / f'theme-lab-{name}.png')
-            for tab in ('launch', 'frames', 'tree', 'graph', 'plot', 'parameters'):
-                page.locator(f'[data-tab={tab}]').click()
-                page.wait_for_timeout(300)
+            page.locator(f'[data-tab={TABS[-1]}]').click()
+            for tab in TABS:
+                page.keyboard.press('ArrowRight')
+                page.locator(f'[data-tab={tab}][aria-selected=true]').wait_for()
+                for width in (900, 1400):
+                    page.set_viewport_size({'width': width, 'height': 860})
+                    page.wait_for_timeout(100)
+                    seen = page.evaluate(CONTRAST)
+                    assert seen['count'] > 25, 'the text of the tab is not there'
+                    found += [(name, tab, width, text) for text in seen['found']]
+                    found += [(name, tab, width, text) for text in page.evaluate(REACHED)]
+                    assert page.evaluate(WIDER) <= 1, (tab, width)
+                    if WANTED:
+                        page.locator('.desk').screenshot(path=shots / f'lab-{name}-{width}-{tab}.png')
                 result = page.evaluate(
                     """() => axe.run([...document.querySelectorAll('*')].find(one => one.shadowRoot?.querySelector('.desk')),
                         { resultTypes: ['violations'], rules: { 'color-contrast': { enabled: false } } })"""
@@ -189,13 +237,10 @@ def test_axe_finds_no_violation_on_a_live_page(browser: Any, live: Desk, axe: st
 
 def test_a_keyboard_alone_reaches_every_control_of_a_live_page(live: Desk) -> None:
     """Tab reaches each visible control of each tab of the page."""
-    reached = """() => { const root = document.getElementById('desk').shadowRoot;
-        const all = [...root.querySelectorAll('button, select, input, summary, [tabindex="0"]')];
-        return all.filter(e => e.checkVisibility() && !e.disabled && e.tabIndex < 0 && e.getAttribute('role') !== 'tab').map(e => e.outerHTML.slice(0, 80)); }"""
     for tab in TABS:
         live.open(tab)
         live.frame()
-        assert live.page.evaluate(reached) == [], tab
+        assert live.page.evaluate(REACHED) == [], tab
     live.page.locator('[role=tab][aria-selected=true]').focus()
     for tab in TABS:
         live.page.keyboard.press('ArrowRight')

@@ -23,7 +23,7 @@ STYLES = {
     'argument': '33',
     'missing': '31',
 }
-SIGNS = {'+': '32', '-': '31', '~': '33'}
+SIGNS = {'+': '36', '-': '33', '~': '1'}
 BOLD, DIM, NOT_TAKEN = '1', '2', '2;9'
 """The numbers of the styles in a terminal."""
 STYLE = """<style>
@@ -33,9 +33,9 @@ STYLE = """<style>
 .edulaunch-tree small{opacity:.7}
 .edulaunch-tree .node,.edulaunch-tree .process,.edulaunch-tree .include{font-weight:bold}
 .edulaunch-tree .left-out{opacity:.6;text-decoration:line-through}
-.edulaunch-tree .added{border-left:.3em solid #2a9d4a;padding-left:.3em}
-.edulaunch-tree .gone{border-left:.3em solid #c0392b;padding-left:.3em}
-.edulaunch-tree .changed{border-left:.3em solid #c98a00;padding-left:.3em}
+.edulaunch-tree .added{border-left:.3em solid #3b7ddd;padding-left:.3em}
+.edulaunch-tree .gone{border-left:.3em dashed #b8741a;padding-left:.3em}
+.edulaunch-tree .changed{border-left:.3em double #808080;padding-left:.3em}
 </style>"""
 _CLASSES = {'+': ' added', '-': ' gone', '~': ' changed'}
 _CLOSED = frozenset(('node', 'process', 'composable_node'))

@@ -59,6 +59,8 @@ EVENTS = {
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 NOWHERE = getattr(os, 'O_TMPFILE', 0)
 """The flag for a file without a name, which no other program can see."""
+OPEN = open
+"""Kept by its own name, because Python removes `open` from the builtins before the last objects of a program end."""
 _hearing = False
 
 
@@ -74,6 +76,7 @@ class Closed:
         self._folders: set[str] = set()
         self._temporary: list[str] = []
         self._room = ''
+        self._is_over = False
 
     def note(self, text: str) -> None:
         """Note a change that was not made."""
@@ -112,7 +115,7 @@ class Closed:
             # `tempfile` passes a folder here, and then creates a file in it
             if not set(mode) & set('wax+') or self._may_change(path) or os.path.isdir(path):
                 return real_open(self._copies.get(path, file), mode, *arguments, **options)
-            return open(self._copy(path, mode), mode.replace('x', 'w'), *arguments, **options)
+            return OPEN(self._copy(path, mode), mode.replace('x', 'w'), *arguments, **options)
 
         return open_copy
 
@@ -124,6 +127,8 @@ class Closed:
         if 'x' in mode and os.path.exists(path):
             raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), path)
         self.note(f'write {path}')
+        if self._is_over:
+            return os.devnull
         if path not in self._copies:
             import tempfile
 
@@ -172,12 +177,14 @@ class Closed:
         elif event in ('open', 'os.remove') and _finds_temporary_folder():
             return
         elif event in STARTS or not self._may_change(path) or not all(map(self._may_change, _second_path(event, arguments))):
-            text = EVENTS[event].format(path if event not in STARTS else _command(arguments))
+            link = _second_path(event, arguments)[-1:] if event in ('os.link', 'os.symlink') else []
+            text = EVENTS[event].format(_command(arguments) if event in STARTS else (link or [path])[0])
             self.note(text)
             raise with_facts(PermissionError(errno.EPERM, 'not done in a dry run', path), 'launch.not-in-dry-run', undone=text)
 
     def close(self) -> None:
-        """Remove the separate copies and the temporary files of the programs."""
+        """Remove the separate copies and the temporary files of the programs. What they write at the exit of Python is lost."""
+        self._is_over = True
         for path in filter(None, (self._room, *self._temporary)):
             with suppress(OSError):
                 os.remove(path) if os.path.isfile(path) else shutil.rmtree(path)
@@ -213,6 +220,8 @@ def _hear(event: str, arguments: tuple[Any, ...]) -> None:
     if event not in EVENTS and event not in TEMPORARY:
         return
     if (event == 'open' and not _writes(arguments)) or (event == 'ctypes.dlsym' and not OF_C.fullmatch(str(arguments[1]))):
+        return
+    if arguments[:1] == (os.devnull,):  # at the exit of Python, too, when there are no tasks any more
         return
     task = running_task()
     closed = getattr(getattr(getattr(task, 'owner', None), 'host', None), 'closed', None)

@@ -10,9 +10,9 @@ from typing import Any
 SIGNS = {'+': ('new', 'only in the second'), '-': ('gone', 'only in the first'), '~': ('changed', 'differs')}
 """The class and the meaning of each sign."""
 STYLE = """
-:root { color-scheme: light dark; --ink: #1b1b1b; --paper: #fff; --new: #0b6b2b; --gone: #a3201c; --changed: #6b4a00; }
+:root { color-scheme: light dark; --ink: #1b1b1b; --paper: #fff; --new: #265cb2; --gone: #964e00; --changed: #1b1b1b; }
 @media (prefers-color-scheme: dark) {
-  :root { --ink: #eee; --paper: #16181c; --new: #7ddc9a; --gone: #ff9d96; --changed: #f0c674; }
+  :root { --ink: #eee; --paper: #16181c; --new: #8cc4ff; --gone: #ffb454; --changed: #eee; }
 }
 body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper); margin: 1rem auto; padding: 0 1rem; }
 h1 { font-size: 1.2rem; overflow-wrap: anywhere; }

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import socket
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -194,3 +196,38 @@ def test_explain_says_what_was_not_done(tmp_path: Path, capsys: pytest.CaptureFi
     assert main(['explain', str(path)]) == 0
     assert f'the dry run skipped: run the command touch {tmp_path}/made' in capsys.readouterr().err
     assert not (tmp_path / 'made').exists()
+
+
+def test_a_link_that_is_made_below_os_is_called_by_its_own_name(plan: Plan, tmp_path: Path) -> None:
+    found = plan("import posix\nposix.symlink('/etc/hostname', 'FOLDER/made')\nreturn LaunchDescription([])")
+    assert found['not_done'] == [f'make {tmp_path}/made']
+    assert not os.path.lexists(tmp_path / 'made')
+
+
+LATE = """
+import weakref
+from launch import LaunchDescription
+
+
+class Part:
+    def __del__(self):
+        open('FOLDER/by-del', 'w').close()
+
+
+part, other = Part(), set()
+weakref.finalize(other, lambda: open('FOLDER/by-finalize', 'w').close())
+
+
+def generate_launch_description():
+    return LaunchDescription([])
+"""
+
+
+@pytest.mark.processes
+def test_what_a_launch_file_writes_at_the_exit_of_python_is_lost_without_a_traceback(tmp_path: Path) -> None:
+    path = tmp_path / 'late.launch.py'
+    path.write_text(LATE.replace('FOLDER', str(tmp_path)), encoding='utf-8')
+    words = [sys.executable, '-m', 'edulaunch', 'explain', str(path)]
+    ended = subprocess.run(words, capture_output=True, text=True, check=True)
+    assert 'Traceback' not in ended.stderr
+    assert [file.name for file in tmp_path.iterdir()] == ['late.launch.py']
