@@ -110,11 +110,11 @@ def _outcome(scenario: Scenario, launch: str) -> Outcome:
     from edulaunch.engine.packages.discovery import folder_of, workspaces_of_command
     from edulaunch.runtime.session import Session
 
-    target = _target(launch)
-    workspaces = _workspaces(launch) or workspaces_of_command((), target[0])
+    target, file = _target(launch)
+    workspaces = _workspaces(launch) or workspaces_of_command((), target)
     try:
-        with Session(seed=scenario.seed, workspaces=workspaces, near=folder_of(target[0])) as session:
-            session.launch(*target, arguments=dict(scenario.arguments))
+        with Session(seed=scenario.seed, workspaces=workspaces, near=folder_of(target)) as session:
+            session.launch(target, file, dict(scenario.arguments))
             session.run(scenario.duration_s)
             recording = session.recording()
     except EdulaunchError as error:
@@ -124,10 +124,10 @@ def _outcome(scenario: Scenario, launch: str) -> Outcome:
     return come_to(scenario, recording)
 
 
-def _target(launch: str) -> list[str]:
+def _target(launch: str) -> tuple[str, str | None]:
     """Return the path of a launch file. A file of a package is named by the package, so that only installed files are found."""
     package = Submission(launch).package
-    return [launch] if package is None else [package.name, os.path.basename(launch)]
+    return (launch, None) if package is None else (package.name, os.path.basename(launch))
 
 
 def _workspaces(launch: str) -> list[str] | None:
