@@ -142,9 +142,9 @@ def _observer(session: Session) -> Iterator[Callable[[str], Any]]:
     assert isinstance(session.host, NativeHost)
     words = command(session.host.environment, _OBSERVER, ProcessSpec((), 'observer'), session.index)
     pipes: dict[str, Any] = {'stdin': subprocess.PIPE, 'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE}
-    with subprocess.Popen(
-        [*words, 'observer'], env=confined(session.host.env), text=True, start_new_session=True, **pipes
-    ) as child:
+    env = confined(session.host.env)
+    env.pop('PYTHONPATH', None)  # in an active terminal it leads to the simulated rclpy
+    with subprocess.Popen([*words, 'observer'], env=env, text=True, start_new_session=True, **pipes) as child:
         assert child.stdin is not None and child.stdout is not None and child.stderr is not None
         tell, lines = child.stdin, iter(child.stdout.readline, '')
         answers: queue.SimpleQueue[str] = queue.SimpleQueue()

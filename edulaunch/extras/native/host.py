@@ -29,6 +29,7 @@ _ROS2_FILE = """#!/bin/sh
 case "$1 $2 " in
 {here}) PYTHONPATH={home} exec {python} -m edulaunch.extras.network.real_command {lock} "$@";;
 esac
+unset PYTHONPATH
 exec {real} ros2 "$@"
 """
 

@@ -6,6 +6,7 @@ import argparse
 from collections.abc import Sequence
 from typing import NamedTuple, NoReturn
 
+from edulaunch.engine.graph.names import full_topic_name_problem
 from edulaunch.engine.nearest import did_you_mean
 from edulaunch.errors import UnusableInput
 from edulaunch.extras.network.links import DEFAULT
@@ -109,6 +110,23 @@ class _Parser(argparse.ArgumentParser):
         raise UnusableInput(f'edulaunch network on: {message}', help='see edulaunch network --help')
 
 
+def _names(option: str, values: Sequence[str]) -> tuple[str, ...]:
+    """Return the names of a list.
+
+    :raises UnusableInput: for a list without names, which would count as no list, and for a name that no topic can have.
+    """
+    names = tuple(each for value in values for each in value.split(',') if each)
+    if values and not names:
+        raise UnusableInput(f'{option} names no topic', help='name a topic, a service or a namespace')
+    for name in names:
+        problem = name.strip('/') and full_topic_name_problem('/' + name.strip('/'))
+        if problem:
+            raise UnusableInput(
+                f'{option} names {name!r}: {problem[0]}', help='name a topic, a service or a namespace, such as /turtle1'
+            )
+    return names
+
+
 def join_request(words: Sequence[str]) -> JoinRequest:
     """Read the options of a join.
 
@@ -120,7 +138,7 @@ def join_request(words: Sequence[str]) -> JoinRequest:
     if unknown:
         known = [f'--{name}' for name in (*LISTS, 'readonly', 'clock', 'link')]
         raise UnusableInput(f'edulaunch network on has no option {unknown[0]!r}', help=did_you_mean(unknown[0], known) or None)
-    lists = {name: tuple(each for value in getattr(found, name) for each in value.split(',') if each) for name in LISTS}
+    lists = {name: _names(f'--{name}', getattr(found, name)) for name in LISTS}
     if found.readonly and lists['in']:
         raise UnusableInput('--readonly lets nothing in, but --in names topics that come in', help='leave one of them out')
     incoming = () if found.readonly else lists['in'] or None

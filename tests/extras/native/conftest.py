@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -11,6 +12,7 @@ import pytest
 
 from edulaunch.extras.native import environment
 from tests.extras.network.wires import own_domain
+from tests.house import ROOT
 
 Run = Callable[..., subprocess.CompletedProcess[str]]
 LONGEST_S = 120
@@ -30,10 +32,12 @@ def real(monkeypatch: pytest.MonkeyPatch) -> Iterator[environment.Environment]:
 
 @pytest.fixture
 def edulaunch(tmp_path: Path) -> Run:
-    """Run the command; what it prints is text."""
+    """Run the command as in an active terminal, whose PYTHONPATH leads to the simulated rclpy; what it prints is text."""
+    env = {**os.environ, 'PYTHONPATH': os.pathsep.join(str(ROOT / 'edulaunch' / 'ros' / name) for name in ('shell', 'python'))}
 
     def run(*words: str) -> subprocess.CompletedProcess[str]:
         command = [sys.executable, '-m', 'edulaunch', *words]
-        return subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, timeout=LONGEST_S, stdin=subprocess.DEVNULL)
+        nothing = subprocess.DEVNULL
+        return subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, timeout=LONGEST_S, stdin=nothing, env=env)
 
     return run

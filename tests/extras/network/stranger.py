@@ -58,9 +58,14 @@ def joined(kind: str, env: dict[str, str]) -> Link:
     return link
 
 
+def own_memory() -> None:
+    """Share no memory with other programs, as another computer does not."""
+    subprocess.run(['mount', '-t', 'tmpfs', 'none', '/dev/shm'], check=True)
+
+
 def far(kind: str) -> None:
     """The stranger, until he is asked what he saw."""
-    subprocess.run(['mount', '-t', 'tmpfs', 'none', '/dev/shm'], check=True)  # another computer shares no memory with us
+    own_memory()
     with socket.socket(fileno=0) as near:
         socket.send_fds(near, [b'.'], [card('far', ADDRESSES[1])])
         near.recv(1)
@@ -102,6 +107,7 @@ def main(kind: str, wide: str) -> None:
     if os.environ.get('FAR'):
         far(stranger)
         return
+    own_memory()  # a second test in its own network has the same ports
     ours, theirs = socket.socketpair()
     words = ['unshare', '-nm', sys.executable, '-m', 'tests.extras.network.stranger', *sys.argv[1:]]
     other = subprocess.Popen(words, env={**os.environ, 'FAR': '1'}, stdin=theirs)

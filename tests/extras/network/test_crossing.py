@@ -81,6 +81,9 @@ def test_an_option_of_a_launch_leaves_package_and_file_alone() -> None:
         (['/a'], "no option '/a'"),
         (['--topics'], 'expected at least one argument'),
         (['--readonly', '--in=/a'], 'leave one of them out'),
+        (['--topics=,'], '--topics names no topic'),
+        (['--deny=/a,b c'], "--deny names 'b c': "),
+        (['--out=/turtle*'], "--out names '/turtle*': topic name must not contain characters other than"),
     ],
 )
 def test_options_that_make_no_sense_are_refused(words: list[str], text: str) -> None:
