@@ -67,6 +67,11 @@ def end_place(recording: Recording, kind: str, name: str, node: str) -> Place:
     return _end_places(recording).get((kind, name, node)) or node_place(recording, node)
 
 
+def files_of(recording: Recording, node: str) -> set[str]:
+    """Return the student's files that created the endpoints of a node."""
+    return {place[0] for (_, _, owner), place in _end_places(recording).items() if owner == node and place[0] is not None}
+
+
 def broadcast_place(recording: Recording, node: str, topic: str) -> Place:
     """Return the student's line that sends transforms. If a file has several, return the one that created the broadcaster."""
     file, line = end_place(recording, 'publisher', topic, node)
@@ -116,7 +121,9 @@ def origin_place(recording: Recording, process: str | None, origin: str) -> Plac
         return started
     if started[0] is not None and os.path.basename(started[0]) == match[1]:
         return started[0], int(match[2])
-    return match[1], int(match[2])
+    words = next((one.argv for one in recording.processes if one.name == process), [])
+    file = next((word for word in words if os.path.basename(word) == match[1]), match[1])
+    return (os.path.realpath(file) if os.path.isabs(file) else file), int(match[2])
 
 
 @lru_cache(maxsize=1)

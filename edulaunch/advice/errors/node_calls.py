@@ -85,10 +85,12 @@ def service_class(failure: Failure) -> Iterator[Finding]:
     do='write .value after get_parameter(...)',
     lesson='03_parameters',
     level='error',
+    hides=('messages.field-value',),
 )
 def parameter_object(failure: Failure) -> Iterator[Finding]:
-    """Report arithmetic with a Parameter object instead of its value, as in `self.get_parameter('speed') * 2`."""
-    if failure.type == 'TypeError' and re.search(r"'Parameter'( and '|$)|and 'Parameter'|not 'Parameter'", failure.message):
+    """Report a Parameter object in place of its value, as in `self.get_parameter('speed') * 2`, or in a field of a message."""
+    is_calculated = re.search(r"'Parameter'( and '|$)|and 'Parameter'|not 'Parameter'", failure.message) is not None
+    if failure.facts.get('given') == 'rclpy.parameter.Parameter' or (failure.type == 'TypeError' and is_calculated):
         yield report(failure)
 
 
@@ -118,3 +120,39 @@ def local_not_attribute(failure: Failure) -> Iterator[Finding]:
 
 def _is_stored(node: ast.Name | ast.Attribute) -> bool:
     return isinstance(node.ctx, ast.Store)
+
+
+CALLED_WITH = {
+    'create_service': (2, 'request, response'),
+    'create_timer': (1, ''),
+    'ActionServer': (3, 'goal_handle'),
+    'add_done_callback': (0, 'future'),
+}
+"""The calls that receive a function: its position, and the arguments with which rclpy calls it."""
+
+
+@rule(
+    'programs.callback-signature',
+    what=(
+        'rclpy calls {method}(), the callback of {made_by}(), with the arguments {parameters}, but it has other parameters',
+        'rclpy calls {method}(), the callback of {made_by}(), without arguments, but it has parameters',
+    ),
+    do=('write def {method}(self, {parameters})', 'write def {method}(self)'),
+    lesson=LESSON,
+    level='error',
+)
+def callback_signature(failure: Failure) -> Iterator[Finding]:
+    """Report a callback of a service, timer, action or future whose parameters are not those with which rclpy calls it."""
+    match = re.match(r'(?:\w+\.)?(\w+)\(\) (?:takes [1-9]|missing \d+ ).*argument', failure.message)
+    tree = script_of(failure.file) if match is not None and failure.process is not None else None
+    if match is None or tree is None or any(name_of_call(call) == match[1] for call in calls_on_line(failure)):
+        return
+    defined = next((node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef) and node.name == match[1]), None)
+    for call in ast.walk(tree) if defined is not None else ():
+        made_by = name_of_call(call)
+        number, parameters = CALLED_WITH.get(made_by, (0, ''))
+        given = call.args[number : number + 1] if made_by in CALLED_WITH and isinstance(call, ast.Call) else []
+        if defined is not None and any(ast.unparse(one).endswith(match[1]) for one in given):
+            facts = {'method': match[1], 'made_by': made_by, 'parameters': parameters or None}
+            yield report(failure, **facts)._replace(line=defined.lineno)
+            return
