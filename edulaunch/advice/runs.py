@@ -121,9 +121,13 @@ def origin_place(recording: Recording, process: str | None, origin: str) -> Plac
         return started
     if started[0] is not None and os.path.basename(started[0]) == match[1]:
         return started[0], int(match[2])
-    words = next((one.argv for one in recording.processes if one.name == process), [])
-    file = next((word for word in words if os.path.basename(word) == match[1]), match[1])
-    return (os.path.realpath(file) if os.path.isabs(file) else file), int(match[2])
+    return passed_file(recording, match[1]), int(match[2])
+
+
+def passed_file(recording: Recording, name: str) -> str:
+    """Return the student's path of a file that a command line names, or the name alone if no command line has its path."""
+    words = (word for process in recording.processes for word in process.argv)
+    return next((os.path.realpath(word) for word in words if os.path.basename(word) == name and os.path.isabs(word)), name)
 
 
 @lru_cache(maxsize=1)

@@ -221,3 +221,14 @@ def test_values_that_the_shell_split_get_quotes(capsys: pytest.CaptureFixture[st
     with pytest.raises(SystemExit):
         command_line(['service', 'call', '/spawn', 'turtlesim/srv/Spawn', '{x:', '2,', 'y:', '2}'])
     assert 'help: put the values into double quotes' in capsys.readouterr().err
+
+
+def test_a_launch_file_without_its_package_gets_the_name_of_the_package(tmp_path: Path) -> None:
+    from edulaunch.errors import UnusableInput
+    from edulaunch.runtime.launching import find_launch_file
+    from edulaunch.runtime.session import Session
+
+    write(tmp_path, None)
+    with Session(workspaces=[tmp_path]) as session, pytest.raises(UnusableInput) as raised:
+        find_launch_file(session.index, str(tmp_path / 'other.launch.py'), None)
+    assert raised.value.help == 'name its package, too: ros2 launch robo other.launch.py'

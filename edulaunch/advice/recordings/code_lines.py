@@ -8,7 +8,7 @@ import os
 import re
 from collections import Counter
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.run_sources import launch_files, name_of_call, program_scripts
@@ -37,7 +37,7 @@ def not_called(recording: Recording) -> Iterator[Finding]:
         for node in ast.walk(tree):
             if isinstance(node, ast.Expr) and isinstance(node.value, ast.Attribute) and node.value.attr in CALLED:
                 written, function = ast.unparse(node.value), node.value.attr
-                facts = {'function': function, 'argument': CALLED[function]}
+                facts: dict[str, Any] = {'function': function, 'argument': CALLED[function]}
                 yield found('text', written, file=file, line=node.lineno, written=written, **facts)
 
 
@@ -74,7 +74,7 @@ def made_after_spin(recording: Recording) -> Iterator[Finding]:
             if spin is None or name_of_call(spin) != 'spin' or ast.unparse(spin).endswith('(self)'):
                 continue
             for late in [call for call in calls[spins[0] + 1 :] if name_of_call(call) in MADE][:1]:
-                facts = {'at': late.lineno, 'spun': spin.lineno, 'spin': ast.unparse(spin.func)}
+                facts: dict[str, Any] = {'at': late.lineno, 'spun': spin.lineno, 'spin': ast.unparse(spin.func)}
                 yield found('function', name_of_call(late), file=file, line=late.lineno, **facts)
 
 
@@ -113,7 +113,7 @@ def global_forgotten(recording: Recording) -> Iterator[Finding]:
             stored, loaded, declared = uses[id(one)]
             for name in sorted(stored.keys() & made.keys() - declared - loaded - changed - _parameters(one)):
                 if any(name in other[1] and name not in other[0] for key, other in uses.items() if key != id(one)):
-                    facts = {'function': one.name, 'made': made[name]}
+                    facts: dict[str, Any] = {'function': one.name, 'made': made[name]}
                     yield found('variable', name, file=file, line=stored[name], **facts)
 
 
@@ -158,7 +158,7 @@ def period_in_hertz(recording: Recording) -> Iterator[Finding]:
                     value, hertz = _only_number(tree, name) if _HERTZ.search(name.replace('_', ' ')) else None, None
                     is_hertz = value is not None and value > 1
                 if is_hertz:
-                    facts = {'written': ast.unparse(period), 'period_s': value, 'hertz': hertz, 'variable': name}
+                    facts: dict[str, Any] = {'written': ast.unparse(period), 'period_s': value, 'hertz': hertz, 'variable': name}
                     yield found('function', 'create_timer', file=file, line=call.lineno, **facts)
 
 
@@ -212,7 +212,7 @@ def _exits(tree: ast.Module, file: str, node: str, messages: int) -> Iterator[Fi
         if isinstance(method, ast.FunctionDef) and method.name in called_back:
             for call in ast.walk(method):
                 if isinstance(call, ast.Call) and ast.unparse(call.func) in ('exit', 'quit', 'sys.exit'):
-                    facts = {'written': ast.unparse(call), 'callback': method.name, 'messages': messages}
+                    facts: dict[str, Any] = {'written': ast.unparse(call), 'callback': method.name, 'messages': messages}
                     yield found('node', node, file=file, line=call.lineno, **facts)
                     return
 

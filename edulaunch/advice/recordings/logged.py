@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.run_sources import launch_scripts
@@ -53,7 +53,7 @@ def parameter_file_absent(recording: Recording) -> Iterator[Finding]:
             yield found('file', name, file=file, line=line, path=shown, joined=joined, near=near, **source)
 
 
-def _not_installed(launch_file: str | None, package: str, *inside: str) -> dict[str, str | None]:
+def _not_installed(launch_file: str | None, package: str, *inside: str) -> dict[str, Any]:
     """Return facts about a file that is in the source folder of a package, the one of the launch file, but not installed."""
     folder = os.path.dirname(os.path.realpath(launch_file or ''))
     while not os.path.isfile(os.path.join(folder, 'package.xml')) and folder != os.path.dirname(folder):

@@ -199,7 +199,7 @@ def equals_swapped(scripts: list[Script]) -> Iterator[Finding]:
         if name_of_call(call) in ('LaunchConfigurationEquals', 'LaunchConfigurationNotEquals'):
             first, second = _text(call, 0, 'launch_configuration_name'), _text(call, 1, 'expected_value')
             if first and second and first not in declared and second in declared:
-                facts = {'condition': name_of_call(call), 'first': first, 'second': second}
+                facts: dict[str, Any] = {'condition': name_of_call(call), 'first': first, 'second': second}
                 yield found('argument', second, file=file, line=call.lineno, **facts)
 
 
