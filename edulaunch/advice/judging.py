@@ -61,6 +61,8 @@ ABSENT = frozenset(
     + ('programs.library', 'programs.native', 'programs.native-component', 'programs.unknown-module', 'programs.window')
 )
 """Rules about a program that cannot run here, whose endpoints are therefore unknown."""
+NOT_STARTED = 'exception occurred while executing process'
+"""The start of launch's message about a program that it could not start."""
 LONELY = frozenset(
     ('messages.bag-of-nothing', 'messages.no-joint-states', 'messages.no-server', 'messages.nobody-listens')
     + ('messages.nobody-publishes', 'messages.other-topic', 'time.no-clock')
@@ -76,7 +78,10 @@ def _without_consequences(findings: list[Finding], recording: Recording) -> list
     names = {process.name for process in own}
     is_absent = any(finding.rule in ABSENT for finding in findings)
     has_died = any(finding.rule == DIED and finding.name in names for finding in findings)
-    if not is_absent and not has_died and not any(_has_failed(process) for process in own):
+    has_failed = any(_has_failed(process) for process in own) or any(
+        row[4].startswith(NOT_STARTED) for row in recording.rows('logs')
+    )
+    if not is_absent and not has_died and not has_failed:
         return findings
     commands = {process.name for process in recording.processes if process.argv[:1] == ['ros2']} if is_absent else set()
     return [one for one in findings if one.rule not in LONELY and not (one.rule == DIED and one.name in commands)]
@@ -219,9 +224,15 @@ def _asked(kind: str, thing: Any) -> list[Finding]:
 def _findings_by(rule: Rule, thing: Any) -> list[Finding]:
     """Return the findings of one rule. If the rule fails, report that as a finding, so that no run ends because of advice."""
     try:
-        return [finding._replace(rule=rule.name) for finding in islice(rule.look(thing), MOST)]
+        return [_of_student(finding._replace(rule=rule.name)) for finding in islice(rule.look(thing), MOST)]
     except ODD as error:
         return [found('rule', rule.name, error=f'{type(error).__name__}: {error}')._replace(rule='programs.rule-failed')]
+
+
+def _of_student(finding: Finding) -> Finding:
+    """Return a finding whose place is the student's file, not the link to it in the folder of a simulated build."""
+    is_link = finding.file is not None and os.path.islink(finding.file) and '/edulaunch-' in finding.file
+    return finding._replace(file=os.path.realpath(finding.file)) if is_link and finding.file is not None else finding
 
 
 def _rank(rule: Rule, finding: Finding) -> tuple[Any, ...]:

@@ -23,9 +23,14 @@ SIDE_BY_SIDE = re.compile(r"""[\w/]['"]{1,3}[ \t]*[A-Za-z]{0,2}['"]{1,3}[\w/]"""
 
 def launch_scripts(recording: Recording) -> list[Script]:
     """Return the Python launch files of a run, the first one first."""
-    launch = recording.launch
-    files = [launch.file, *launch.includes, *(process.file or '' for process in recording.processes)]
-    return list(_scripts(files))
+    return list(_scripts([*launch_files(recording), *(process.file or '' for process in recording.processes)]))
+
+
+def launch_files(recording: Recording) -> list[str]:
+    """Return the launch file of a run and its includes, and those of each `ros2 launch` that belongs to the command."""
+    launch, own = recording.launch, recording.command
+    typed = [fact for fact in recording.facts if fact.kind == 'launch files' and (own is None or fact.process in own)]
+    return [launch.file, *launch.includes, *(file for fact in typed for file in fact.data['files'])]
 
 
 def program_scripts(recording: Recording) -> list[Script]:

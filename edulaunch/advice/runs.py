@@ -67,6 +67,11 @@ def end_place(recording: Recording, kind: str, name: str, node: str) -> Place:
     return _end_places(recording).get((kind, name, node)) or node_place(recording, node)
 
 
+def files_of(recording: Recording, node: str) -> set[str]:
+    """Return the student's files that created the endpoints of a node."""
+    return {place[0] for (_, _, owner), place in _end_places(recording).items() if owner == node and place[0] is not None}
+
+
 def broadcast_place(recording: Recording, node: str, topic: str) -> Place:
     """Return the student's line that sends transforms. If a file has several, return the one that created the broadcaster."""
     file, line = end_place(recording, 'publisher', topic, node)
@@ -116,7 +121,13 @@ def origin_place(recording: Recording, process: str | None, origin: str) -> Plac
         return started
     if started[0] is not None and os.path.basename(started[0]) == match[1]:
         return started[0], int(match[2])
-    return match[1], int(match[2])
+    return passed_file(recording, match[1]), int(match[2])
+
+
+def passed_file(recording: Recording, name: str) -> str:
+    """Return the student's path of a file that a command line names, or the name alone if no command line has its path."""
+    words = (word for process in recording.processes for word in process.argv)
+    return next((os.path.realpath(word) for word in words if os.path.basename(word) == name and os.path.isabs(word)), name)
 
 
 @lru_cache(maxsize=1)

@@ -157,6 +157,14 @@ def _declared(argument: Any) -> list[Any]:
     return [argument.name, default, argument.description, argument.choices, place[0], place[1]]
 
 
+def note_launch_files(process: Process, path: str) -> None:
+    """Note the launch file of a typed `ros2 launch` and its includes as a fact (`launch files`), because a launch may start no
+    program that names them.
+    """
+    files = [process.index.source_path(file) for file in (path, *process.state.get('launch.includes', ()))]
+    process.fact('launch files', None, {'files': files})
+
+
 def note_unread_arguments(process: Process, given: Iterable[str]) -> None:
     """Note the unused arguments of a typed `ros2 launch` as facts (`argument unread`); see :class:`UnreadArgument`."""
     for one in _unread_arguments(process, given):

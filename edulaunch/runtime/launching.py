@@ -22,14 +22,14 @@ def find_launch_file(index: Index, path_or_package: str | os.PathLike[str], file
     """
     first = os.fspath(path_or_package)
     if file is None and (os.path.exists(first) or os.sep in first or first.endswith(LAUNCH_SUFFIXES)):
-        return _existing_file(first)
+        return _existing_file(first, index)
     from ros2launch.api import MultipleLaunchFilesError, get_share_file_path_from_package
 
     process = current_process()
     outer, process.index = process.index, index
     try:
         path = str(get_share_file_path_from_package(package_name=first, file_name=file))
-        return path if os.path.isfile(path) else _existing_file(os.path.realpath(path))
+        return path if os.path.isfile(path) else _existing_file(os.path.realpath(path), index)
     except MultipleLaunchFilesError as error:
         raise UnusableInput(str(error), help='give the path of the launch file') from None
     except (FileNotFoundError, LookupError, ValueError, RuntimeError) as error:
@@ -39,7 +39,7 @@ def find_launch_file(index: Index, path_or_package: str | os.PathLike[str], file
         process.index = outer
 
 
-def _existing_file(path: str) -> str:
+def _existing_file(path: str, index: Index) -> str:
     absolute = os.path.abspath(path)
     if os.path.isdir(absolute):
         inside = sorted(name for name in os.listdir(absolute) if name.endswith(LAUNCH_SUFFIXES))
@@ -51,15 +51,22 @@ def _existing_file(path: str) -> str:
         folder = os.path.dirname(absolute)
         names = sorted(name for name in os.listdir(folder) if name.endswith(LAUNCH_SUFFIXES)) if os.path.isdir(folder) else []
         near = nearest_file(os.path.basename(absolute), names)
-        raise UnusableInput(
-            f'launch file {path!r} does not exist.',
-            help=f'did you mean {os.path.join(os.path.dirname(path), near)!r}?'
-            if near
-            else 'check the spelling and the folder you are in; in a notebook, run the cell that writes the file first'
-            if os.path.isdir(folder)
-            else f'check the path: the folder {folder!r} does not exist',
-        )
+        help = f'check the path: the folder {folder!r} does not exist'
+        if near:
+            help = f'did you mean {os.path.join(os.path.dirname(path), near)!r}?'
+        elif owner := _package_with(index, os.path.basename(absolute)):
+            help = f'name its package, too: ros2 launch {owner} {os.path.basename(absolute)}'
+        elif os.path.isdir(folder):
+            help = 'check the spelling and the folder you are in; in a notebook, run the cell that writes the file first'
+        raise UnusableInput(f'launch file {path!r} does not exist.', help=help)
     return absolute
+
+
+def _package_with(index: Index, name: str) -> str | None:
+    """Return the only package of the workspaces that installs a launch file of that name; None if there are several or none."""
+    own = [package for package in index.packages() if index.source_folder(package) is not None]
+    owners = [one for one in own if os.path.isfile(os.path.join(index.share(one) or '', 'launch', name))]
+    return owners[0] if len(owners) == 1 else None
 
 
 def _nearest_help(index: Index, package: str, file: str | None) -> str:

@@ -83,6 +83,7 @@ def no_return(failure: Failure) -> Iterator[Finding]:
     what=('the folder {no_folder} does not exist', 'the file {wanted} does not exist'),
     do=(
         "write '{near}'",
+        'write the path {below}, because the package has the file in that folder',
         "find the file with PathJoinSubstitution([FindPackageShare('{package}'), ...]), and check that "
         '{package} is built on this machine',
         'check the path: a launch file needs absolute paths, such as PathJoinSubstitution creates',
@@ -176,6 +177,7 @@ NO_EXECUTABLE = about(
     do=(
         'start a launch file with: ros2 launch {package} {launch_file}',
         "write '{near}'",
+        'write the package {owner}, which has an executable {executable}',
         'run it where the package is built; {unread} in its CMakeLists.txt may install it, and edulaunch cannot read that',
         'use one of its executables: {known}',
         'add it to entry_points in setup.py, or to install(PROGRAMS ...) in CMakeLists.txt',

@@ -34,13 +34,13 @@ def command_failed(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.program-absent',
     what="this launch file needs the program '{program}', which this computer does not have on its PATH",
-    why='FindExecutable looks for the program on the computer that runs launch',
-    do="install '{program}' here, or run this launch file on a computer that has it",
+    why='launch looks for the program on the computer that runs it',
+    do=("write '{near}' if you mean that program", "install '{program}' here, or run this launch file on a computer that has it"),
     level='info',
     hides=('launch.fails', 'programs.died'),
 )
 def program_absent(failure: Failure) -> Iterator[Finding]:
-    """Report a program that the substitution FindExecutable does not find."""
+    """Report a program that the substitution Command or FindExecutable does not find."""
     if failure.facts.get('about') == 'launch.program-absent':
         yield report(failure)
 

@@ -135,10 +135,12 @@ HIDES_MODULE = about(
 @rule(
     'packages.entry-module',
     what=(
+        'the folder {no_init} of {package} has no file __init__.py, so find_packages() does not find the module {missing}',
         "packages= in setup.py of {package} does not name '{unlisted}', so no build installs the module {missing}",
         "the entry point '{entry}' of {package} (setup.py) names the module {missing}, which does not exist",
     ),
     do=(
+        'create the empty file {no_init}/__init__.py',
         "write packages=['{unlisted}'] in setup.py",
         'write {near}',
         'use one of its modules: {known}',
@@ -151,8 +153,16 @@ def entry_module(failure: Failure) -> Iterator[Finding]:
     if failure.facts.get('about') == 'packages.entry-module':
         *above, leaf = str(failure.facts.get('missing')).split('.')
         source = failure.facts.get('source')
-        is_there = bool(source and above) and os.path.isfile(os.path.join(str(source), *above, f'{leaf}.py'))
-        yield report(failure, unlisted='.'.join(above) if is_there else None)
+        folder = os.path.join(str(source), *above)
+        is_there = bool(source and above) and os.path.isfile(os.path.join(folder, f'{leaf}.py'))
+        is_package = os.path.isfile(os.path.join(folder, '__init__.py'))
+        no_init = '/'.join(above) if is_there and not is_package and _finds_packages(str(source)) else None
+        yield report(failure, unlisted='.'.join(above) if is_there else None, no_init=no_init)
+
+
+def _finds_packages(folder: str) -> bool:
+    """Return whether the setup.py in a folder calls find_packages(), which needs an __init__.py in each folder."""
+    return 'find_packages(' in read_text(os.path.join(folder, 'setup.py'))
 
 
 ENTRY_FUNCTION = about(

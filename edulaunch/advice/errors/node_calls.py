@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from linecache import getline
 
 from edulaunch.advice.errors.about import report
 from edulaunch.advice.rule import Failure, Finding, rule
@@ -85,10 +86,12 @@ def service_class(failure: Failure) -> Iterator[Finding]:
     do='write .value after get_parameter(...)',
     lesson='03_parameters',
     level='error',
+    hides=('messages.field-value',),
 )
 def parameter_object(failure: Failure) -> Iterator[Finding]:
-    """Report arithmetic with a Parameter object instead of its value, as in `self.get_parameter('speed') * 2`."""
-    if failure.type == 'TypeError' and re.search(r"'Parameter'( and '|$)|and 'Parameter'|not 'Parameter'", failure.message):
+    """Report a Parameter object in place of its value, as in `self.get_parameter('speed') * 2`, or in a field of a message."""
+    is_calculated = re.search(r"'Parameter'( and '|$)|and 'Parameter'|not 'Parameter'", failure.message) is not None
+    if failure.facts.get('given') == 'rclpy.parameter.Parameter' or (failure.type == 'TypeError' and is_calculated):
         yield report(failure)
 
 
@@ -118,3 +121,90 @@ def local_not_attribute(failure: Failure) -> Iterator[Finding]:
 
 def _is_stored(node: ast.Name | ast.Attribute) -> bool:
     return isinstance(node.ctx, ast.Store)
+
+
+CALLED_WITH = {
+    'create_service': (2, 'request, response'),
+    'create_timer': (1, ''),
+    'ActionServer': (3, 'goal_handle'),
+    'add_done_callback': (0, 'future'),
+}
+"""The calls that receive a function: its position, and the arguments with which rclpy calls it."""
+
+
+@rule(
+    'programs.callback-signature',
+    what=(
+        'rclpy calls {method}(), the callback of {made_by}(), with the arguments {parameters}, but it has other parameters',
+        'rclpy calls {method}(), the callback of {made_by}(), without arguments, but it has parameters',
+    ),
+    do=('write def {method}(self, {parameters})', 'write def {method}(self)'),
+    lesson=LESSON,
+    level='error',
+)
+def callback_signature(failure: Failure) -> Iterator[Finding]:
+    """Report a callback of a service, timer, action or future whose parameters are not those with which rclpy calls it."""
+    match = re.match(r'(?:\w+\.)?(\w+)\(\) (?:takes [1-9]|missing \d+ ).*argument', failure.message)
+    tree = script_of(failure.file) if match is not None and failure.process is not None else None
+    if match is None or tree is None or any(name_of_call(call) == match[1] for call in calls_on_line(failure)):
+        return
+    defined = next((node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef) and node.name == match[1]), None)
+    for call in ast.walk(tree) if defined is not None else ():
+        made_by = name_of_call(call)
+        number, parameters = CALLED_WITH.get(made_by, (0, ''))
+        given = call.args[number : number + 1] if made_by in CALLED_WITH and isinstance(call, ast.Call) else []
+        if defined is not None and any(ast.unparse(one).endswith(match[1]) for one in given):
+            facts = {'method': match[1], 'made_by': made_by, 'parameters': parameters or None}
+            yield report(failure, **facts)._replace(line=defined.lineno)
+            return
+
+
+PARTS = {'float': 'double_value', 'int': 'integer_value', 'bool': 'bool_value', 'str': 'string_value'}
+
+
+@rule(
+    'programs.other-part-of-value',
+    what='this line reads .{read} of the parameter, but a field of type {wanted} needs .{part}',
+    why='each part of a ParameterValue has its own type, and every part except the one of the value is empty or 0',
+    do='write .{part} instead of .{read}, or get the value of any type with get_parameter(...).value',
+    lesson='03_parameters',
+    level='error',
+    hides=('messages.field-value',),
+    edits=(('.{read}', '.{part}'),),
+)
+def other_part_of_value(failure: Failure) -> Iterator[Finding]:
+    """Report the wrong part of a parameter's value in a field of a message, as in `msg.x = value.integer_value`."""
+    part = PARTS.get(str(failure.facts.get('wanted')))
+    if failure.facts.get('about') == 'messages.field-value' and part is not None and failure.process is not None:
+        read = re.findall(r'\.((?:double|integer|bool|string)_value)\b', getline(failure.file or '', failure.line or 0))
+        if len(read) == 1 and read[0] != part:
+            yield report(failure, read=read[0], part=part)
+
+
+@rule(
+    'programs.attribute-never-set',
+    what='line {line_read} reads self.{attribute}, but no line of the class {klass} gives it a value',
+    why='an attribute exists from its first assignment on, so the constructor usually assigns it',
+    do=(
+        'write self.{near} if you mean that one, or self.{attribute} = ... in __init__ of {klass}',
+        'write self.{attribute} = ... in __init__ of {klass}',
+    ),
+    lesson='00_python',
+    level='error',
+)
+def attribute_never_set(failure: Failure) -> Iterator[Finding]:
+    """Report an attribute of a student's class that nothing in its file assigns. Other rules know methods of Node."""
+    match = re.fullmatch(r"'(\w+)' object has no attribute '([a-z]\w*)'(?:\. Did you mean: '(\w+)'\?)?", failure.message)
+    tree = script_of(failure.file) if match is not None and failure.process is not None else None
+    if match is None or tree is None:
+        return
+    for owner in (node for node in ast.walk(tree) if isinstance(node, ast.ClassDef) and node.name == match[1]):
+        inner = list(ast.walk(owner))
+        added = {id(node.target) for node in inner if isinstance(node, ast.AugAssign)}  # += needs a value
+        uses = [node for node in inner if isinstance(node, ast.Attribute) and node.attr == match[2]]
+        is_set = any(_is_stored(node) and id(node) not in added for node in uses)
+        is_called = any(name_of_call(node) == match[2] for node in inner)
+        has_local = any(isinstance(node, ast.Name) and node.id == match[2] for node in inner)
+        if uses and not (is_set or is_called or has_local):
+            facts = {'attribute': match[2], 'klass': match[1], 'near': match[3], 'line_read': failure.line}
+            yield report(failure, **facts)

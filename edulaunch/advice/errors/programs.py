@@ -125,8 +125,11 @@ CALLBACK_NONE = about(
 )
 CALLBACK_ARGUMENTS = about(
     'programs.callback-arguments',
-    what='the callback of this subscription has no parameter for the message',
-    do='add one parameter after self: def heard(self, msg)',
+    what=(
+        "the callback of this subscription is the string '{text}', not a function",
+        'the callback of this subscription has no parameter for the message',
+    ),
+    do=('pass the method itself, without quotes: self.{text}', 'add one parameter after self: def heard(self, msg)'),
 )
 NO_RESPONSE = about(
     'programs.no-response',

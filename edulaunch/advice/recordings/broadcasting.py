@@ -133,7 +133,7 @@ def _prefixing(recording: Recording) -> set[str]:
     do='set header.frame_id to the reference frame, such as "world", and child_frame_id to the frame that moves',
     lesson=LESSON,
     level='error',
-    hides=('tf.empty-buffer',),
+    hides=('tf.empty-buffer', 'tf.unknown-frame'),
 )
 def own_parent(recording: Recording) -> Iterator[Finding]:
     """Report a transform whose parent and child have the same name."""
@@ -147,7 +147,7 @@ def own_parent(recording: Recording) -> Iterator[Finding]:
     do='set both header.frame_id and child_frame_id before you send the transform',
     lesson=LESSON,
     level='error',
-    hides=('tf.empty-buffer',),
+    hides=('tf.empty-buffer', 'tf.unknown-frame'),
 )
 def nameless(recording: Recording) -> Iterator[Finding]:
     """Report a transform without the name of its parent or its child."""

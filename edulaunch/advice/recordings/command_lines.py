@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 FEWEST = 5
 """The number of one-letter words from which a command line is suspicious, because programs rarely get five of them."""
-ROS_FLAGS = ('-r', '--remap', '-p', '--param', '--params-file')
+ROS_FLAGS = ('-p', '--param', '--params-file')
+"""Options that need --ros-args. A remapping without it is deprecated, but ROS 2 applies it and logs how to write it."""
 
 
 @rule(

@@ -35,10 +35,13 @@ def never_spun(recording: Recording) -> Iterator[Finding]:
         if fact.kind == 'node not spun' and fact.time_s - started.get(fact.data['node'], fact.time_s) >= SECOND:
             if _waits_for_somebody(recording, fact.data):
                 continue
-            file, line = fact_place(recording, fact)
+            topic = next((name for name in fact.data['topics'] if not is_ros_own(name)), '')
+            has_line = 'file' in fact.data or not topic
+            place = fact_place(recording, fact) if has_line else end_place(recording, 'subscription', topic, fact.data['node'])
             stands_at = str(fact.data.get('calls', '')).partition('.')[2]
             calls = None if stands_at.startswith('spin') else stands_at or None
             if any(not is_ros_own(topic) for topic in fact.data['topics']) or fact.data['timers'] or fact.data['services']:
+                file, line = place
                 yield found('node', fact.data['node'], file=file, line=line, time_s=started[fact.data['node']], calls=calls)
 
 

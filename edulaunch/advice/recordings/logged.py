@@ -5,12 +5,13 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.run_sources import launch_scripts
 from edulaunch.advice.runs import fact_place
 from edulaunch.engine.nearest import nearest, nearest_file
+from edulaunch.engine.packages.reading import read_manifest
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -22,10 +23,15 @@ _COMPONENTS = re.compile(r'Failed to find class.*\n  help: components of \S+: (.
 
 @rule(
     'launch.parameter-file-absent',
-    what='the parameter file {path} does not exist, so a node starts without its values',
+    what=(
+        'the build does not install the parameter file {source}, so a node starts without its values',
+        'the parameter file {path} does not exist, so a node starts without its values',
+    ),
     why='launch only prints a warning, and continues',
     do=(
         "remove the first / of '{joined}', because os.path.join() ignores everything before a part that begins with /",
+        "add (os.path.join('share', package_name, '{folder}'), glob('{pattern}')) to data_files of setup.py",
+        'add install(DIRECTORY {folder} DESTINATION share/${{PROJECT_NAME}}) to CMakeLists.txt',
         'write {near}',
         'create that file, or write the path of the file that you mean',
     ),
@@ -43,7 +49,21 @@ def parameter_file_absent(recording: Recording) -> Iterator[Finding]:
             head, _, tail = path.rpartition(f'{os.sep}share{os.sep}')
             is_shared = os.path.isfile(os.path.join(head, 'share', tail.partition(os.sep)[0], 'package.xml'))
             shown = os.path.join('share', tail) if is_shared else path
-            yield found('file', name, file=file, line=line, path=shown, joined=joined, near=near)
+            source = _not_installed(file, *tail.split(os.sep, 1)) if is_shared and joined is None else {}
+            yield found('file', name, file=file, line=line, path=shown, joined=joined, near=near, **source)
+
+
+def _not_installed(launch_file: str | None, package: str, *inside: str) -> dict[str, Any]:
+    """Return facts about a file that is in the source folder of a package, the one of the launch file, but not installed."""
+    folder = os.path.dirname(os.path.realpath(launch_file or ''))
+    while not os.path.isfile(os.path.join(folder, 'package.xml')) and folder != os.path.dirname(folder):
+        folder = os.path.dirname(folder)
+    source = os.path.join(folder, *inside)
+    manifest = read_manifest(folder, []) if os.path.isfile(source) and inside else None
+    if manifest is None or manifest.name != package:
+        return {}
+    top, is_python = os.path.dirname(inside[0]), os.path.isfile(os.path.join(folder, 'setup.py'))
+    return {'source': source, 'folder': top, 'pattern': f'{top}/*' if is_python else None}
 
 
 def _written(recording: Recording, path: str) -> tuple[str | None, int | None, str | None]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from edulaunch.advice.recordings.programs import ENDED_WELL
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.runs import node_place, origin_place
+from edulaunch.advice.runs import node_place, origin_place, passed_file
 from edulaunch.engine.nearest import nearest, nearest_spelling
 from edulaunch.engine.recording.records import Fact, UnreadArgument
 
@@ -83,7 +83,7 @@ def key_for_no_node(recording: Recording) -> Iterator[Finding]:
             node, keys, line = facts[0].data['node'], facts[0].data['keys'], max(facts[0].data['line'] - 2, 1)
             near = nearest_spelling(node, keys) or (keys[0] if len(keys) == 1 else None)
             is_made = file.startswith('launch_params_')  # launch generates this file, so the student cannot edit it
-            places = node_place(recording, node) if is_made else (file, line)
+            places = node_place(recording, node) if is_made else (passed_file(recording, file), line)
             details = {'node': node, 'keys': keys[:5], 'near': near, 'launched': keys[0] if is_made else None}
             yield found('file', file, file=places[0], line=places[1], time_s=facts[0].time_s, **details)
 

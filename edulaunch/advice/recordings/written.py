@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.run_sources import keyword_of, launch_scripts, name_of_call, program_scripts
-from edulaunch.advice.runs import end_place, ends_by_name, is_ros_own, node_place, own_nodes
+from edulaunch.advice.runs import end_place, ends_by_name, files_of, is_ros_own, node_place, own_nodes
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -65,7 +65,7 @@ def spun_once(recording: Recording) -> Iterator[Finding]:
         spins = [call for call in calls if name_of_call(call) == 'spin_once' and id(call) not in loops]
         if spins and not any(name_of_call(call) in ('spin', 'spin_until_future_complete') for call in calls):
             for node in nodes:
-                if file in ended[node.process].argv[:2]:
+                if file in (*ended[node.process].argv[:2], *files_of(recording, node.name)):
                     yield found('node', node.name, file=file, line=spins[0].lineno, time_s=ended[node.process].ended_s)
 
 

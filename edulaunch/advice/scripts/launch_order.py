@@ -37,6 +37,7 @@ STARTING = frozenset(
 PROCESSES = {'ExecuteLocal', 'ExecuteProcess'}
 """Actions that only environment variables affect."""
 LESSON = '02_names'
+LESSON_CONDITIONS = '04_conditions'
 
 
 @rule(
@@ -122,3 +123,87 @@ def timer_in_milliseconds(scripts: list[Script]) -> Iterator[Finding]:
                     value = float(period.value)
                     facts: dict[str, Any] = {'period': f'{value:g}', 'minutes': f'{value / 60:.0f}', 'seconds': value / 1000}
                     yield found('action', 'TimerAction', file=file, line=call.lineno, **facts)
+
+
+@rule(
+    'launch.ends-at-once',
+    what='{written} is in the list of the launch description, so launch ends everything as soon as it starts',
+    why='launch executes the actions of its list one after the other, without waiting for the programs',
+    do='put it where it should happen: OnProcessExit(target_action=..., on_exit=[{written}]), or in the actions of a TimerAction',
+    lesson='05_events',
+    level='error',
+    hides=('messages.nobody-publishes', 'messages.nobody-listens', 'programs.interrupted', 'launch.waits-for-endless'),
+)
+def ends_at_once(scripts: list[Script]) -> Iterator[Finding]:
+    """Report a Shutdown without a condition in the list of a launch description that also starts programs."""
+    for file, tree in scripts:
+        variables = _variables(tree)
+        for call in ast.walk(tree):
+            if name_of_call(call) == 'LaunchDescription' and isinstance(call, ast.Call):
+                given = call.args[0] if call.args else keyword_of(call, 'initial_entities')
+                items = given.elts if isinstance(given, ast.List) else []
+                actions = [variables.get(item.id, item) if isinstance(item, ast.Name) else item for item in items]
+                starts = any(name_of_call(action) in STARTING for action in actions)
+                for action in actions if starts else ():
+                    if _ends_launch(action):
+                        yield found('action', 'Shutdown', file=file, line=action.lineno, written=ast.unparse(action))
+
+
+def _ends_launch(action: ast.expr) -> bool:
+    """Return whether an action is Shutdown() or EmitEvent(event=Shutdown()), without a condition."""
+    if not isinstance(action, ast.Call) or keyword_of(action, 'condition') is not None:
+        return False
+    is_event = name_of_call(action) == 'EmitEvent' and name_of_call(keyword_of(action, 'event') or action) == 'Shutdown'
+    return is_event or name_of_call(action) == 'Shutdown'
+
+
+@rule(
+    'launch.event-class',
+    what='EmitEvent gets the class {event}, not an event, so no handler reacts to it',
+    why='without brackets, {event} is a class, and launch compares events by their class',
+    do='write EmitEvent(event={event}(...)), with brackets',
+    lesson='05_events',
+    level='error',
+    edits=(('event={event}', 'event={event}()'),),
+)
+def event_class(scripts: list[Script]) -> Iterator[Finding]:
+    """Report the class of an event in place of an event, as in `EmitEvent(event=Shutdown)`."""
+    for file, tree in scripts:
+        imported = {
+            (name.asname or name.name): name.name
+            for node in ast.walk(tree)
+            if isinstance(node, ast.ImportFrom) and 'events' in (node.module or '').split('.')
+            for name in node.names
+        }
+        for call in ast.walk(tree):
+            event = keyword_of(call, 'event') if isinstance(call, ast.Call) and name_of_call(call) == 'EmitEvent' else None
+            if isinstance(event, ast.Name) and imported.get(event.id, '')[:1].isupper():
+                yield found('event', event.id, file=file, line=event.lineno, event=event.id)
+
+
+@rule(
+    'launch.equals-swapped',
+    what="{condition} compares the argument '{first}', which does not exist, with the text '{second}', which is an argument",
+    why='the first value is the name of the argument, and the second one is the text that it should have',
+    do="write {condition}('{second}', '{first}')",
+    lesson=LESSON_CONDITIONS,
+    level='error',
+)
+def equals_swapped(scripts: list[Script]) -> Iterator[Finding]:
+    """Report swapped values of LaunchConfigurationEquals, if one of them is an argument that some script declares."""
+    calls = [(file, call) for file, tree in scripts for call in ast.walk(tree) if isinstance(call, ast.Call)]
+    declared = {
+        _text(call, 0, 'name') for _, call in calls if name_of_call(call) in ('DeclareLaunchArgument', 'SetLaunchConfiguration')
+    }
+    for file, call in calls:
+        if name_of_call(call) in ('LaunchConfigurationEquals', 'LaunchConfigurationNotEquals'):
+            first, second = _text(call, 0, 'launch_configuration_name'), _text(call, 1, 'expected_value')
+            if first and second and first not in declared and second in declared:
+                facts: dict[str, Any] = {'condition': name_of_call(call), 'first': first, 'second': second}
+                yield found('argument', second, file=file, line=call.lineno, **facts)
+
+
+def _text(call: ast.Call, number: int, name: str) -> str | None:
+    """Return the literal string of an argument of a call, given by position or by name."""
+    value = call.args[number] if len(call.args) > number else keyword_of(call, name)
+    return value.value if isinstance(value, ast.Constant) and isinstance(value.value, str) else None

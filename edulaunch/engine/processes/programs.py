@@ -66,12 +66,13 @@ def entry_function(process: Process, program: Program) -> Callable[[], object]:
         not_callable = TypeError("'module' object is not callable")
         _add_facts(program, not_callable, 'no-function', near=f'{program.module}:main' if hasattr(found, 'main') else None)
         raise not_callable
+    module = found
     for name in program.function.split('.'):
         try:
             found = getattr(found, name)
         except AttributeError as error:
-            names = [name for name, value in vars(found).items() if getattr(value, '__module__', None) == program.module]
-            _add_facts(program, error, 'function', name, names)
+            names = [own for own, value in vars(module).items() if getattr(value, '__module__', None) == program.module]
+            _add_facts(program, error, 'function', program.function, names, near=name if name in names else None)
             raise
     return found  # type: ignore[no-any-return]
 

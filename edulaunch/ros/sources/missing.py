@@ -139,17 +139,26 @@ def _not_installed(package: SourcePackage, path: str) -> Facts:
 def missing_executable(index: Index, package: str, executable: str) -> Facts:
     """Return facts about a missing executable: the nearest name, or that its source exists but no build file names it."""
     names = [*index.executables(package), *index.native_executables(package)]
-    near = f'{executable}.py' if f'{executable}.py' in names else nearest_spelling(executable, names)
-    not_built = {} if near == f'{executable}.py' else _not_built(index, package, executable)
+    other_ending = [name for name in (f'{executable}.py', executable.removesuffix('.py')) if name in names]
+    near = other_ending[0] if other_ending else nearest_spelling(executable, names)
+    not_built = {} if other_ending else _not_built(index, package, executable)
     return not_built or {
         'about': 'packages.no-executable',
         'package': package,
         'executable': executable,
         'near': near,
+        'owner': None if near else _only_owner(index, executable),
         'known': [] if near else names,
         'launch_file': executable if re.search(r'[._]launch\.(py|xml|yaml)$', executable) else None,
         **_unread(index, package, executable),
     }
+
+
+def _only_owner(index: Index, executable: str) -> str | None:
+    """Return the only package that has an executable of that name, or the only one of the workspaces; otherwise None."""
+    owners = [name for name in index.packages() if executable in (*index.executables(name), *index.native_executables(name))]
+    own = [name for name in owners if index.source_folder(name) is not None] or owners
+    return own[0] if len(own) == 1 else None
 
 
 def _unread(index: Index, package: str, executable: str) -> Facts:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import shlex
 import signal
 
-from tests.desk.machine.shells import Desk, Shell
+from tests.desk.machine.shells import ROS2, Desk, Shell
 
 PROGRAM = """import sys
 
@@ -180,7 +181,7 @@ def test_the_mistakes_of_one_terminal_are_not_reported_in_another(desk: Desk) ->
     assert 'died with exit code 1' in third.output
     other = desk.ros2('run demo_nodes_py listener')
     other.until(lambda output: True)
-    desk.said('topic list')
+    assert 'warning' not in desk.said('topic list')
     talker = desk.ros2('run demo_nodes_py talker')
     talker.until('Publishing')
     assert ctrl_c(talker) == '' and ctrl_c(other) == ''
@@ -206,3 +207,17 @@ def test_the_last_words_of_an_earlier_program_are_not_those_of_a_new_one(desk: D
         shell.end()
         reported = shell.output.replace('\r', '').partition('warning: ')[2]
     assert 'check the last output of the program: second words' in reported and 'first words' not in reported
+
+
+def test_a_pipe_that_closes_early_is_no_death(desk: Desk) -> None:
+    write(desk, 'main.launch.py', OWN)
+    launch = desk.ros2('launch main.launch.py')
+    launch.until('works 5')
+    piped = Shell(
+        '-c', f'{shlex.join(ROS2)} topic echo /rosout | head -n 1', cwd=desk.folder, env=desk.env, program=['/bin/bash']
+    )
+    desk.shells.append(piped)
+    desk.ros2('run demo_nodes_py talker').until('Publishing')
+    piped.end()
+    assert 'died' not in piped.output and 'exit code' not in piped.output
+    assert ctrl_c(launch) == ''

@@ -220,7 +220,10 @@ class Parser(argparse.ArgumentParser):
         self.print_usage(sys.stderr)
         unknown = message.partition('unrecognized arguments: ')[2].split()
         near = nearest(unknown[0], self._option_string_actions) if unknown and unknown[0].startswith('-') else None
-        self.exit(2, with_help(f'{self.prog}: error: {message}', near and f'did you mean {near}?') + '\n')
+        help = f'did you mean {near}?' if near else None
+        if unknown and unknown[-1].endswith('}'):
+            help = 'put the values into double quotes, because the shell splits them at each space: "{x: 1.0, y: 2.0}"'
+        self.exit(2, with_help(f'{self.prog}: error: {message}', help) + '\n')
 
 
 def command_line(words: Sequence[str]) -> tuple[Verb, argparse.Namespace]:

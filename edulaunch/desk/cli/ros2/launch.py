@@ -72,7 +72,7 @@ def launch_verb(arguments: argparse.Namespace) -> int:
     """
     from ros2launch import api
 
-    from edulaunch.runtime.launch_process import note_unread_arguments
+    from edulaunch.runtime.launch_process import note_launch_files, note_unread_arguments
 
     process = current_process()
     given = [f'{name}:={value}' for name, value in prefix_arguments(arguments).items()]
@@ -95,6 +95,7 @@ def launch_verb(arguments: argparse.Namespace) -> int:
         debug=arguments.debug,
     )
     note_unread_arguments(process, named)
+    note_launch_files(process, path)
     return int(code)
 
 

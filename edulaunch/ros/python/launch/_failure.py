@@ -131,7 +131,16 @@ def _about_file(path: str) -> dict[str, Any]:
     name, ending = os.path.basename(path), os.path.splitext(path)[1]
     beside = os.listdir(folder)
     longer = next((f'{name}{end}' for end in ('.py', '.xml', '.yaml') if f'{name}{end}' in beside), None)
-    return {'wanted': path, 'near': longer or nearest_file(name, [other for other in beside if other.endswith(ending)])}
+    near = longer or nearest_file(name, [other for other in beside if other.endswith(ending)])
+    return {'wanted': path, 'near': near, 'below': None if near else _below(folder, name)}
+
+
+def _below(folder: str, name: str) -> str | None:
+    """Return the path of the only file of that name in a folder of a package's share folder, seen from it; otherwise None."""
+    if not os.path.isfile(os.path.join(folder, 'package.xml')):
+        return None
+    inside = [one for one in sorted(os.listdir(folder)) if os.path.isfile(os.path.join(folder, one, name))]
+    return f'{inside[0]}/{name}' if len(inside) == 1 else None
 
 
 def _class_that_was_made(error: BaseException) -> dict[str, Any]:

@@ -135,6 +135,7 @@ def callback_type(callback: Any) -> Subscription.CallbackType:
             '(to get only the message) or two (to get message and message info)'
         ),
         'programs.callback-none' if callback is None else 'programs.callback-arguments',
+        text=callback if isinstance(callback, str) else None,
     )
 
 

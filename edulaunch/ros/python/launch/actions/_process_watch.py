@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import signal
 from functools import cached_property
 from traceback import format_exception_only
 from typing import TYPE_CHECKING, Any
 
-from .._engine import running_process
+from .._engine import assumptions, running_process
 from ..conditions.evaluate_condition_expression_impl import evaluate_condition_expression
 from ..event import Event
 from ..event_handler import BaseEventHandler
@@ -198,6 +199,9 @@ class ProcessWatch(BaseEventHandler):
 
         details = self._details
         details['cmd'] = self._action.process_description.command
+        folder = details['cwd']
+        if folder and assumptions() is None and not os.path.isdir(running_process().path(folder)):
+            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), folder)
         spec = ProcessSpec(
             argv=tuple(details['cmd']),
             name=details['name'],
@@ -308,7 +312,7 @@ def start_failure(error: Exception, action: ExecuteLocal, details: dict[str, Any
 def _advice(error: Exception, details: dict[str, Any]) -> str:
     program, folder = details['cmd'][0], details['cwd']
     if folder and not os.path.isdir(folder):
-        return f'cwd={folder!r} is not a folder'
+        return f'the folder of cwd={folder!r} does not exist; create it, or write the path of another folder'
     if isinstance(error, FileNotFoundError):
         if len(details['cmd']) > 1 and all(len(word) == 1 for word in details['cmd']):
             return 'cmd is one text, of which each letter became a word: put it into a list, cmd=[[...]] with shell=True'

@@ -5,11 +5,14 @@ from __future__ import annotations
 import shlex
 from typing import TYPE_CHECKING
 
+from edulaunch.engine.facts import with_facts
+
 from .._absent_packages import is_empty_output
 from .._bases import ReadOnly
 from .._engine import run_command
 from ..substitution import SomeSubstitutionsType, Substitution
 from ..utilities.texts import normalize_to_list_of_substitutions, perform_substitutions
+from .find_executable import near_program
 from .substitution_failure import SubstitutionFailure
 from .text_substitution import describe_all
 
@@ -47,7 +50,8 @@ class Command(Substitution):
                 return ''
             code, output, errors = run_command(argv, stderr_to_stdout=on_stderr == 'capture')
         except FileNotFoundError as error:
-            raise SubstitutionFailure(f'file not found: {error}') from error
+            failure = SubstitutionFailure(f'file not found: {error}')
+            raise with_facts(failure, 'launch.program-absent', program=argv[0], near=near_program(argv[0])) from error
         if code != 0:
             captured = f'\nCaptured stderr output: {errors}' if errors else ''
             raise SubstitutionFailure(f'executed command failed. Command: {command}{captured}')

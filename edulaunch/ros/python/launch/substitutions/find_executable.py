@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING
 
 from osrf_pycommon.process_utils import which
 
 from edulaunch.engine.facts import with_facts
+from edulaunch.engine.nearest import nearest_spelling
 
 from .._absent_packages import absent_program
 from .._bases import ReadOnly
@@ -45,5 +47,11 @@ class FindExecutable(Substitution):
         path = path or absent_program(name)
         if path is None:
             error = SubstitutionFailure(f"executable '{self.__name}' not found on the PATH")
-            raise with_facts(error, 'launch.program-absent', program=name)
+            raise with_facts(error, 'launch.program-absent', program=name, near=near_program(name))
         return path
+
+
+def near_program(name: str) -> str | None:
+    """Return the program on the PATH of which a name is a misspelling; otherwise None."""
+    folders = [folder for folder in os.environ.get('PATH', '').split(os.pathsep) if os.path.isdir(folder)]
+    return nearest_spelling(name, {program for folder in folders for program in os.listdir(folder)}) if len(name) > 4 else None
