@@ -286,3 +286,24 @@ def test_a_remapping_is_not_reversed_where_the_call_with_its_first_name_has_seve
     files = {'walker_py': program(body, imports), 'hearer_py': program(hears, imports, "super().__init__('hearer')")}
     found = told(write(tmp_path, main_launch_py=launch(remapped, WALKER.replace('walker', 'hearer')), **files))
     assert 'give /hearer the same remapping' in found[0]
+
+
+MIMIC = (
+    "Node(package='turtlesim', executable='mimic', remappings=[('/input/pose', '/one/turtle1/pose'), ('/output/cmd_vel', '{}')])"
+)
+
+
+def test_a_launch_file_whose_other_half_is_elsewhere_is_not_told_to_join_its_topics(tmp_path: Path) -> None:
+    two = SIM.replace("'sim'", "'sim', namespace='two'")
+
+    found = told(write(tmp_path, main_launch_py=launch(two, MIMIC.format('/two/turtle1/cmd_vel'))))
+    assert not any('use the same name in both' in one for one in found)
+    typo = told(write(tmp_path, main_launch_py=launch(two, MIMIC.format('/two/turtle1/cmd_vel').replace('/one', '/twoo'))))
+    assert any('/twoo/turtle1/pose' in one for one in typo)
+
+
+def test_an_absolute_path_is_not_told_to_become_absolute(tmp_path: Path) -> None:
+    text = launch(SIM).replace('    return', "    open('/home/ada/models/robot.sdf')\n    return")
+    with pytest.raises(LaunchFileError) as caught:
+        edulaunch.run(write(tmp_path, main_launch_py=text) / 'main.launch.py', duration_s=1.0, workspaces=[])
+    assert '/home/ada/models/robot.sdf is not on this machine' in str(caught.value)

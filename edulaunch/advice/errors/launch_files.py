@@ -85,6 +85,7 @@ def no_return(failure: Failure) -> Iterator[Finding]:
         "write '{near}'",
         "find the file with PathJoinSubstitution([FindPackageShare('{package}'), ...]), and check that "
         '{package} is built on this machine',
+        'correct the path, or find the file by its package with FindPackageShare: {absolute} is not on this machine',
         'check the path: a launch file needs absolute paths, such as PathJoinSubstitution creates',
     ),
     level='error',
@@ -95,7 +96,8 @@ def no_file(failure: Failure) -> Iterator[Finding]:
         built = re.search(r'/(?:install|share)/([\w-]+)/', failure.facts['wanted'] + '/')
         package = built[1] if built and failure.facts.get('no_folder') else None
         facts = {name: in_share(str(failure.facts[name])) for name in ('wanted', 'no_folder') if failure.facts.get(name)}
-        yield report(failure, package=package, **facts)
+        absolute = next((path for path in facts.values() if os.path.isabs(path)), None)
+        yield report(failure, package=package, absolute=absolute, **facts)
 
 
 ABSENT_FILE = about(
