@@ -11,6 +11,7 @@ from edulaunch.advice.launch_names import MODULES, home_of, import_line, names_i
 from edulaunch.advice.rule import Failure, Finding, rule
 from edulaunch.engine.nearest import nearest, nearest_spelling
 from edulaunch.engine.packages.absent import absent_module_kind
+from edulaunch.ros.sources.source_package import read_text
 
 
 @rule(
@@ -80,8 +81,13 @@ def no_return(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.no-file',
-    what=('the folder {no_folder} does not exist', 'the file {wanted} does not exist'),
+    what=(
+        '{upward} does not exist: the path goes up from the share folder of a package',
+        'the folder {no_folder} does not exist',
+        'the file {wanted} does not exist',
+    ),
     do=(
+        'find the file by its package with FindPackageShare: edulaunch does not build into the workspace, so {upward} differs',
         "write '{near}'",
         "find the file with PathJoinSubstitution([FindPackageShare('{package}'), ...]), and check that "
         '{package} is built on this machine',
@@ -97,7 +103,14 @@ def no_file(failure: Failure) -> Iterator[Finding]:
         package = built[1] if built and failure.facts.get('no_folder') else None
         facts = {name: in_share(str(failure.facts[name])) for name in ('wanted', 'no_folder') if failure.facts.get(name)}
         absolute = next((path for path in facts.values() if os.path.isabs(path)), None)
-        yield report(failure, package=package, absolute=absolute, **facts)
+        upward = absolute if absolute and _goes_up(failure.file, absolute) else None
+        yield report(failure, package=package, absolute=absolute, upward=upward, **facts)
+
+
+def _goes_up(file: str | None, path: str) -> bool:
+    """Return whether a launch file makes a path with '../..' from the share folder of a package."""
+    text = read_text(file).replace('"', "'") if file else ''
+    return 'ackage' in text and path not in text and re.search(r"\.\./\.\.|'\.\.',\s*'\.\.'", text) is not None
 
 
 ABSENT_FILE = about(

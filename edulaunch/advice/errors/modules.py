@@ -9,6 +9,7 @@ from collections.abc import Iterator
 
 from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.rule import Failure, Finding, rule
+from edulaunch.engine.nearest import nearest_spelling
 from edulaunch.ros.sources.source_package import read_text
 
 ABSENT_MODULE = about(
@@ -140,6 +141,7 @@ HIDES_MODULE = about(
     ),
     do=(
         "write packages=['{unlisted}'] in setup.py",
+        'rename the file {bare} to {bare}.py',
         'write {near}',
         'use one of its modules: {known}',
         'put the file into the folder of that name, next to its __init__.py',
@@ -152,7 +154,16 @@ def entry_module(failure: Failure) -> Iterator[Finding]:
         *above, leaf = str(failure.facts.get('missing')).split('.')
         source = failure.facts.get('source')
         is_there = bool(source and above) and os.path.isfile(os.path.join(str(source), *above, f'{leaf}.py'))
-        yield report(failure, unlisted='.'.join(above) if is_there else None)
+        bare = '/'.join((*above, leaf))
+        is_bare = bool(source) and os.path.isfile(os.path.join(str(source), bare))
+        near = failure.facts.get('near')
+        is_near = near is not None and nearest_spelling(leaf, [near.rpartition('.')[2]]) is not None
+        yield report(
+            failure,
+            unlisted='.'.join(above) if is_there else None,
+            bare=bare if is_bare else None,
+            near=near if is_near else None,
+        )
 
 
 ENTRY_FUNCTION = about(
