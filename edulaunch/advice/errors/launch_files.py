@@ -11,7 +11,6 @@ from edulaunch.advice.launch_names import MODULES, home_of, import_line, names_i
 from edulaunch.advice.rule import Failure, Finding, rule
 from edulaunch.engine.nearest import nearest, nearest_spelling
 from edulaunch.engine.packages.absent import absent_module_kind
-from edulaunch.ros.sources.source_package import read_text
 
 
 @rule(
@@ -109,6 +108,8 @@ def no_file(failure: Failure) -> Iterator[Finding]:
 
 def _goes_up(file: str | None, path: str) -> bool:
     """Return whether a launch file makes a path with '../..' from the share folder of a package."""
+    from edulaunch.ros.sources.source_package import read_text
+
     text = read_text(file).replace('"', "'") if file else ''
     return 'ackage' in text and path not in text and re.search(r"\.\./\.\.|'\.\.',\s*'\.\.'", text) is not None
 
