@@ -15,12 +15,23 @@ from functools import cache
 from string import Formatter
 from typing import Any, NamedTuple
 
+from edulaunch.engine.underlay_place import underlay_prefix
+
 LOCALE = os.path.join(os.path.dirname(__file__), 'locale')
 ENGLISH = 'en'
 
 
 def _nowhere(file: str, line: int) -> str:
     return ''
+
+
+_BUILT = re.compile(r"[^\s'\"]*/edulaunch-[^/\s]+/[^/\s]+/share/([^\s'\"]*)")
+"""The path of a file in the share folder of a simulated build."""
+
+
+def _source_of(path: str) -> str | None:
+    real = os.path.realpath(path)
+    return real if real != path and os.path.exists(real) else None
 
 
 class Reader(NamedTuple):
@@ -45,7 +56,13 @@ class Reader(NamedTuple):
         return text if self.language == ENGLISH else _retelling(self.language)(text)
 
     def short(self, text: str) -> str:
-        """Return a path in the reader's folder as a relative path, and any other string unchanged."""
+        """Return a string without the places that only edulaunch knows, and a path in the reader's folder as a relative path.
+
+        A file in the share folder of a simulated build is a link to the file in the sources.
+        """
+        if 'edulaunch' in text:
+            text = text.replace(os.path.join(underlay_prefix(), 'bin', ''), '')
+            text = _BUILT.sub(lambda path: self.short(_source_of(path[0]) or f'share/{path[1]}'), text)
         return text.removeprefix(os.path.join(self.folder, '')) if len(self.folder) > 1 else text
 
     def place(self, file: str, line: int | None) -> str:

@@ -286,3 +286,55 @@ def test_a_remapping_is_not_reversed_where_the_call_with_its_first_name_has_seve
     files = {'walker_py': program(body, imports), 'hearer_py': program(hears, imports, "super().__init__('hearer')")}
     found = told(write(tmp_path, main_launch_py=launch(remapped, WALKER.replace('walker', 'hearer')), **files))
     assert 'give /hearer the same remapping' in found[0]
+
+
+MIMIC = (
+    "Node(package='turtlesim', executable='mimic', remappings=[('/input/pose', '/one/turtle1/pose'), ('/output/cmd_vel', '{}')])"
+)
+
+
+def test_a_launch_file_whose_other_half_is_elsewhere_is_not_told_to_join_its_topics(tmp_path: Path) -> None:
+    two = SIM.replace("'sim'", "'sim', namespace='two'")
+
+    found = told(write(tmp_path, main_launch_py=launch(two, MIMIC.format('/two/turtle1/cmd_vel'))))
+    assert not any('use the same name in both' in one for one in found)
+    typo = told(write(tmp_path, main_launch_py=launch(two, MIMIC.format('/two/turtle1/cmd_vel').replace('/one', '/twoo'))))
+    assert any('/twoo/turtle1/pose' in one for one in typo)
+
+
+def test_an_absolute_path_is_not_told_to_become_absolute(tmp_path: Path) -> None:
+    text = launch(SIM).replace('    return', "    open('/home/ada/models/robot.sdf')\n    return")
+    with pytest.raises(LaunchFileError) as caught:
+        edulaunch.run(write(tmp_path, main_launch_py=text) / 'main.launch.py', duration_s=1.0, workspaces=[])
+    assert '/home/ada/models/robot.sdf is not on this machine' in str(caught.value)
+
+
+def test_a_path_up_from_the_share_folder_is_not_told_to_be_absent_in_the_workspace(tmp_path: Path) -> None:
+    folder = package(tmp_path, '[]', more='')
+    opens = "open(os.path.abspath(os.path.join(get_package_share_directory('robo'), '../../../../src/robo')) + '/arm.urdf', 'w')"
+    text = 'from ament_index_python.packages import get_package_share_directory\n' + launch(SIM)
+    write(tmp_path, main_launch_py=text.replace('    return', f'    {opens}\n    return'))
+    found = told(tmp_path, workspaces=True)
+    assert folder.exists() and 'the path goes up from the share folder of a package' in found[0]
+
+
+def test_a_module_whose_file_has_no_ending_is_not_told_to_become_another_module(tmp_path: Path) -> None:
+    folder = package(tmp_path, "['walker = robo.walker:main']")
+    write(folder, robo____init___py='', robo__other_py=program())
+    (folder / 'robo' / 'walker').write_text(program())
+    found = told(write(tmp_path, main_launch_py=launch("Node(package='robo', executable='walker')")), workspaces=True)
+    assert 'rename the file robo/walker to robo/walker.py' in found[0]
+
+
+def test_a_fact_with_a_place_of_the_simulated_build_is_shown_with_the_source(tmp_path: Path) -> None:
+    from edulaunch.advice.reader import Reader
+    from edulaunch.engine.underlay_place import underlay_prefix
+
+    source = write(tmp_path, src__robo__config__p_txt='') / 'src/robo/config/p.txt'
+    built = tmp_path / 'edulaunch-0/ws-1/share/robo/config/p.txt'
+    built.parent.mkdir(parents=True)
+    built.symlink_to(source)
+    reader = Reader(folder=str(tmp_path))
+    assert reader.short(f"xacro '{built}'") == "xacro 'src/robo/config/p.txt'"
+    assert reader.short(f'{built}2: no such file') == 'share/robo/config/p.txt2: no such file'
+    assert reader.short(f'{underlay_prefix()}/bin/xacro a') == 'xacro a'

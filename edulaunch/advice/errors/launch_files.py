@@ -80,12 +80,18 @@ def no_return(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.no-file',
-    what=('the folder {no_folder} does not exist', 'the file {wanted} does not exist'),
+    what=(
+        '{upward} does not exist: the path goes up from the share folder of a package',
+        'the folder {no_folder} does not exist',
+        'the file {wanted} does not exist',
+    ),
     do=(
+        'find the file by its package with FindPackageShare: edulaunch does not build into the workspace, so {upward} differs',
         "write '{near}'",
         'write the path {below}, because the package has the file in that folder',
         "find the file with PathJoinSubstitution([FindPackageShare('{package}'), ...]), and check that "
         '{package} is built on this machine',
+        'correct the path, or find the file by its package with FindPackageShare: {absolute} is not on this machine',
         'check the path: a launch file needs absolute paths, such as PathJoinSubstitution creates',
     ),
     level='error',
@@ -96,7 +102,17 @@ def no_file(failure: Failure) -> Iterator[Finding]:
         built = re.search(r'/(?:install|share)/([\w-]+)/', failure.facts['wanted'] + '/')
         package = built[1] if built and failure.facts.get('no_folder') else None
         facts = {name: in_share(str(failure.facts[name])) for name in ('wanted', 'no_folder') if failure.facts.get(name)}
-        yield report(failure, package=package, **facts)
+        absolute = next((path for path in facts.values() if os.path.isabs(path)), None)
+        upward = absolute if absolute and _goes_up(failure.file, absolute) else None
+        yield report(failure, package=package, absolute=absolute, upward=upward, **facts)
+
+
+def _goes_up(file: str | None, path: str) -> bool:
+    """Return whether a launch file makes a path with '../..' from the share folder of a package."""
+    from edulaunch.ros.sources.source_package import read_text
+
+    text = read_text(file).replace('"', "'") if file else ''
+    return 'ackage' in text and path not in text and re.search(r"\.\./\.\.|'\.\.',\s*'\.\.'", text) is not None
 
 
 ABSENT_FILE = about(

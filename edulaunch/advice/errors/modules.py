@@ -9,6 +9,7 @@ from collections.abc import Iterator
 
 from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.rule import Failure, Finding, rule
+from edulaunch.engine.nearest import nearest_spelling
 from edulaunch.ros.sources.source_package import read_text
 
 ABSENT_MODULE = about(
@@ -142,6 +143,7 @@ HIDES_MODULE = about(
     do=(
         'create the empty file {no_init}/__init__.py',
         "write packages=['{unlisted}'] in setup.py",
+        'rename the file {bare} to {bare}.py',
         'write {near}',
         'use one of its modules: {known}',
         'put the file into the folder of that name, next to its __init__.py',
@@ -156,8 +158,16 @@ def entry_module(failure: Failure) -> Iterator[Finding]:
         folder = os.path.join(str(source), *above)
         is_there = bool(source and above) and os.path.isfile(os.path.join(folder, f'{leaf}.py'))
         is_package = os.path.isfile(os.path.join(folder, '__init__.py'))
-        no_init = '/'.join(above) if is_there and not is_package and _finds_packages(str(source)) else None
-        yield report(failure, unlisted='.'.join(above) if is_there else None, no_init=no_init)
+        bare = '/'.join((*above, leaf))
+        near = failure.facts.get('near')
+        is_near = near is not None and nearest_spelling(leaf, [near.rpartition('.')[2]]) is not None
+        yield report(
+            failure,
+            unlisted='.'.join(above) if is_there else None,
+            no_init='/'.join(above) if is_there and not is_package and _finds_packages(str(source)) else None,
+            bare=bare if source and os.path.isfile(os.path.join(str(source), bare)) else None,
+            near=near if is_near else None,
+        )
 
 
 def _finds_packages(folder: str) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -66,7 +67,8 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
     own = own_nodes(recording) | _commands(recording)
     for end in lone_ends(recording, 'publisher'):
         other = meant(end, subscriptions)
-        if other is None or _moved(recording, end.name)[1] not in (None, other.name):
+        is_moved = other is not None and _moved(recording, end.name)[1] not in (None, other.name)
+        if other is None or is_moved or _part_of_a_larger_launch(recording, end, other):
             continue
         if (end.node in own or other.node in own) and _sent(recording, end):
             mine = end if end.node in own else other
@@ -93,6 +95,25 @@ def _moved(recording: Recording, topic: str) -> tuple[str, str] | tuple[None, No
                 if old == topic != new and one.node_name in (None, name) and any(new == known for known, _ in node.subscriptions):
                     return node.name, new
     return None, None
+
+
+def _part_of_a_larger_launch(recording: Recording, end: EndRecord, other: EndRecord) -> bool:
+    """Return whether a remapping of the launch file wrote one of the two names on purpose.
+
+    No node has the namespace of this name. The names differ in this namespace only, and it is not a misspelling.
+    """
+    for one, partner in ((end, other), (other, end)):
+        space, _, rest = one.name[1:].partition('/')
+        known, _, same = partner.name[1:].partition('/')
+        if rest != same or any(node.name.startswith(f'/{space}/') for node in recording.nodes):
+            continue
+        numbered = re.sub(r'\d+', '#', space)
+        is_other = nearest_spelling(space, [known]) is None or ('#' in numbered and numbered == re.sub(r'\d+', '#', known))
+        process = next((node.process for node in recording.nodes if node.name == one.node), None)
+        argv = next((each.argv for each in recording.processes if each.name == process), ())
+        if is_other and any(f':={one.name}' in word for word in argv):
+            return True
+    return False
 
 
 def _commands(recording: Recording) -> set[str]:

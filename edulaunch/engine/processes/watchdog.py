@@ -29,6 +29,10 @@ time.
 """
 _WAKE = getattr(signal, 'SIGURG', None)
 """The signal that interrupts a call of the system; without a handler it does nothing."""
+STARVED = 40
+"""The same factor in real time for a turn that computes, because a busy machine may give it little processor time."""
+IDLE = 4
+"""A turn with less than this part of its processor time waits in a call of the operating system."""
 PAUSES_S = (0.01, 0.03, 0.1, 0.3)
 """Pauses between attempts to start the thread, for a computer that has no threads left for a moment."""
 VALUES = frozenset({int, float, bool, str, bytes, complex})
@@ -125,8 +129,10 @@ class Watchdog:
                 changed_s, same = now_s, 0
             most = self.seconds * (IN_LIBRARY if seen.state is None else WORKING)
             is_still = same >= LOOKS and now_s - changed_s >= self.seconds
-            if is_still or (looks >= LOOKS and now_s - began_s >= most) or looks >= ASLEEP * LOOKS:
-                self._end(seen.task, BlockedProgram if now_s - began_s < self.seconds else RunawayProgram)
+            is_idle = now_s - began_s < self.seconds / IDLE
+            longest = LOOKS * (ASLEEP if is_idle else STARVED)
+            if is_still or (looks >= LOOKS and now_s - began_s >= most) or looks >= longest:
+                self._end(seen.task, BlockedProgram if is_idle else RunawayProgram)
                 seen = None
 
     def _end(self, task: Task, kind: type[RunawayProgram]) -> None:

@@ -1,6 +1,7 @@
 """Read what a CMakeLists.txt installs, without running CMake.
 
-It evaluates these commands: project, set, list(APPEND), file(GLOB), foreach, install(PROGRAMS | FILES | DIRECTORY | TARGETS),
+It evaluates these commands: project, set, list(APPEND), file(GLOB), get_filename_component, foreach,
+install(PROGRAMS | FILES | DIRECTORY | TARGETS),
 rosidl_generate_interfaces, ament_python_install_package, ament_auto_package(INSTALL_TO_SHARE ...). It evaluates all branches of
 `if` except those of BUILD_TESTING.
 """
@@ -136,7 +137,7 @@ class _CMakeLists:
             return
         unknown: list[str] = []
         words = expand(command, self.variables, unknown.append)
-        if unknown and command.name in ('set', 'list', 'file'):
+        if unknown and command.name in ('set', 'list', 'file', 'get_filename_component'):
             self.variables.pop((words or [''])[0], None)  # a value computed from an unknown value is unknown
             return
         if unknown:
@@ -184,6 +185,20 @@ class _CMakeLists:
     def _list(self, line: int, words: list[str]) -> None:
         if len(words) > 1 and words[0] == 'APPEND':
             self.variables[words[1]] = self.variables.get(words[1], []) + words[2:]
+
+    def _get_filename_component(self, line: int, words: list[str]) -> None:
+        if len(words) < 3:
+            return
+        path, name = words[1], os.path.basename(words[1])
+        stem, dot, ending = name.partition('.')
+        values = {
+            **dict.fromkeys(('DIRECTORY', 'PATH'), os.path.dirname(path)),
+            **dict.fromkeys(('ABSOLUTE', 'REALPATH'), os.path.normpath(os.path.join(self.folder, path))),
+            'NAME': name,
+            'NAME_WE': stem,
+            'EXT': dot + ending,
+        }
+        self.variables[words[0]] = [values.get(words[2], path)]
 
     def _file(self, line: int, words: list[str]) -> None:
         if len(words) < 3 or words[0] not in ('GLOB', 'GLOB_RECURSE'):
@@ -317,6 +332,7 @@ _COMMANDS = frozenset(
         'set',
         'list',
         'file',
+        'get_filename_component',
         'add_executable',
         'add_subdirectory',
         'ament_auto_add_executable',

@@ -60,6 +60,17 @@ FILES = {
             ['config/p.yaml', 'launch/a.launch.py', 'launch/sub/b.launch.xml'],
         ),
         (('if(BUILD_TESTING)\n  if(X)\n  endif()\n  install(DIRECTORY config DESTINATION share/robo)\nendif()'), []),
+        (
+            'get_filename_component(HERE ${CMAKE_CURRENT_SOURCE_DIR}/launch/.. ABSOLUTE)\n'
+            'install(DIRECTORY ${HERE}/config DESTINATION share/robo)',
+            ['config/p.yaml'],
+        ),
+        (
+            'get_filename_component(TOP ${CMAKE_CURRENT_SOURCE_DIR}/config/p.yaml DIRECTORY)\n'
+            'get_filename_component(NAME config/p.yaml NAME_WE)\n'
+            'install(FILES ${TOP}/${NAME}.yaml DESTINATION share/robo)',
+            ['p.yaml'],
+        ),
         ('#[[ install(DIRECTORY config DESTINATION share/robo) ]]', []),
     ],
 )
