@@ -25,8 +25,12 @@ from typing import Any
 FORM = '=qqq'
 LOADING, FIRST_OF_EACH, NO_PROCESSES = -1, -2, -3
 CALLS = {
-    os: ('open', 'write', 'read', 'fork', 'fsync', 'mkdir', 'pipe', 'dup', 'dup2', 'chdir'),
-    socket: ('socketpair', 'send_fds'),
+    os: (
+        *('open', 'write', 'read', 'fork', 'fsync', 'mkdir', 'pipe', 'dup', 'dup2', 'chdir'),
+        *('chmod', 'listdir', 'rename', 'replace', 'rmdir', 'scandir', 'symlink', 'unlink'),
+    ),
+    socket: ('socketpair', 'send_fds', 'recv_fds'),
+    mmap: ('mmap',),
 }
 
 _create_dynamic: Callable[..., Any] = _imp.create_dynamic

@@ -158,10 +158,11 @@ class Registry:
     def _package_folders(self) -> dict[str, str]:
         """Return the folder of each package. They are read only once, because every import needs them."""
         if self._folders is None:
-            self._folders = {}
+            folders: dict[str, str] = {}
             for root in reversed(self.roots):
                 if os.path.isdir(root):
-                    self._folders.update((name, os.path.join(root, name)) for name in os.listdir(root) if name not in self.leave)
+                    folders.update((name, os.path.join(root, name)) for name in os.listdir(root) if name not in self.leave)
+            self._folders = folders  # only now, so that a call that fails for a moment is repeated
         return self._folders
 
     def _files(self, package: str) -> dict[str, dict[str, str]]:
@@ -229,7 +230,7 @@ def _interface_files(folder: str, kind: str) -> dict[str, str]:
     inside = os.path.join(folder, kind)
     try:
         names = os.listdir(inside)
-    except OSError:
+    except (FileNotFoundError, NotADirectoryError, PermissionError):  # an error of the computer is no missing package
         return {}
     suffix = f'.{kind}'
     return {name.removesuffix(suffix): os.path.join(inside, name) for name in names if name.endswith(suffix)}

@@ -91,7 +91,7 @@ class Finder:
         if names is None:
             try:
                 names = frozenset(os.listdir(folder))
-            except OSError:
+            except (FileNotFoundError, NotADirectoryError, PermissionError):
                 names = frozenset()
             self._listed[folder] = names
         return top in names or f'{top}.py' in names

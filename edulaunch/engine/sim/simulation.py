@@ -151,4 +151,4 @@ class Simulation:
         """Return a separate random generator for `name`; the same seed and name give the same numbers on every machine."""
         import random
 
-        return random.Random(f'{self.seed}/{name}')
+        return random.Random(f'{self.seed}/{name}'.encode('utf-8', 'surrogatepass'))  # a name may have half a character

@@ -145,3 +145,11 @@ def test_a_launch_file_by_path_counts_from_the_folder_of_the_terminal(machine) -
     (machine.folder / 'my.launch.py').write_text(LAUNCH)
     assert 'did you mean' in machine.fails('ros2 launch my.lunch.py word:=b')
     assert 'name a launch file of turtlesim' in machine.fails('ros2 launch turtlesim word:=b')
+
+
+@pytest.mark.parametrize('half', ['\udce9', '\ud800'])
+def test_half_a_character_is_an_argument_as_in_cpp(machine, half: str) -> None:
+    typed = machine.run(f'ros2 run turtlesim turtlesim_node --ros-args -r __node:=other -p "a:={half}"')
+    assert 'Spawning turtle' in typed.err and 'Traceback' not in typed.err
+    typed.interrupt()
+    assert typed.code == 0

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import shutil
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -10,6 +12,7 @@ from rcl_interfaces.msg import Parameter, ParameterValue
 
 import edulaunch
 from edulaunch.engine.packages import Index
+from edulaunch.engine.underlay_place import underlay_prefix
 
 LOAD, UNLOAD, LIST = (f'/ComponentManager/_container/{verb}' for verb in ('load_node', 'unload_node', 'list_nodes'))
 
@@ -111,3 +114,35 @@ def test_dlopen_composition_names_what_it_needs(stage: Any) -> None:
     process = stage.start('composition', 'dlopen_composition', 'libtalk.so')
     stage.until(10)
     assert process.returncode == 1 and 'libtalker_component.so' in stage.tape.outputs[0][1]
+
+
+def test_a_clone_of_a_package_of_ros_has_the_built_in_components(tmp_path: Path) -> None:
+    """As after `git clone https://github.com/ros2/demos` into a workspace."""
+    clone = tmp_path / 'src' / 'demos' / 'composition'
+    share = Path(underlay_prefix()) / 'share' / 'composition'
+    shutil.copytree(share / 'launch', clone / 'launch')
+    shutil.copy(share / 'package.xml', clone)
+    (clone / 'CMakeLists.txt').write_text(
+        'cmake_minimum_required(VERSION 3.5)\nproject(composition)\nfind_package(ament_cmake REQUIRED)\n'
+        'add_library(talker_component SHARED src/talker_component.cpp)\n'
+        'rclcpp_components_register_nodes(talker_component "composition::Talker")\n'
+        'install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})\nament_package()\n'
+    )
+    recording = edulaunch.run('composition', 'composition_demo_launch.py', duration_s=2.5, workspaces=[tmp_path])
+    assert [node.name for node in recording.nodes if node.name in ('/talker', '/listener')] == ['/talker', '/listener']
+    assert recording.warnings == []
+
+
+def test_a_clone_of_lifecycle_py_serves_the_built_in_program_of_lifecycle(tmp_path: Path) -> None:
+    """The built-in lifecycle_talker takes its class from lifecycle_py, whose real one needs a name."""
+    clone = tmp_path / 'src' / 'lifecycle_py'
+    (clone / 'lifecycle_py').mkdir(parents=True)
+    shutil.copy(Path(underlay_prefix()) / 'share' / 'lifecycle_py' / 'package.xml', clone)
+    (clone / 'setup.py').write_text("from setuptools import setup\nsetup(name='lifecycle_py', packages=['lifecycle_py'])\n")
+    (clone / 'lifecycle_py' / '__init__.py').touch()
+    (clone / 'lifecycle_py' / 'talker.py').write_text(
+        'from rclpy.lifecycle import Node\n\n\nclass LifecycleTalker(Node):\n    def __init__(self, node_name, **kwargs):\n'
+        '        super().__init__(node_name, **kwargs)\n'
+    )
+    recording = edulaunch.run('lifecycle', 'lifecycle_demo_launch.py', duration_s=1.0, workspaces=[tmp_path])
+    assert '/lc_talker' in [node.name for node in recording.nodes]

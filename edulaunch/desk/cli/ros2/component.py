@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import os
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.desk.cli.ros2 import cli_node, graph_names
@@ -189,13 +188,10 @@ def types_verb(arguments: argparse.Namespace) -> str | None:
 def _registered() -> dict[str, list[str]]:
     """Return the types of each package from its components.txt or, for an installed package, from the ament index."""
     from ament_index_python import get_resource, get_resources
+    from rclcpp_components.component_container import components_of, packages_with_components
 
-    index, found = current_process().index, {}
-    for package in index.packages():
-        path = os.path.join(index.share(package) or '', 'components.txt')
-        if os.path.isfile(path):
-            with open(path, encoding='utf-8') as file:
-                found[package] = [line.partition(' = ')[0] for line in file.read().splitlines() if line.strip()]
+    index = current_process().index
+    found = {package: list(components_of(index, package)) for package in packages_with_components(index)}
     for package in get_resources(RESOURCE_TYPE):
         text = get_resource(RESOURCE_TYPE, package)[0]
         found.setdefault(package, [line.partition(';')[0] for line in text.splitlines() if line.strip()])

@@ -12,7 +12,10 @@ from edulaunch.ros.running import run
 
 
 class SlowTalker(LifecycleTalker):
-    """A lifecycle talker whose activation takes some time, for which other nodes must wait."""
+    """A lifecycle talker whose activation takes some time, for which other nodes must wait.
+
+    A workspace with a clone of lifecycle_py has its own LifecycleTalker, so this class uses only what both have.
+    """
 
     def on_activate(self, state: State) -> TransitionCallbackReturn:
         """Work for two seconds, and activate the node."""
@@ -23,7 +26,7 @@ class SlowTalker(LifecycleTalker):
 
 def main(args: list[str] | None = None) -> None:
     """Run the program."""
-    run(lambda: rclpy.spin(SlowTalker()), args)
+    run(lambda: rclpy.spin(SlowTalker('lc_talker')), args)
 
 
 if __name__ == '__main__':

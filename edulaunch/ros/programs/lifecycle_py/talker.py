@@ -13,7 +13,7 @@ from edulaunch.ros.running import run
 class LifecycleTalker(LifecycleNode):
     """Creates its publisher and timer on configure, destroys them on cleanup, and publishes while it is active."""
 
-    def __init__(self, node_name: str = 'lc_talker') -> None:
+    def __init__(self, node_name: str) -> None:
         super().__init__(node_name)
         self._count = 0
         self._pub: LifecyclePublisher | None = None
@@ -69,7 +69,7 @@ class LifecycleTalker(LifecycleNode):
 
 def main(args: list[str] | None = None) -> None:
     """Run the program."""
-    run(lambda: rclpy.spin(LifecycleTalker()), args)
+    run(lambda: rclpy.spin(LifecycleTalker('lc_talker')), args)
 
 
 if __name__ == '__main__':

@@ -15,15 +15,21 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 
 from edulaunch.engine.processes.current import current_process
+from edulaunch.engine.underlay_place import underlay_prefix
 
 if TYPE_CHECKING:
     from edulaunch.engine.packages import Index
 
 
 def components_of(index: Index, package: str) -> dict[str, str]:
-    """Return the names of a package's components (`demo_nodes_cpp::Talker`), in order, with `module:name` of each factory."""
+    """Return the names of a package's components (`demo_nodes_cpp::Talker`), in order, with `module:name` of each factory.
+
+    A clone of a package of ROS 2 in a workspace has the built-in components.
+    """
+    if index.share(package) is None:
+        return {}
     try:
-        with open(os.path.join(index.share(package) or '', 'components.txt'), encoding='utf-8') as file:
+        with open(os.path.join(underlay_prefix(), 'share', package, 'components.txt'), encoding='utf-8') as file:
             pairs = [line.partition(' = ') for line in file.read().splitlines()]
     except OSError:
         return {}

@@ -192,13 +192,18 @@ def run_program(main: Callable[[], int | None]) -> int:
     and aborts the program (signal 6).
     """
     try:
-        rclpy.init()
+        rclpy.init(args=[_without_half_characters(argument) for argument in current_process().argv])
         return _run(main)
     except KeyboardInterrupt:
         get_logger('rclcpp').info('signal_handler(signum=2)')
     finally:
         rclpy.try_shutdown()
     return 0
+
+
+def _without_half_characters(argument: str) -> str:
+    """Return the argument as valid UTF-8: C++ accepts any byte, and rclpy raises a UnicodeEncodeError."""
+    return argument.encode('utf-8', 'surrogatepass').decode('utf-8', 'replace')
 
 
 def _run(main: Callable[[], int | None]) -> int:
