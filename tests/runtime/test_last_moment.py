@@ -123,7 +123,7 @@ with last_moment(save):
 )
 def test_a_process_ends_although_saving_does_not(tmp_path: Path, code: str, signum: signal.Signals, error: str) -> None:
     env = {**os.environ, 'PYTHONPATH': os.pathsep.join(sys.path)}
-    run = subprocess.run([sys.executable, '-c', code], cwd=tmp_path, env=env, capture_output=True, text=True, check=False)
+    run = subprocess.run([sys.executable, '-c', code], cwd=tmp_path, env=env, capture_output=True, text=True, timeout=30)
     assert (run.returncode, run.stdout, run.stderr) == (-signum, 'saving\n', error)
 
 
