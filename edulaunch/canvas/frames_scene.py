@@ -11,7 +11,7 @@ from edulaunch.engine.nearest import did_you_mean
 from edulaunch.engine.recording.absent import NothingToDraw
 from edulaunch.engine.recording.frames import TOPICS, transform_wires
 from edulaunch.engine.recording.records import Frame
-from edulaunch.engine.tf.quaternions import Quaternion, Vector, multiply, rotate
+from edulaunch.engine.tf.quaternions import Quaternion, Vector, conjugate, multiply, rotate
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording.recording import Recording
@@ -61,8 +61,7 @@ def seen_from(fixed: Placed, place: Placed) -> Placed:
 
     :param fixed, place: poses in the same root frame.
     """
-    x, y, z, w = fixed.turn
-    back = (-x, -y, -z, w)
+    back = conjugate(fixed.turn)
     a, b = place.position, fixed.position
     return Placed(place.root, rotate(back, (a[0] - b[0], a[1] - b[1], a[2] - b[2])), multiply(back, place.turn))
 

@@ -91,3 +91,51 @@ def test_the_handler_of_before_is_there_after_the_block() -> None:
     finally:
         signal.signal(signal.SIGUSR2, before)
     assert heard == [signal.SIGUSR2]
+
+
+ENDLESS_SAVING = """import ctypes
+import edulaunch.runtime.last_moment as keeping
+keeping.LONGEST_S = 1
+def save():
+    print('saving', flush=True)
+    while True:
+        pass
+with keeping.last_moment(save):
+    ctypes.CDLL(None).abort()
+"""
+FAILING = """import os, signal, sys
+from edulaunch.runtime.last_moment import last_moment
+def save():
+    print('saving', flush=True)
+    1 / 0
+with last_moment(save):
+    os.kill(os.getpid(), signal.SIGUSR2)
+"""
+
+
+@pytest.mark.processes
+@pytest.mark.parametrize(
+    ('code', 'signum', 'error'),
+    [
+        (ENDLESS_SAVING, signal.SIGALRM, ''),
+        (FAILING, signal.SIGKILL, 'error: the recording is lost (ZeroDivisionError: division by zero)\n'),
+    ],
+)
+def test_a_process_ends_although_saving_does_not(tmp_path: Path, code: str, signum: signal.Signals, error: str) -> None:
+    env = {**os.environ, 'PYTHONPATH': os.pathsep.join(sys.path)}
+    run = subprocess.run([sys.executable, '-c', code], cwd=tmp_path, env=env, capture_output=True, text=True, timeout=30)
+    assert (run.returncode, run.stdout, run.stderr) == (-signum, 'saving\n', error)
+
+
+def test_after_the_block_the_signals_do_what_they_did() -> None:
+    before = [signal.getsignal(number) for number in (signal.SIGABRT, signal.SIGUSR2)]
+    saved: list[str] = []
+    seen: list[int] = []
+    signal.signal(signal.SIGUSR2, lambda number, frame: seen.append(number))
+    try:
+        with last_moment(lambda: saved.append('saved')):
+            pass
+        signal.raise_signal(signal.SIGUSR2)
+        assert (saved, seen) == ([], [signal.SIGUSR2])
+    finally:
+        signal.signal(signal.SIGUSR2, before[1])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from operator import attrgetter
 from random import Random
 
 from edulaunch.engine.worlds.drawing import SIDE, DrawingLayer, as_float32
@@ -51,7 +52,7 @@ class TurtleWorld:
             return None
         turtle = Turtle(name, self.drawing, x, y, theta, self._random.randrange(len(PICTURES)))
         self.turtles.append(turtle)
-        self.turtles.sort(key=_name_of)
+        self.turtles.sort(key=attrgetter('name'))
         return turtle
 
     def spawn_first(self) -> Turtle:
@@ -82,7 +83,3 @@ class TurtleWorld:
         """Simulate one tick of 16 ms for every turtle. `now_ns` only decides which commands are too old."""
         for turtle in self.turtles:
             turtle.update(now_ns)
-
-
-def _name_of(turtle: Turtle) -> str:
-    return turtle.name

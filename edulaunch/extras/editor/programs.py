@@ -90,7 +90,7 @@ def _of_built_in(package: str, executable: str) -> Interface:
 def frames(around: Around, text: str) -> list[str]:
     """Return the names of frames in the file and in the Python files of the workspace."""
     found = set(_FRAME.findall(text))
-    for path in _python_files(around)[:MOST_FILES]:
+    for path in [path for path in _files(around) if path.endswith('.py')][:MOST_FILES]:
         try:
             with open(path, encoding='utf-8') as file:
                 found |= set(_FRAME.findall(file.read()))
@@ -103,10 +103,6 @@ def launch_files_around(around: Around) -> list[str]:
     """Return the launch files of the student's packages, and the launch files beside the file."""
     files = [path for path in _files(around) if path.endswith(('launch.py', 'launch.xml', 'launch.yaml', 'launch.yml'))]
     return sorted(set(files))[:MOST_FILES]
-
-
-def _python_files(around: Around) -> list[str]:
-    return [path for path in _files(around) if path.endswith('.py')]
 
 
 def _files(around: Around) -> list[str]:

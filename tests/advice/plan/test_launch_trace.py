@@ -310,3 +310,15 @@ def test_a_launch_does_not_load_the_dry_run() -> None:
         "print([name for name in ('dry_run', 'planner', 'rehearsal', 'closed') if f'edulaunch.advice.plan.{name}' in sys.modules])"
     )
     assert subprocess.run([sys.executable, '-c', text], capture_output=True, text=True, check=True).stdout == '[]\n'
+
+
+def test_a_timer_of_a_launch_file_is_shown_when_it_runs_out_and_one_of_ros_is_not(launch: Any) -> None:
+    """An ExecuteProcess has timers of its own, which decide about SIGTERM and SIGKILL."""
+    found = launch("""
+    return LaunchDescription([TimerAction(period=1.0, actions=[LogInfo(msg='x')]), talker('one'), TimerAction(
+        period=1.5, actions=[Shutdown()])])
+    """)
+    assert [row['text'] for row in found if row['kind'] == 'event' and row['event'] == 'TimerEvent'] == [
+        'the timer of line 14 ran out',
+        'the timer of line 14 ran out',
+    ]

@@ -75,3 +75,34 @@ def test_actions_are_seen_by_their_feedback() -> None:
     assert graph_names.action_names_and_types(node) == actions
     assert [graph_names.servers_by_node(node, name, '/') for name in 'nm'] == [actions, []]
     assert [graph_names.clients_by_node(node, name, '/') for name in 'nm'] == [[], actions]
+
+
+@pytest.mark.parametrize(
+    ('add', 'lines'),
+    [
+        (
+            lambda parser: graph_names.add_find_arguments(parser, 'topic', 'std_msgs/msg/String'),
+            [
+                "topic_type Name of the ROS topic type to filter for (e.g. 'std_msgs/msg/String')",
+                '-c, --count-topics Only display the number of topics discovered',
+                '--include-hidden-topics Consider hidden topics as well',
+            ],
+        ),
+        (
+            lambda parser: graph_names.add_list_arguments(parser, 'service'),
+            [
+                '-t, --show-types Additionally show the service type',
+                '-c, --count-services Only display the number of services discovered',
+            ],
+        ),
+        (
+            lambda parser: graph_names.add_name_arguments(parser, 'action', 'get info', '/fibonacci'),
+            ["action_name Name of the ROS action to get info (e.g. '/fibonacci')"],
+        ),
+    ],
+)
+def test_the_help_is_that_of_ros(add: Any, lines: list[str]) -> None:
+    parser = argparse.ArgumentParser()
+    add(parser)
+    shown = ' '.join(parser.format_help().split())
+    assert [line for line in lines if line not in shown] == []

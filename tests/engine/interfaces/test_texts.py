@@ -49,3 +49,12 @@ def test_a_type_without_a_text_is_unknown(registry: Registry) -> None:
 def test_packages_can_be_left_to_the_base(tmp_path: Path, registry: Registry) -> None:
     assert Registry([tmp_path], underlay_registry(), leave=['robo']).owns('other')
     assert not Registry([tmp_path], underlay_registry(), leave=['robo']).has('robo')
+
+
+def test_texts_are_those_of_the_files_in_order_of_their_names(registry: Registry) -> None:
+    found = texts_of(registry, ['robo/msg/Unused', 'robo/action/Go'])
+    assert list(found.items()) == [
+        (path.rpartition('.')[0], TEXTS[path])
+        for path in ('other/msg/Size.msg', 'robo/action/Go.action', 'robo/msg/Part.msg', 'robo/msg/Unused.msg')
+    ]
+    assert texts_of(registry, []) == {}

@@ -57,3 +57,23 @@ def test_a_reader_of_junit_reads_it() -> None:
     assert [(suite.tests, suite.failures, suite.errors, suite.skipped) for suite in suites] == [(4, 1, 1, 1), (1, 0, 1, 0)]
     assert [[type(result).__name__ for result in case.result] for case in suites[0]] == [[], ['Failure'], ['Skipped'], ['Error']]
     assert {item.name: item.value for item in suites[0].properties()}['points'] == 'no mark'
+
+
+def test_what_could_not_be_graded_counts_as_one_error_of_one_case() -> None:
+    (suite,) = ElementTree.fromstring(text_of([{'student': 'Anna', 'path': 'a.py', 'refused': 'no file', 'help': None}]))
+    assert suite.attrib == {'name': 'Anna: a.py', 'tests': '1', 'failures': '0', 'errors': '1', 'skipped': '0'}
+    (case,) = suite
+    assert case.attrib == {'classname': 'Anna: a.py', 'name': 'It can be graded'}
+    assert case[0].attrib == {'message': 'no file', 'type': 'refused'} and case[0].text is None
+
+
+def test_a_suite_of_a_class_names_its_student() -> None:
+    found = {'path': 'a.py', 'student': 'Anna', **document(report(PASSED, FAILED))}
+    (suite,) = ElementTree.fromstring(text_of([found]))
+    rubric = found['rubric']['name']
+    assert suite.get('name') == f'{rubric}: Anna: a.py'
+    assert suite[0][0].attrib == {'name': 'student', 'value': 'Anna'}
+    assert {case.get('classname') for case in suite.findall('testcase')} == {f'edugrade.{rubric}.Anna'}
+    (alone,) = ElementTree.fromstring(junit_text([report(PASSED)], []))
+    assert {case.get('classname') for case in alone.findall('testcase')} == {f'edugrade.{rubric}'}
+    assert alone[1].get('name') == PASSED.sentence

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from launch_ros.utilities.plugin_support import PluginException, satisfies_version
+from launch_ros.utilities.plugin_support import PLUGIN_SYSTEM_VERSION, PluginException, satisfies_version
 
 
 @pytest.mark.parametrize(
@@ -34,3 +34,9 @@ def test_a_caret_range(version: str, wanted: str, problem: str) -> None:
 def test_another_range_is_refused() -> None:
     with pytest.raises(ValueError, match="'0.1' is no caret range"):
         satisfies_version('0.1', '0.1')
+
+
+def test_extensions_for_jazzy_fit_the_extension_points() -> None:
+    satisfies_version(PLUGIN_SYSTEM_VERSION, '^0.1')
+    with pytest.raises(PluginException, match=r"Extension point is too old \('0.1'\), the extension requires '\^0.2'"):
+        satisfies_version(PLUGIN_SYSTEM_VERSION, '^0.2')

@@ -19,7 +19,7 @@ from edulaunch.engine.graph.node_entry import NodeEntry
 from edulaunch.engine.graph.topics import Publisher
 from edulaunch.engine.interfaces import current_registry
 from edulaunch.engine.interfaces.registry import Registry
-from edulaunch.engine.interfaces.spec import Constant, FieldType, MessageSpec
+from edulaunch.engine.interfaces.spec import Constant, MessageSpec
 from edulaunch.ros.serialization.cdr import encode
 from edulaunch.ros.serialization.type_description import type_hash
 
@@ -162,7 +162,7 @@ def _add_control(parser: argparse.ArgumentParser) -> None:
 
 def record_verb(arguments: argparse.Namespace) -> str | None:
     """Record until interrupted; then write the bag to the folder where the command runs. SPACE pauses and resumes."""
-    wanted = [*arguments.topics, *arguments.more_topics, *map(_event_topic, arguments.services)]
+    wanted = [*arguments.topics, *arguments.more_topics, *(service.rstrip('/') + EVENT_TOPIC for service in arguments.services)]
     if not (
         wanted or arguments.all or arguments.all_topics or arguments.all_services or arguments.topic_types or arguments.regex
     ):
@@ -186,10 +186,6 @@ def record_verb(arguments: argparse.Namespace) -> str | None:
             recorder.record()
         recorder.write(folder)
     return None
-
-
-def _event_topic(service: str) -> str:
-    return service.rstrip('/') + EVENT_TOPIC
 
 
 class BagRecorder:
@@ -371,7 +367,7 @@ def definition(registry: Registry, type_name: str) -> str:
             spec = registry.spec(name)
             assert isinstance(spec, MessageSpec)
             texts[name] = '\n'.join(
-                [*map(_constant, spec.constants), *(f'{_type(field.type)} {field.name}' for field in spec.fields)]
+                [*map(_constant, spec.constants), *(f'{_short(field.type.text)} {field.name}' for field in spec.fields)]
             )
             waiting += [field.type.base for field in spec.fields if field.type.kind is None]
     own = texts.pop(type_name)
@@ -383,10 +379,6 @@ def _constant(constant: Constant) -> str:
     if isinstance(value, bytes):
         value = value[0]
     return f'{constant.base} {constant.name}={str(value).lower() if isinstance(value, bool) else repr(value)}'
-
-
-def _type(field_type: FieldType) -> str:
-    return _short(field_type.text)
 
 
 def _short(name: str) -> str:

@@ -10,7 +10,7 @@ class PluginException(Exception):
 
 
 def satisfies_version(version: str, caret_range: str) -> None:
-    """Return whether `version`, the version of the extension point, is in the range. For example, '^0.1' means 0.1 or a later
+    """Check that `version`, the version of the extension point, is in the range. For example, '^0.1' means 0.1 or a later
     version with the same leftmost non-zero number.
 
     :raises PluginException: when the version is older or newer than the range.
