@@ -82,7 +82,9 @@ def _nearest_help(index: Index, package: str, file: str | None) -> str:
     if not_installed:
         return help_of_facts(not_installed)
     near = None if file is None else nearest_file(file, names)
-    listed = f'choose a launch file of {package}: {", ".join(names)}' if names else f'add a launch file to {package}, which has none'
+    listed = (
+        f'choose a launch file of {package}: {", ".join(names)}' if names else f'add a launch file to {package}, which has none'
+    )
     return f'did you mean {near!r}?' if near else listed
 
 

@@ -194,7 +194,7 @@ class BagRecorder:
     def __init__(self, node: Node, wanted: list[str], arguments: argparse.Namespace) -> None:
         self._node = node
         self._wanted = wanted
-        unwanted = [*arguments.exclude_topics, *map(_event_topic, arguments.exclude_services)]
+        unwanted = [*arguments.exclude_topics, *(service.rstrip('/') + EVENT_TOPIC for service in arguments.exclude_services)]
         self._unwanted = {graph_names.absolute(name) for name in unwanted}
         self._arguments = arguments
         from edulaunch.ros.node_facts import core_of
