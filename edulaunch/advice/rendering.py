@@ -15,6 +15,7 @@ from edulaunch.engine.recording import views
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import LaunchRecord
 
 MOST_NAMES = 12
 MOST_SHOWN = 5
@@ -134,10 +135,10 @@ def help_of(error: dict[str, Any]) -> str | None:
     return help_text(Failure(error['type'], error['message'], file, line, facts=error['facts']))
 
 
-def advice_of(error: dict[str, Any]) -> tuple[str, str] | None:
-    """Return what is wrong and what to do, for an error given as data. Return None if no rule explains the error."""
-    file, line = error.get('place') or (None, None)
-    return _advice(Failure(error['type'], error['message'], file, line, facts=error['facts']))
+def advice_of(launch: LaunchRecord) -> tuple[str, str] | None:
+    """Return what is wrong with a launch that failed, and what to do. Return None if no rule explains the error."""
+    cause = launch.error_type or '', launch.error_cause or ''
+    return _advice(Failure(*cause, launch.error_file, launch.error_line, facts=launch.error_facts))
 
 
 def help_of_facts(facts: dict[str, Any]) -> str:

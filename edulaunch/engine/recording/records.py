@@ -43,9 +43,7 @@ class UnreadArgument(NamedTuple):
 
 
 class LaunchRecord(NamedTuple):
-    """A launch and its result. `error` is launch's own message about a failed description, with its place. `error_type`,
-    `error_cause` and `error_facts` describe the cause as data.
-    """
+    """A launch and its result: `error` is launch's own message, and `error_type`, `_cause` and `_facts` are its cause as data."""
 
     file: str = ''
     arguments: dict[str, str] = {}
@@ -63,17 +61,13 @@ class LaunchRecord(NamedTuple):
     @property
     def advice(self) -> tuple[str, str] | None:
         """What is wrong and what to do, in the reader's language. None without an error, and if no rule explains it."""
-        if self.error is None:
-            return None
-        place = None if self.error_file is None else (self.error_file, self.error_line)
-        facts = {'type': self.error_type or '', 'message': self.error_cause or '', 'place': place, 'facts': self.error_facts}
-        advice: tuple[str, str] | None = view('advice_of')(facts)
+        advice: tuple[str, str] | None = None if self.error is None else view('advice_of')(self)
         return advice
 
     @property
     def help(self) -> str | None:
         """The advice in one line."""
-        return None if self.advice is None else '; '.join(filter(None, self.advice))
+        return '; '.join(filter(None, self.advice or ())) or None
 
 
 class ProcessRecord(NamedTuple):
