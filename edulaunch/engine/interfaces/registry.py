@@ -230,7 +230,7 @@ def _interface_files(folder: str, kind: str) -> dict[str, str]:
     inside = os.path.join(folder, kind)
     try:
         names = os.listdir(inside)
-    except (FileNotFoundError, NotADirectoryError, PermissionError):  # an error of the computer is no missing package
+    except (FileNotFoundError, NotADirectoryError, PermissionError):  # other errors are faults of the computer
         return {}
     suffix = f'.{kind}'
     return {name.removesuffix(suffix): os.path.join(inside, name) for name in names if name.endswith(suffix)}
