@@ -15,6 +15,7 @@ from functools import cache
 from string import Formatter
 from typing import Any, NamedTuple
 
+from edulaunch.engine.sim.task import AmbientTask, running_task
 from edulaunch.engine.underlay_place import underlay_prefix
 
 LOCALE = os.path.join(os.path.dirname(__file__), 'locale')
@@ -102,12 +103,14 @@ def _plain_name(locale: str) -> str:
 
 
 def reader_here() -> Reader:
-    """Return the reader who started this program."""
+    """Return the reader who started this program. On a shared machine, each program has the variables of its terminal."""
+    task = running_task()
+    env = os.environ if task is None or isinstance(task, AmbientTask) else getattr(task.owner, 'env', os.environ)
     try:
         folder = os.getcwd()
     except OSError:  # the current folder has been removed
         folder = ''
-    reader = reader_of(os.environ, folder)
+    reader = reader_of(env, folder)
     shell = getattr(sys.modules.get('IPython'), 'get_ipython', lambda: None)()
     return reader if shell is None else reader._replace(cell=_CellsOf(shell, reader))
 

@@ -39,7 +39,8 @@ class Notes:
         if not programs:
             return
         yield from self.same_names(words, programs)
-        names = [*words[3:4], *(each.spec.executable or '' for each in programs)]
+        is_there = len(words) > 3 and words[2] in programs[0].index.packages()
+        names = [*(words[3:4] if is_there else []), *(each.spec.executable or '' for each in programs)]
         if not self.knows_view:
             for name in filter(VIEWS.__contains__, names):
                 self.knows_view = True

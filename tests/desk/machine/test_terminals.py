@@ -72,6 +72,13 @@ def test_a_launch_argument_that_nobody_reads_is_told_at_the_end(desk: Desk) -> N
     assert told.endswith("  help: write 'target_frame:=' instead of 'targetframe:='\n")
 
 
+def test_help_of_a_command_is_in_the_language_of_its_own_terminal(desk: Desk) -> None:
+    desk.ros2('run demo_nodes_py talker', LC_ALL='de_DE.UTF-8').until('Publishing')
+    english, german = (desk.said('run turtlesm turtlesim_node', LC_ALL=one) for one in ('en_US.UTF-8', 'de_DE.UTF-8'))
+    assert 'help: the package turtlesm does not exist' in english and 'help: das Package turtlesm gibt es nicht' in german
+    assert 'opens no window' not in english, 'nothing was started'
+
+
 def test_mistakes_are_told_behind_the_end_in_the_language_of_the_terminal(desk: Desk) -> None:
     file = desk.folder / 'two.launch.py'
     file.write_text(
