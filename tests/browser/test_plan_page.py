@@ -64,7 +64,7 @@ def test_nodes_topics_and_frames_of_the_plan(scheme: str, width: int, browser: A
     context.close()
 
 
-@pytest.mark.parametrize(('scheme', 'width'), [('light', 900), ('dark', 1400)])
+@pytest.mark.parametrize(('scheme', 'width'), [('light', 900), ('light', 1400), ('dark', 900), ('dark', 1400)])
 def test_two_plans_side_by_side_fit_the_page(
     scheme: str, width: int, browser: Any, tmp_path: Path, shots: Path, axe: str
 ) -> None:

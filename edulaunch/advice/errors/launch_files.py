@@ -103,16 +103,28 @@ def no_file(failure: Failure) -> Iterator[Finding]:
         package = built[1] if built and failure.facts.get('no_folder') else None
         facts = {name: in_share(str(failure.facts[name])) for name in ('wanted', 'no_folder') if failure.facts.get(name)}
         absolute = next((path for path in facts.values() if os.path.isabs(path)), None)
-        upward = absolute if absolute and _goes_up(failure.file, absolute) else None
+        text = _text_of(failure.file)
+        upward = absolute if absolute and _goes_up(text, absolute) else None
+        absolute = None if absolute and not built and _is_relative(text, absolute) else absolute
         yield report(failure, package=package, absolute=absolute, upward=upward, **facts)
 
 
-def _goes_up(file: str | None, path: str) -> bool:
-    """Return whether a launch file makes a path with '../..' from the share folder of a package."""
+def _text_of(file: str | None) -> str:
     from edulaunch.ros.sources.source_package import read_text
 
-    text = read_text(file).replace('"', "'") if file else ''
+    return read_text(file).replace('"', "'") if file else ''
+
+
+def _goes_up(text: str, path: str) -> bool:
+    """Return whether a launch file makes a path with '../..' from the share folder of a package."""
     return 'ackage' in text and path not in text and re.search(r"\.\./\.\.|'\.\.',\s*'\.\.'", text) is not None
+
+
+def _is_relative(text: str, path: str) -> bool:
+    """Return whether a line of a launch file has the end of a path as a string, and so leaves the folder to the terminal."""
+    ends = [f"'{path.split(os.sep, number)[-1]}'" for number in range(1, path.count(os.sep) + 1)]
+    lines = (line for line in text.splitlines() if not re.search('ackage|__file__|[jJ]oin', line))
+    return any(end in line for line in lines for end in ends)
 
 
 ABSENT_FILE = about(

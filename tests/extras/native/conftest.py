@@ -33,9 +33,10 @@ def real(monkeypatch: pytest.MonkeyPatch) -> Iterator[environment.Environment]:
 @pytest.fixture
 def edulaunch(tmp_path: Path) -> Run:
     """Run the command as in an active terminal, whose PYTHONPATH leads to the simulated rclpy; what it prints is text."""
-    env = {**os.environ, 'PYTHONPATH': os.pathsep.join(str(ROOT / 'edulaunch' / 'ros' / name) for name in ('shell', 'python'))}
+    simulated = os.pathsep.join(str(ROOT / 'edulaunch' / 'ros' / name) for name in ('shell', 'python'))
 
     def run(*words: str) -> subprocess.CompletedProcess[str]:
+        env = {**os.environ, 'PYTHONPATH': simulated}
         command = [sys.executable, '-m', 'edulaunch', *words]
         nothing = subprocess.DEVNULL
         return subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, timeout=LONGEST_S, stdin=nothing, env=env)
