@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -43,6 +42,7 @@ def test_each_item_in_both_themes_and_at_two_widths(lab: Lab, course: Path, shot
         opened.run_all()
         page = opened.page
         desk = Desk(page)
+        desk.until_js("root.querySelector('.worlds canvas').ariaLabel.includes('turtle2')")
         for scheme, width in LOOKS:
             page.set_viewport_size({'width': width, 'height': 900})
             page.evaluate(
@@ -51,7 +51,7 @@ def test_each_item_in_both_themes_and_at_two_widths(lab: Lab, course: Path, shot
             opened.show('view')
             page.locator(f'.desk[data-theme={scheme}]').wait_for()
             plot(desk, times=1 + LOOKS.index((scheme, width)))
-            change_a_parameter(desk, red=LOOKS.index((scheme, width)))
+            change_a_parameter(desk, red=80 * LOOKS.index((scheme, width)))
             desk.open('tree')
             desk.until('.tree', ' Hz, ')
             desk.open('launch')
@@ -71,14 +71,17 @@ def plot(desk: Desk, times: int) -> None:
     field = desk.page.get_by_label('an expression to plot')
     field.fill(f'{times} * tf(world, turtle2).x + /turtle1/pose.x')
     field.press('Enter')
-    desk.until_js(f"root.querySelectorAll('.key').length === {times}")
     assert desk.page.locator('.panel [role=alert]').text_content() == ''
+    desk.until('.keys', f'{times} * tf(world, turtle2).x')
 
 
 def change_a_parameter(desk: Desk, red: int) -> None:
-    """Write another value, which the table then marks as different from its default."""
+    """Type another value, which the table then marks as different from its default."""
     desk.open('parameters')
-    field: Any = desk.page.get_by_label('/sim background_r as a number')
-    field.fill(str(red))
-    field.press('Enter')
+    desk.until('.params', '≠ turtle')  # the defaults have arrived, so the table stays
+    desk.page.get_by_label('/sim background_r as a number').click()
+    desk.page.keyboard.press('Control+A')
+    desk.page.keyboard.type(str(red))
+    desk.page.keyboard.press('Enter')
     desk.until('.params', '≠ 69')
+    desk.until_js(f"root.querySelector('.worlds canvas').getContext('2d').getImageData(5, 5, 1, 1).data[0] === {red}")

@@ -118,6 +118,7 @@ class Store {
     const rows = (name, make) => { for (const row of delta[name] || []) { this[name].push(make(row)); this.version++; } };
     rows('endpoints', ([t, kind, name, type, node, index, qos]) => ({ t: t / 1e6, kind, name, type, node, index, qos }));
     rows('parameters', ([t, node, name, value, origin, double]) => ({ t: t / 1e6, node, name, value, origin, double }));
+    for (const [, node, name, value, origin] of delta.parameters || []) if (origin === 'default' && !this.defaults.has(node + ' ' + name)) this.defaults.set(node + ' ' + name, value);
     for (const [, node, name, description, fixed, limits] of delta.descriptors || []) { this.descriptors.set(node + ' ' + name, { description, fixed, limits }); this.version++; }
     rows('logs', ([t, process, logger, level, text]) => ({ t: t / 1e6, process, logger, level, text }));
     rows('output', ([t, process, stream, text]) => ({ t: t / 1e6, process, stream, text }));
@@ -138,7 +139,7 @@ class Store {
     if (this.from === 0 && delta.topics?.length && this.now > KEPT_S) this.from = Math.max(0, this.first());
     if (this.now - this.from > KEPT_S * 1.5) this.forgetBefore(this.now - KEPT_S);
   }
-  /* Defaults of parameters that got a value from outside. */
+  /* Defaults of parameters: those of nodes that declared one without another value, and those that the machine knows. */
   known(rows) {
     for (const [node, name, value] of rows) this.defaults.set(node + ' ' + name, value);
     this.version++;

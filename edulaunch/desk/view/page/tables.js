@@ -93,10 +93,12 @@ class ParameterView {
     const names = store.nodes.filter(node => node && store.alive(node, time)).map(node => node.name).join();
     if (desk.live && names !== this.asked) { this.asked = names; desk.send({ op: 'defaults' }); }
     const key = rows.map(row => row.node + row.name + JSON.stringify(row.value)).join() + desk.live + store.defaults.size;
-    if (key === this.key || this.table.contains(document.activeElement?.shadowRoot?.activeElement || document.activeElement)) return;
-    this.key = key;
+    const active = document.activeElement?.shadowRoot?.activeElement || document.activeElement, inside = this.table.contains(active);
+    if (key === this.key || (inside && !this.sent)) return;
+    this.key = key; this.sent = false;
     this.table.replaceChildren(make('tr', {}, ...['node', 'parameter', 'value', 'default', 'where it came from'].map(text => make('th', { scope: 'col' }, text))),
       ...rows.map(row => make('tr', {}, make('td', {}, row.node), make('td', { class: 'named' }, row.name, this.about(row)), make('td', {}, this.value(row)), make('td', {}, ...this.standard(row)), make('td', { class: 'soft' }, row.origin))));
+    if (inside) [...this.table.querySelectorAll('input')].find(input => input.type === active.type && input.getAttribute('aria-label') === active.getAttribute('aria-label'))?.focus();
     if (!rows.length) this.table.append(make('tr', {}, make('td', { colspan: 5 }, this.other.checked ? 'no parameter differs from its default' : 'no node has parameters yet')));
   }
   /* The default, and a sign where the value is another one. */
@@ -114,7 +116,8 @@ class ParameterView {
   value(row) {
     const said = this.desk.store.descriptors.get(row.node + ' ' + row.name) || {}, label = `${row.node} ${row.name}`, text = written(row);
     if (!this.desk.live || said.fixed) return make('span', {}, text, said.fixed ? make('span', { class: 'soft' }, ' read-only') : '');
-    const set = value => this.desk.send({ op: 'param', node: row.node, name: row.name, value });
+    let sent = text;
+    const set = value => { if (value !== sent) { this.sent = true; this.desk.send({ op: 'param', node: row.node, name: row.name, value: sent = value }); } };
     if (typeof row.value === 'boolean') {
       const box = make('input', { type: 'checkbox', 'aria-label': label });
       box.checked = row.value;
@@ -124,6 +127,7 @@ class ParameterView {
     const input = make('input', { type: 'text', 'aria-label': label });
     input.value = text;
     input.addEventListener('change', () => set(input.value));
+    input.addEventListener('keydown', event => { if (event.key === 'Enter') set(input.value); });  /* in JupyterLab, Enter brings no change event */
     const [low, high, step] = said.limits || [];
     if (typeof row.value !== 'number' || !(high - low < 1e9)) return input;
     const slider = make('input', { type: 'range', min: low, max: high, step: step || (row.double ? (high - low) / 1000 : 1), 'aria-label': label });
