@@ -39,7 +39,6 @@ class Reader(NamedTuple):
     """The language, the folder and the notebook of a reader.
 
     :ivar language: such as 'de'; English is the language of the rules, and the fallback for a language without a catalogue.
-    :ivar language: such as 'de'; English is the language of the rules, and the fallback for a language without a catalogue.
     :ivar folder: paths below it become relative.
     :ivar cell: a function that returns the place in a notebook's cell that wrote a line of a file, or ''.
     """
