@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import os
 import shutil
 from collections.abc import Iterator
@@ -43,6 +44,18 @@ CELLS = """() => {
 def find_browser() -> str | None:
     """The path of a Chromium, or None where there is none."""
     return next((path for name in PROGRAMS if (path := shutil.which(name))), None)
+
+
+def write_notebook(folder: Path, name: str, cells: dict[str, str]) -> str:
+    """Write a notebook with these code cells by id; returns its name."""
+    parts = [
+        {'cell_type': 'code', 'id': ident, 'metadata': {}, 'source': source, 'outputs': [], 'execution_count': None}
+        for ident, source in cells.items()
+    ]
+    kernel = {'kernelspec': {'name': 'python3', 'display_name': 'Python 3', 'language': 'python'}}
+    content = {'cells': parts, 'metadata': kernel, 'nbformat': 4, 'nbformat_minor': 5}
+    (folder / f'{name}.ipynb').write_text(json.dumps(content), encoding='utf-8')
+    return name
 
 
 class Page:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import pytest
 
 from tests.browser.desk import Desk
-from tests.browser.lab import Lab
+from tests.browser.lab import Lab, write_notebook
 
 pytestmark = pytest.mark.browser
 VIEW = """import edulaunch
@@ -25,20 +24,8 @@ OUTPUT_FITS = """index => { const cell = window.jupyterapp.shell.currentWidget.c
 LOOKS = [('light', 900), ('light', 1400), ('dark', 900), ('dark', 1400)]
 
 
-def write_notebook(folder: Path, cells: dict[str, str]) -> str:
-    """Write a notebook with these code cells by id; returns its name."""
-    parts = [
-        {'cell_type': 'code', 'id': name, 'metadata': {}, 'source': source, 'outputs': [], 'execution_count': None}
-        for name, source in cells.items()
-    ]
-    kernel = {'kernelspec': {'name': 'python3', 'display_name': 'Python 3', 'language': 'python'}}
-    content = {'cells': parts, 'metadata': kernel, 'nbformat': 4, 'nbformat_minor': 5}
-    (folder / 'items.ipynb').write_text(json.dumps(content), encoding='utf-8')
-    return 'items'
-
-
 def test_each_item_in_both_themes_and_at_two_widths(lab: Lab, course: Path, shots: Path) -> None:
-    with lab.open(write_notebook(course / 'lessons', CELLS)) as opened:
+    with lab.open(write_notebook(course / 'lessons', 'items', CELLS)) as opened:
         opened.run_all()
         page = opened.page
         desk = Desk(page)

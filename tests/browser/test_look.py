@@ -14,7 +14,7 @@ from edulaunch.desk.view.page import recorded_page, script
 from edulaunch.desk.view.replay import timeline_of
 from edulaunch.engine.recording import Recording
 from tests.browser.desk import Desk
-from tests.browser.lab import WANTED, Lab
+from tests.browser.lab import WANTED, Lab, write_notebook
 
 pytestmark = pytest.mark.browser
 CONTRAST = """() => {  // text of the view whose contrast with what is behind it is too low, as WCAG 2.2 defines it
@@ -135,20 +135,9 @@ def test_in_jupyterlab_the_view_and_its_3d_canvas_have_the_theme_of_jupyterlab(
     and the tabulator each control.
     """
     code = "import edulaunch\nmachine = edulaunch.start('turtle_tf2_py', 'turtle_tf2_demo.launch.py')\nmachine.view('frames')"
-    cell: dict[str, Any] = {
-        'cell_type': 'code',
-        'id': 'theme',
-        'metadata': {},
-        'source': code,
-        'outputs': [],
-        'execution_count': None,
-    }
-    kernel = {'kernelspec': {'name': 'python3', 'display_name': 'Python 3', 'language': 'python'}}
-    notebook = {'cells': [cell], 'metadata': kernel, 'nbformat': 4, 'nbformat_minor': 5}
-    (course / 'lessons' / 'theme.ipynb').write_text(json.dumps(notebook), encoding='utf-8')
     brightness = """canvas => { const { data } = canvas.getContext('2d').getImageData(3, 3, 1, 1);
         return data[3] ? (data[0] + data[1] + data[2]) / 3 : null; }"""
-    with lab.open('theme') as opened:
+    with lab.open(write_notebook(course / 'lessons', 'theme', {'theme': code})) as opened:
         page = opened.page
         page.evaluate("() => { window.jupyterapp.commands.execute('notebook:run-all-cells') }")
         canvas, found = page.locator('.panel canvas').first, []
