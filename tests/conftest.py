@@ -15,7 +15,7 @@ from hypothesis.internal.conjecture import providers
 import edulaunch
 from edulaunch.engine.sim.task import AmbientTask, current_task
 from tests.house import EXAMPLES
-from tests.kinds import ALL_TESTS, KINDS, UnitTestsStartNoPython, kinds_of
+from tests.kinds import ALL_TESTS, KINDS, UnitTestsStartNoPython, has_none_of, kinds_of
 
 edulaunch.source()
 os.environ['EDULAUNCH_LANG'] = 'en'  # whoever runs the tests may read another language
@@ -41,6 +41,11 @@ def pytest_configure(config: pytest.Config) -> None:
 def pytest_report_header() -> str:
     """Say what a run of all unit tests leaves out."""
     return f'unit tests; left out unless their folder or their mark is named: {", ".join(f"-m {kind}" for kind in KINDS)}'
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Whoever asks for some kinds does not wait until all other files are imported, once in each worker."""
+    return True if collection_path.is_file() and has_none_of(collection_path, config.option.markexpr) else None
 
 
 @pytest.hookimpl(trylast=True)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -17,6 +19,17 @@ ALL_TESTS = pytest.StashKey[list[pytest.Item]]()
 def kinds_of(item: pytest.Item) -> list[str]:
     """The kinds that a test is marked with; none of a unit test."""
     return [name for name in KINDS if item.get_closest_marker(name)]
+
+
+def has_none_of(file: Path, expression: str) -> bool:
+    """Whether a file of tests can have none that an expression of marks asks for, as neither it nor its folder's conftest names one of these marks:
+    then it need not be imported. An expression that is more than kinds with `or` between them can ask for anything.
+    """
+    wanted = expression.split(' or ')
+    if not set(wanted) <= set(KINDS) or not file.match('test_*.py'):
+        return False
+    places = [place for place in (file, file.with_name('conftest.py')) if place.is_file()]
+    return not any(re.search(rf'\bmark\.(?:{"|".join(wanted)})\b', place.read_text(encoding='utf-8')) for place in places)
 
 
 class UnitTestsStartNoPython:

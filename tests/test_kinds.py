@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.house import ROOT
-from tests.kinds import ALL_TESTS, KINDS, kinds_of
+from tests.kinds import ALL_TESTS, KINDS, has_none_of, kinds_of
 
 RUN = (ROOT / '.ci' / 'run').read_text(encoding='utf-8')
 UNIT_TESTS = '<!-- tests -->'
@@ -56,6 +56,24 @@ def test_every_test_runs_in_one_step_and_no_other(request: pytest.FixtureRequest
         if len(where) + (not kinds_of(item)) != 1:
             wrong.append((item.nodeid, where))
     assert wrong == []
+
+
+def test_a_file_is_left_out_only_where_it_names_no_mark_that_is_asked_for(tmp_path: Path) -> None:
+    file, helper = tmp_path / 'test_a.py', tmp_path / 'helper.py'
+    file.write_text('from edulaunch.engine import processes\n\n@pytest.mark.whole\ndef test_all(): ...\n')
+    helper.write_text('')
+    asked = ('whole', 'processes or whole', 'processes', 'processes or real', '', 'not whole', 'whole and real')
+    assert [has_none_of(file, each) for each in asked] == [False, False, True, True, False, False, False]
+    assert not has_none_of(helper, 'whole')
+    (tmp_path / 'conftest.py').write_text('def pytest_collection_modifyitems(items): items[0].add_marker(pytest.mark.real)\n')
+    assert not has_none_of(file, 'real')
+
+
+def test_the_file_of_each_test_names_its_mark(request: pytest.FixtureRequest) -> None:
+    """Else `-m` would leave it out with its file."""
+    steps_of_marks = {kind for marks, _ in steps() for kind in marks.split(' or ')}
+    marked = ((item, kind) for item in request.config.stash[ALL_TESTS] for kind in kinds_of(item) if kind in steps_of_marks)
+    assert [item.nodeid for item, kind in marked if has_none_of(item.path, kind)] == []
 
 
 def test_a_python_that_a_unit_test_starts_fails_it() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -10,6 +11,9 @@ import pytest
 
 from tests.lessons.notebook import LESSONS, ORDER, Lesson, Walk
 from tests.lessons.student import leave
+
+WAIT_S = 60.0
+"""A watchdog looks whether it may go a few times a second; nothing is measured by this."""
 
 
 @pytest.fixture(params=ORDER, scope='module')
@@ -36,3 +40,13 @@ def no_notebook_is_left() -> Iterator[None]:
     """An IPython that a test has made is gone after it: whoever finds one takes the program for a notebook."""
     yield
     leave()
+
+
+@pytest.fixture(autouse=True, scope='module')
+def no_threads_are_left() -> Iterator[None]:
+    """A few hundred tests later, threads that are left take most of the time."""
+    yield
+    left = [thread for thread in threading.enumerate() if thread.name.startswith(('IPython', 'edulaunch watchdog'))]
+    for thread in left:
+        thread.join(timeout=WAIT_S)
+    assert not [thread for thread in left if thread.is_alive()], left

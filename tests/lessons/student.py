@@ -37,11 +37,13 @@ class Student:
     def restart(self) -> None:
         """*Restart Kernel*: the files stay, the names are gone."""
         from IPython.core.interactiveshell import InteractiveShell
+        from traitlets.config import Config
 
         leave()
         make: Any = InteractiveShell
-        self.shell: Any = make.instance(history_load_length=0, cache_size=0)
-        self.shell.history_manager.enabled = False
+        # A history would be a thread of each shell that never ends: with two hundred of them everything else takes seven times as long.
+        quiet = Config(HistoryManager={'enabled': False})
+        self.shell: Any = make.instance(config=quiet, history_load_length=0, cache_size=0)
 
     def run(self, ident: str, edits: Mapping[str, Any]) -> str:
         """Run one cell, changed or as it is; returns all that stands below it.
@@ -71,12 +73,16 @@ class Student:
 
 
 def leave() -> None:
-    """End the IPython that is there, if any, and forget all that its cells made: at exit IPython would look at each shell once more,
-    and until then keeps them with their recordings.
+    """End the IPython that is there, if any, with the machine of its magics, and forget all that its cells made: at exit IPython would
+    look at each shell once more, and until then keeps them with their recordings.
     """
     made: Any = sys.modules.get('IPython.core.interactiveshell')
     shell = made and made.InteractiveShell._instance
     if shell:
+        for magics in shell.magics_manager.registry.values():
+            session = magics.terminal.machine.session if hasattr(magics, 'terminal') else None
+            if session is not None:
+                session.close()  # else its watchdog looks at all threads, many times a second
         atexit.unregister(shell.atexit_operations)
         shell.restore_sys_module_state()  # other tests need a `__main__` with a name
         shell.user_ns.clear()
