@@ -163,6 +163,11 @@ def _advice(failure: Failure, reader: Reader | None = None) -> tuple[str, str] |
 FORMAT = 1
 
 
+def is_note(finding: Finding) -> bool:
+    """Return whether a finding is worth knowing, but no mistake: a package that edulaunch does not have, for example."""
+    return rule_named(finding.rule).level == 'info'
+
+
 def diagnosis(findings: Sequence[Finding], reader: Reader) -> Iterator[str]:
     """Yield the lines of a diagnosis for people, the worst finding first."""
     if not findings:
@@ -170,7 +175,7 @@ def diagnosis(findings: Sequence[Finding], reader: Reader) -> Iterator[str]:
     for number, finding in enumerate(findings, 1):
         words = rendered(finding, reader)
         margin = ' ' * len(f'{number}. ')
-        yield f'{number}. {words.what}'
+        yield f'{number}. {f"{words.sign}: " if is_note(finding) else ""}{words.what}'
         lesson = f'lessons/{words.lesson}.ipynb' if words.lesson else ''
         parts = ((reader.says('where'), words.where), (reader.says('why'), words.why), (reader.says('do'), words.do))
         width = max(len(label) for label, _ in parts) + 2

@@ -87,7 +87,7 @@ def test_a_repeated_targets_of_install_names_both_programs(tmp_path: Path, capsy
         'project(mine)\nfind_package(ament_cmake REQUIRED)\nadd_executable(first a.cpp)\nadd_executable(second b.cpp)\n'
         'install(TARGETS first TARGETS second DESTINATION lib/${PROJECT_NAME})\nament_package()\n'
     )
-    assert main(['doctor', str(package / 'launch' / 'main.launch.py'), '--for', '1']) == 1
+    assert main(['doctor', str(package / 'launch' / 'main.launch.py'), '--for', '1']) == 0
     assert 'this program is built from C++' in capsys.readouterr().out
 
 

@@ -131,6 +131,8 @@ ABSENT_FILE = about(
     'packages.absent-file',
     what='the package {package} ({belongs_to}) is not part of edulaunch, so its files do not exist here',
     do='leave this part out here, or give it a condition',
+    level='info',
+    hides=('launch.fails',),
 )
 NOT_SEARCHED = about(
     'packages.not-searched',

@@ -51,11 +51,13 @@ def program_absent(failure: Failure) -> Iterator[Finding]:
         "the launch configuration '{scoped}' was set inside a GroupAction that has already ended",
         "the launch configuration '{configuration}' does not exist",
     ),
-    why='launch runs events and timers after the group around them has ended',
+    why="launch runs events and timers after the group that set '{scoped}' has ended",
     do=(
         "write '{near}' if you mean that one",
         'give the group scoped=False, or read {scoped} in an OpaqueFunction inside the group',
         'write <arg name="{xml}" default="..."/> before this line, or pass the value in the <include> of the '
+        'file that includes this one',
+        "write `- arg: {{name: {yaml}, default: '...'}}` before this line, or pass the value in the include of the "
         'file that includes this one',
         "write DeclareLaunchArgument('{configuration}', default_value='...') before this use",
     ),
@@ -66,8 +68,9 @@ def program_absent(failure: Failure) -> Iterator[Finding]:
 def no_configuration(failure: Failure) -> Iterator[Finding]:
     """Report the use of a launch configuration that nothing declares or sets."""
     if failure.facts.get('about') == 'launch.no-configuration':
-        is_markup = (failure.file or '').endswith(('.xml', '.launch'))
-        yield report(failure, xml=failure.facts['configuration'] if is_markup else None)
+        name, file = failure.facts['configuration'], failure.file or ''
+        is_xml, is_yaml = file.endswith(('.xml', '.launch')), file.endswith(('.yaml', '.yml'))
+        yield report(failure, xml=name if is_xml else None, yaml=name if is_yaml else None)
 
 
 @rule(
@@ -302,6 +305,27 @@ PARAMETERS_KEY = about(
 PARAMETER_VALUE = about(
     'launch.parameter-value', what='ROS 2 cannot read this parameter value', do='write a single value or a list of values'
 )
+
+
+@rule(
+    'launch.value-as-yaml',
+    what="launch reads the value of the parameter '{parameter}' as YAML, but it is not valid YAML",
+    why='without a type, launch reads a value as YAML, so that 5 becomes a number, but a long text can be an error',
+    do=(
+        'add type="str" to the <{xml}> of {parameter}',
+        'add the line `{yaml}: str` to the parameter {parameter}',
+        'write ParameterValue({python}, value_type=str), with: from launch_ros.parameter_descriptions import ParameterValue',
+    ),
+    level='error',
+)
+def value_as_yaml(failure: Failure) -> Iterator[Finding]:
+    """Report a string parameter, such as the output of xacro, whose type launch does not know."""
+    if failure.facts.get('about') == 'launch.value-as-yaml':
+        ending = os.path.splitext(failure.file or '')[1]
+        forms = {'.xml': {'xml': 'param'}, '.launch': {'xml': 'param'}, '.yaml': {'yaml': 'type'}, '.yml': {'yaml': 'type'}}
+        yield report(failure, **forms.get(ending, {'python': '...'}))
+
+
 LIST_OF_ONE_TYPE = about(
     'launch.list-of-one-type',
     what=(

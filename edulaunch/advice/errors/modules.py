@@ -17,12 +17,16 @@ ABSENT_MODULE = about(
     what='the module {module} ({belongs_to}) is not part of edulaunch',
     why='on a robot the module may be installed; here this program ends, and the others continue',
     do='run this program on a machine where the module is installed, or leave that part out here',
+    level='info',
+    hides=('launch.fails',),
 )
 ABSENT_PACKAGE = about(
     'packages.absent-package',
     what='the package {package} ({belongs_to}) is not part of edulaunch',
     why='on a robot the module may be installed; here this program ends, and the others continue',
     do='leave it out here, or give it a condition',
+    level='info',
+    hides=('launch.fails',),
 )
 NEWER = {'turtlesim_msgs': 'turtlesim'}
 """Packages of interfaces in newer versions of ROS 2, and the packages in which Jazzy has these interfaces."""
@@ -52,7 +56,8 @@ def unknown_module(failure: Failure) -> Iterator[Finding]:
     'messages.unknown-package',
     what=(
         'only versions of ROS 2 after Jazzy have the package {newer}; in Jazzy its interfaces are in {home}',
-        'the interface package {module} does not exist',
+        'the interface package {module} does not exist; the nearest name is {near}',
+        'the interface package {module} is not in this workspace, and it is not part of edulaunch',
     ),
     do=('write {home} in place of {newer}', 'write {near}', 'add the package with these interfaces to the workspace'),
     level='error',
@@ -96,6 +101,7 @@ COMPILED = about(
     what='the module {module} is compiled code ({compiled}), but edulaunch runs only Python',
     why='this program ends, and the other programs continue',
     do='run this program where ROS 2 is installed',
+    level='info',
 )
 NATIVE = about(
     'programs.native',

@@ -170,6 +170,7 @@ def _of_path(path: str, place: dict[str, Any]) -> Finding:
 
 
 _HOME = re.compile(r"""['"](/(?:home|Users)/[\w.-]+/[^'"\n]*)['"]""")
+_DEFAULT = re.compile(r'\bdefault(_value)?\s*[=:]\s*$')
 
 
 @rule(
@@ -179,6 +180,7 @@ _HOME = re.compile(r"""['"](/(?:home|Users)/[\w.-]+/[^'"\n]*)['"]""")
     do=(
         "find the file by its package: PathJoinSubstitution([FindPackageShare('{package}'), {parts}])",
         "let the build install {unbuilt}, and find it by its package with FindPackageShare('{package}')",
+        'replace the default {default} with a file of a package, found with FindPackageShare, or give the argument no default',
         'make the path a launch argument, or move the file into a package and find it with FindPackageShare',
     ),
     lesson=LESSON,
@@ -194,7 +196,8 @@ def path_of_one_machine(rehearsal: Rehearsal) -> Iterator[Finding]:
         for number, line in enumerate(read_text(file).splitlines(), 1):
             written = _HOME.search(line)
             if written is not None and not line.lstrip().startswith('#'):
-                yield found('path', written[1], file=file, line=number, **_in_package(file, written[1]))
+                default = written[1] if _DEFAULT.search(line[: written.start()]) else None
+                yield found('path', written[1], file=file, line=number, default=default, **_in_package(file, written[1]))
 
 
 def _in_package(file: str, path: str) -> dict[str, Any]:

@@ -10,7 +10,7 @@ from edulaunch.advice.runs import NOWHERE, asking_place, end_place, ends_by_name
 from edulaunch.engine.graph.names import RemapRule, expand_name
 from edulaunch.engine.graph.ros_arguments import remap_rule
 from edulaunch.engine.graph.rule_reader import RuleError
-from edulaunch.engine.nearest import nearest
+from edulaunch.engine.nearest import nearest_spelling
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -133,6 +133,7 @@ SOON_S = 0.5
     what="the remapping of '{old}' to '{new}' has no effect, because {node} has no topic or service '{old}'",
     why='the first name of a remapping is the name that the node uses in its code',
     do=(
+        'remove the remapping: {named} is the name of the node, which a remapping of topics does not change',
         "write '{near}' as the first name",
         'use one of the names of {node}: {names}',
         'look up the names of {node} with `ros2 node info {node}`',
@@ -153,8 +154,15 @@ def unused(recording: Recording) -> Iterator[Finding]:
         node, (file, line) = nodes[0], process.origin or NOWHERE
         names = [name for name in _names(node) if not is_ros_own(name, (f'{node.name}/',))]
         for one in remappings(process):
-            if one.match.lstrip('/') not in ('tf', 'tf_static') and one.match not in used:
-                facts = {'old': one.match, 'new': one.replacement, 'near': _near(node, one, names), 'names': names[:8]}
+            if one.match.lstrip('/') not in ('tf', 'tf_static') and one.match not in used and one.match != one.replacement:
+                named = one.replacement if one.replacement.lstrip('/') == node.name.rpartition('/')[2] else None
+                facts = {
+                    'old': one.match,
+                    'new': one.replacement,
+                    'named': named,
+                    'near': _near(node, one, names),
+                    'names': names[:8],
+                }
                 yield found('node', node.name, file=file, line=line, time_s=node.started_s, **facts)
 
 
@@ -174,7 +182,7 @@ def _used(recording: Recording) -> set[str]:
 def _near(node: NodeRecord, rule: RemapRule, names: list[str]) -> str | None:
     namespace, _, name = node.name.rpartition('/')
     old = expand_name(rule.match, name, namespace or '/')
-    near = nearest(old, names)
+    near = nearest_spelling(old, names)
     tail = old.rpartition('/')[2]
     return near or next((name for name in names if name.rpartition('/')[2] == tail), None)
 

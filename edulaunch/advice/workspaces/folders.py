@@ -105,7 +105,11 @@ def package_is_repository(workspace: Workspace) -> Iterator[Finding]:
     'packages.build-file',
     what='{file} {said}',
     why='colcon reads this file when it builds the package',
-    do='correct this line, and run the check again',
+    do=(
+        'create the file {missing}, or remove package.xml if this folder is not a package to build',
+        'correct line {at}, and run the check again',
+        'correct this file, and run the check again',
+    ),
     level='error',
 )
 def build_file(workspace: Workspace) -> Iterator[Finding]:
@@ -113,7 +117,8 @@ def build_file(workspace: Workspace) -> Iterator[Finding]:
     for warning in workspace.around.warnings:
         if not warning.about:
             name, line = os.path.basename(warning.file), warning.line or None
-            yield found('file', name, file=warning.file, line=line, said=warning.sentence)
+            missing = None if os.path.exists(warning.file) else name
+            yield found('file', name, file=warning.file, line=line, said=warning.sentence, missing=missing, at=line)
 
 
 @rule(

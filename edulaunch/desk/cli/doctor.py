@@ -5,15 +5,13 @@ from __future__ import annotations
 import argparse
 import json
 import os
-import re
 import time
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.judging import in_order, judge, judge_plan, judge_sources
 from edulaunch.advice.reader import reader_here
-from edulaunch.advice.rendering import diagnosis, diagnosis_data
+from edulaunch.advice.rendering import diagnosis, diagnosis_data, is_note
 from edulaunch.desk.cli.launch import split_words
-from edulaunch.engine.nearest import nearest
 from edulaunch.engine.packages.discovery import folder_of, workspaces_of_command
 from edulaunch.engine.recording import Recording
 from edulaunch.engine.recording.file_format import FORMAT
@@ -28,7 +26,8 @@ if TYPE_CHECKING:
     from edulaunch.runtime.session import Session
 
 SECONDS = 20.0
-_ABSENT = re.compile(r"package '([\w-]+)' not found")
+ELSEWHERE = 'launch.needs-elsewhere'
+"""A rule about a launch file that needs a package or module of others. For a folder, one line says so."""
 NOT_PYTHON = 'packages.not-python'
 """A rule that is less specific than the findings of a dry run at the same place."""
 OF_FOLDER_S = 8.0
@@ -70,7 +69,7 @@ def doctor_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def doctor_verb(arguments: argparse.Namespace) -> int:
-    """Report mistakes. Return 0 without mistakes, 1 with mistakes, 2 if there is nothing to examine."""
+    """Report mistakes. Return 0 without mistakes (notes are none), 1 with mistakes, 2 if there is nothing to examine."""
     notes: list[str] = []
     findings, reader = _findings(arguments, notes), reader_here()
     if arguments.fix:
@@ -86,7 +85,7 @@ def doctor_verb(arguments: argparse.Namespace) -> int:
         print(json.dumps(data, indent=2, ensure_ascii=False))
     else:
         print('\n'.join([*diagnosis(findings, reader), *notes]).encode(errors='backslashreplace').decode())
-    return 1 if findings else 0
+    return 0 if all(map(is_note, findings)) else 1
 
 
 def _findings(arguments: argparse.Namespace, notes: list[str]) -> list[Finding]:
@@ -189,14 +188,23 @@ def _of_one(folder: str, path: str, arguments: argparse.Namespace) -> tuple[list
         if needed:
             return [], f'it needs {", ".join(f"{name}:=..." for name in needed)}'
         found = judge_plan(rehearsal)
-        absent = _ABSENT.search((rehearsal.plan['error'] or {}).get('text', ''))
-        if absent is not None and nearest(absent[1], session.index.packages()) is None:
-            return [], f'package {absent[1]} is not installed'
+        elsewhere = next((one for one in found if one.rule == ELSEWHERE), None)
+        if elsewhere is not None:
+            return [one for one in found if one is not elsewhere], _needed(elsewhere.facts)
         if rehearsal.plan['error'] is not None:
             return found, 'launch cannot load it'
         session.launch(path)
         session.run(OF_FOLDER_S if arguments.seconds is None else arguments.seconds)
         return [*found, *judge(session.recording())], None
+
+
+def _needed(facts: dict[str, Any]) -> str:
+    """Return the reason why a launch file that needs something of others did not run."""
+    if facts.get('package'):
+        return f'package {facts["package"]} is not installed'
+    if facts.get('module'):
+        return f'module {facts["module"]} is not installed'
+    return f'it needs {facts.get("made") or facts["executable"]}, which a build creates'
 
 
 def _workspaces_of(folder: str, path: str) -> list[str]:

@@ -9,6 +9,8 @@ from launch.utilities._yaml_values import load_yaml_value
 from launch.utilities.texts import perform_substitutions
 from launch.utilities.type_utils import ensure_argument_type
 
+from edulaunch.engine.facts import with_facts
+
 from ..parameter_descriptions import ParameterFile, ParameterValue
 from ..parameters_type import EvaluatedParameters, EvaluatedParameterValue, Parameters, ParametersDict
 
@@ -20,6 +22,9 @@ _SCALARS = (bool, int, float, str, bytes)
 
 
 _ITEMS = (bool, int, float, str)
+
+
+_AS_YAML = 'launch.value-as-yaml'
 
 
 _WRAP = (
@@ -54,7 +59,12 @@ def evaluate_parameter_dict(context: LaunchContext, parameters: ParametersDict) 
 
 def _evaluate_value(context: LaunchContext, name: str, value: Any) -> Any:
     if isinstance(value, ParameterValue):
-        return value.evaluate(context)
+        try:
+            return value.evaluate(context)
+        except ValueError as error:
+            if 'using yaml rules' in str(error):
+                with_facts(error, _AS_YAML, parameter=name)
+            raise
     if not isinstance(value, tuple) or not value:
         ensure_argument_type(value, (float, int, str, bool, bytes), 'value')
         return value
@@ -91,7 +101,8 @@ def _load(name: str, text: str) -> Any:
 
         if not isinstance(error, (yaml.YAMLError, ValueError)):
             raise
-        raise TypeError(f'Unable to parse the value of parameter {name} as yaml. {_WRAP}') from None
+        unread = TypeError(f'Unable to parse the value of parameter {name} as yaml. {_WRAP}')
+        raise with_facts(unread, _AS_YAML, parameter=name) from None
 
 
 def _uniform(name: str, items: list[Any]) -> tuple[Any, ...]:

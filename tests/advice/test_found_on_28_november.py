@@ -1,0 +1,164 @@
+"""Wrong or misleading advice on files of repositories that were drawn on 28 November, each as a small case of its own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from edulaunch.desk.cli.main import main
+from tests.advice.test_found_in_draws import CONFIG, MANIFEST, program, write
+
+NODE_OF_WALKER = 'Node(package="robo", executable="walker"{more})'
+
+
+def launch_file(*actions: str) -> str:
+    listed = ''.join(f'        {action},\n' for action in actions)
+    return (
+        'from launch import LaunchDescription\nfrom launch.actions import DeclareLaunchArgument, LogInfo\n'
+        'from launch.substitutions import LaunchConfiguration\nfrom launch_ros.actions import Node\n\n\n'
+        f'def generate_launch_description():\n    return LaunchDescription([\n{listed}    ])\n'
+    )
+
+
+def report(capsys: pytest.CaptureFixture[str], *words: str | Path, code: int = 1) -> str:
+    """Return what `edulaunch doctor` prints, and check its exit code."""
+    ended = main(['doctor', *map(str, words)])
+    printed = capsys.readouterr().out
+    assert ended == code, printed
+    return printed
+
+
+def workspace(folder: Path, walker: str, **files: str) -> Path:
+    """Write a package with one program, whose CMakeLists.txt installs it, and return its folder."""
+    built = 'project(robo)\ninstall(PROGRAMS walker DESTINATION lib/robo)\ninstall(DIRECTORY launch DESTINATION share/robo)\nament_package()\n'
+    write(folder / 'src' / 'robo', package_xml=MANIFEST.format(more='', kind='ament_cmake'), CMakeLists_txt=built, **files)
+    (folder / 'src' / 'robo' / 'walker').write_text('#!/usr/bin/env python3\n' + walker)
+    return folder / 'src' / 'robo'
+
+
+@pytest.mark.parametrize(
+    ('name', 'text', 'cure'),
+    [
+        ('a.launch.py', launch_file("LogInfo(msg=LaunchConfiguration('speed'))"), "write DeclareLaunchArgument('speed', "),
+        ('a.launch.xml', '<launch>\n  <log message="$(var speed)"/>\n</launch>\n', 'write <arg name="speed" default="..."/>'),
+        (
+            'a.launch.yaml',
+            'launch:\n- log: {message: $(var speed)}\n',
+            "write `- arg: {name: speed, default: '...'}` before this line",
+        ),
+    ],
+)
+def test_a_missing_configuration_is_told_in_the_language_of_the_file_and_without_groups(
+    name: str, text: str, cure: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / name).write_text(text)
+    printed = report(capsys, tmp_path / name)
+    assert "1. the launch configuration 'speed' does not exist" in printed and cure in printed
+    assert 'group' not in printed
+
+
+@pytest.mark.parametrize(
+    ('name', 'text', 'cure'),
+    [
+        (
+            'a.launch.py',
+            launch_file(
+                "Node(package='turtlesim', executable='turtlesim_node', parameters=[{'title': LaunchConfiguration('t')}])"
+            ),
+            'do:    write ParameterValue(..., value_type=str), with: from launch_ros.parameter_descriptions import ParameterValue',
+        ),
+        (
+            'a.launch.xml',
+            '<launch>\n<node pkg="turtlesim" exec="turtlesim_node"><param name="title" value="$(var t)"/></node>\n</launch>\n',
+            'do:    add type="str" to the <param> of title',
+        ),
+        (
+            'a.launch.yaml',
+            'launch:\n- node:\n    pkg: turtlesim\n    exec: turtlesim_node\n    param:\n    - {name: title, value: $(var t)}\n',
+            'do:    add the line `type: str` to the parameter title',
+        ),
+    ],
+)
+def test_a_text_that_launch_reads_as_yaml_needs_a_type(
+    name: str, text: str, cure: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / name).write_text(text)
+    printed = report(capsys, tmp_path / name, 't:=roll: the angle: x')
+    assert "the value of the parameter 'title' as YAML, but it is not valid YAML" in printed and cure in printed
+
+
+def test_a_path_of_one_machine_that_is_a_default_is_not_told_to_become_an_argument(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    shown = "LogInfo(msg=LaunchConfiguration('model'))"
+    (tmp_path / 'a.launch.py').write_text(
+        launch_file("DeclareLaunchArgument('model', default_value='/home/ada/model.bin')", shown, "LogInfo(msg='/home/ada/b')")
+    )
+    printed = report(capsys, tmp_path / 'a.launch.py', code=0)
+    first, second = printed.split('2. note:')
+    assert 'replace the default /home/ada/model.bin with a file of a package' in first + second
+    assert (first + second).count('make the path a launch argument') == 1
+
+
+def test_a_remapping_to_itself_is_told_once(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / 'a.launch.py').write_text(
+        launch_file("Node(package='turtlesim', executable='turtlesim_node', remappings=[('imu/data', 'imu/data')])")
+    )
+    printed = report(capsys, tmp_path / 'a.launch.py', code=0)
+    assert printed.startswith('1. note: turtlesim_node remaps imu/data to imu/data, which has no effect') and '2.' not in printed
+
+
+def test_a_remapping_of_the_name_of_a_node_is_not_a_misspelt_topic(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    walker = program(
+        imports='from std_msgs.msg import String',
+        constructor="super().__init__('news_station'); self.news = self.create_publisher(String, 'robot_news', 1)",
+    )
+    remapped = 'Node(package="robo", executable="walker", name="news_station_bb8", remappings=[("robot_news_station", "{new}")])'
+    package = workspace(tmp_path, walker, launch__named_launch_py=launch_file(remapped.format(new='news_station_bb8')))
+    printed = report(capsys, package / 'launch' / 'named.launch.py')
+    assert 'do:    remove the remapping: news_station_bb8 is the name of the node' in printed
+    (package / 'launch' / 'other.launch.py').write_text(launch_file(remapped.format(new='other')))
+    printed = report(capsys, package / 'launch' / 'other.launch.py')
+    assert 'as the first name' not in printed and 'do:    use one of the names of /news_station_bb8: /robot_news' in printed
+
+
+def test_a_missing_cmakelists_is_created_and_no_line_of_it_corrected(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    write(tmp_path / 'robo', package_xml=MANIFEST.format(more='', kind='ament_cmake'))
+    printed = report(capsys, tmp_path / 'robo')
+    assert 'do:    create the file CMakeLists.txt, or remove package.xml' in printed and 'correct' not in printed
+
+
+@pytest.mark.parametrize(
+    ('module', 'headline', 'code'),
+    [
+        ('geographic_msgs', 'note: the module geographic_msgs (interfaces of other packages of ROS) is not part of edulaunch', 0),
+        ('rqt_gui', 'note: the module rqt_gui (windows) is not part of edulaunch', 0),
+        ('crane_msgs', 'the interface package crane_msgs is not in this workspace, and it is not part of edulaunch', 1),
+        ('geometri_msgs', 'the interface package geometri_msgs does not exist; the nearest name is geometry_msgs', 1),
+    ],
+)
+def test_a_package_of_ros_that_is_absent_here_is_a_note(
+    module: str, headline: str, code: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    package = workspace(
+        tmp_path, program(imports=f'import {module}'), launch__a_launch_py=launch_file(NODE_OF_WALKER.format(more=''))
+    )
+    assert f'1. {headline}\n' in report(capsys, package / 'launch' / 'a.launch.py', code=code)
+
+
+def test_a_launch_file_of_a_folder_that_needs_others_gets_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    needs = {
+        'launch__a_launch_py': launch_file('Node(package="nav2_bringup_of_mine", executable="x")'),
+        'launch__b_launch_py': 'from nav2_common.launch import RewrittenYaml\n' + launch_file(),
+    }
+    files = {
+        'package_xml': MANIFEST.format(more='<exec_depend>ros2launch</exec_depend>', kind='ament_python'),
+        'setup_cfg': CONFIG,
+    }
+    setup = "from setuptools import setup\nsetup(name='robo', version='0.0.1', data_files=[('share/robo/launch', ['launch/a.launch.py', 'launch/b.launch.py'])])\n"
+    write(tmp_path / 'robo', setup_py=setup, resource__robo='', **files, **needs)
+    printed = report(capsys, tmp_path / 'robo', code=0)
+    assert 'launch/a.launch.py did not run: package nav2_bringup_of_mine is not installed' in printed
+    assert 'launch/b.launch.py did not run: module nav2_common is not installed' in printed
+    assert 'this launch file needs' not in printed
