@@ -111,7 +111,7 @@ def test_the_files_of_the_three_walks_are_there() -> None:
 
 def test_the_engine_can_be_read_in_an_hour() -> None:
     text = (DOCS / 'engine.md').read_text('utf-8')
-    ways = text[text.index('## The way') : text.index('## What to read next')].split('\n### ')[1:]
+    ways = text[text.index('## Reading order') : text.index('## What to read next')].split('\n### ')[1:]
     steps = [re.findall(r'^\| `([\w/]+\.py)` \| .*\? \|$', way, re.M) for way in ways]
     assert [step[0].partition('/')[0] for step in steps] == ['sim', 'interfaces', 'packages', 'recording', 'tf', 'worlds']
     lines = {name: (ENGINE / name).read_text('utf-8').count('\n') for step in steps for name in step}

@@ -33,7 +33,10 @@ This course began with five public tutorials. For each part of a tutorial, these
 reason why none does. `python -m tests.lessons.coverage` writes them from `lessons/coverage.toml`. Tests check that each section exists, and that
 the table contains every part, listing and command. They do not judge how well a section teaches it.
 """
-SUBHEAD = '[What the lessons cover](../coverage.md) explains this table. *1.2* is a section of lesson 1.'
+SUBHEAD = (
+    'This table lists parts of public tutorials, and the sections of our lessons that teach them; '
+    'see [What the lessons cover](../coverage.md). A number such as *1.2* means section 2 of lesson 1.'
+)
 
 
 class Part(NamedTuple):
