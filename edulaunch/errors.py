@@ -9,7 +9,7 @@
         │   └── PackageError          a package or executable cannot be found or read (packages/)
         ├── ForeignRosError           a real ROS 2 is on the path, so the underlay must not shadow it
         ├── SimulationError           the kernel was used incorrectly (an internal bug)
-        └── RunawayProgramError       a program kept its turn for too long
+        └── RunawayProgramError       a program ran for too long without yielding
 
 Errors that ROS 2 itself raises keep ROS 2's types and messages; they are below `ros/python`.
 """
@@ -83,4 +83,4 @@ class SimulationError(EdulaunchError):
 
 
 class RunawayProgramError(EdulaunchError):
-    """A program kept its turn for too long; the message names its file and line."""
+    """A program ran for too long without yielding; the message names its file and line."""

@@ -76,7 +76,7 @@ def end_of_run_lines(
     :param recording: the recording of a run, or of one command of a machine (`Session.of_command`).
     :param helped: programs whose error message already had an explanation.
     :param typed: the program of the command itself, whose failure and last output the reader has just seen.
-    :param shown_by: the command or expression that shows all findings, where there are too many.
+    :param shown_by: the command or expression that shows all findings. It is printed if there are too many to list.
     """
     findings = [one for one in recording.advice if one.process not in helped and (one.rule, one.name) != (DIED, typed)]
     return warning_lines(findings, reader, shown_by) if findings else []

@@ -126,7 +126,7 @@ def plot_distance(recording: Recording, first: str, second: str, close_m: float 
     :param recording: the run.
     :param first, second: turtles as in `Recording.trajectory`, or tf frames.
     :param close_m: the largest distance, in metres, that counts as close.
-    :param ax: matplotlib axes to draw on: seconds to the right, metres up.
+    :param ax: matplotlib axes to draw on; x is the time in seconds, y the distance in metres.
     :returns: a Picture, or `ax`.
     :raises KeyError: for an unknown name; the message lists the known ones.
     :raises ValueError: when the two did not exist at the same time.

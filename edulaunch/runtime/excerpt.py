@@ -22,7 +22,7 @@ class Excerpt:
 
     :param recorder: the recorder of the machine.
     :param leader: process id of the command. Raises KeyError for an unknown program.
-    :ivar beside: the command line of each other program of that time, by the program's name in the excerpt.
+    :ivar beside: maps the name of each other program in the excerpt to its command line.
     :ivar programs: launch names of the command's own programs. Other programs with such a name are renamed in the excerpt.
     """
 
@@ -86,19 +86,19 @@ class Excerpt:
         }
 
     def _nodes(self) -> Iterator[Row]:
-        """Return the nodes that existed at that time. A node of another computer keeps its recorded name of a program."""
+        """Return the nodes that existed while the command ran. Nodes of another computer keep the recorded program name."""
         pids = self._recorder.pids
         for row in self._recorder.nodes:
             if self._overlaps(row[2], row[3]):
                 yield [row[0], self._names.get(pids.get(row[4], 0), row[1]), *row[2:]]
 
     def _rows(self, rows: list[Row]) -> list[Row]:
-        """Return the rows of that time. The given rows must be in order of time."""
+        """Return the rows from the time of the command. The given rows must be sorted by time."""
         start = bisect_left(rows, self._since, key=lambda row: row[0])
         return rows[start : bisect_right(rows, self._until, key=lambda row: row[0])]
 
     def _facts(self) -> list[Row]:
-        """Return the rows of programs that ran at that time."""
+        """Return the rows of programs that ran at the same time as the command."""
         rows = [
             [row[0], self._names[pid], *row[2:]]
             for pid, row in self._recorder.facts_of()
@@ -107,7 +107,7 @@ class Excerpt:
         return sorted(rows, key=lambda row: row[0])
 
     def _topics(self, endpoints: list[Row]) -> Iterator[dict[str, Any]]:
-        """Return the messages of publishers of that time, including earlier ones that they keep for late subscriptions."""
+        """Return the messages of publishers that existed while the command ran, with the earlier ones for late subscriptions."""
         publishers = {row[4] for row in endpoints if row[0] == 'publisher'}
         kept = {row[4] for row in endpoints if row[0] == 'publisher' and 'transient_local' in row[6]}
         named = {(row[1], row[2]) for row in endpoints if row[0] == 'publisher'}

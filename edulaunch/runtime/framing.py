@@ -1,6 +1,7 @@
 """Frames between two processes of edulaunch: the length of the payload, a kind, the payload. Nothing is unpickled or evaluated.
 
-Terminals and their machine, the peers of a link, and the process with the real rclpy use it. The grader's sandbox has its own.
+Terminals and their machine, the peers of a link, and the process with the real rclpy use it. The grader's sandbox has its own
+frames.
 """
 
 from __future__ import annotations

@@ -46,7 +46,7 @@ def innermost_own(traceback: str, libraries: Sequence[str]) -> str:
 
 
 class WatchedSignals:
-    """The pipe by which Python confirms that it received a signal.
+    """The pipe through which Python confirms that it received a signal.
 
     :param pipe: the writing end; None where no watcher runs.
     """
@@ -55,11 +55,11 @@ class WatchedSignals:
         self._pipe = pipe
 
     def forget(self) -> None:
-        """Confirm nothing from now on: the number of the pipe may soon be that of another file."""
+        """Stop confirming signals, because another file may soon get the number of the pipe."""
         self._pipe = None
 
     def confirm(self) -> None:
-        """Report to the watcher that a handler of Python runs."""
+        """Inform the watcher that a signal handler in Python is running."""
         if self._pipe is not None:
             try:
                 os.write(self._pipe, HEARD)
@@ -161,7 +161,7 @@ class Watcher:
                 _print(f'note: {self._where()} is in a call that Python cannot interrupt; press Ctrl-C {again} to kill the run')
 
     def _where(self) -> str:
-        """Ask the run where it is: faulthandler answers from within C code."""
+        """Ask the run for its current line. faulthandler answers even while C code runs."""
         os.kill(self._pid, signal.SIGUSR1)
         text, end_s = '', time.monotonic() + PATIENCE_S
         while not innermost_own(text, self._libraries) and (left_s := end_s - time.monotonic()) > 0:

@@ -89,9 +89,9 @@ def _nearest_help(index: Index, package: str, file: str | None) -> str:
 
 
 def launch_argument(word: str) -> tuple[str, str]:
-    """Return name and value of `name:=value`.
+    """Return the name and the value of `name:=value`.
 
-    :raises UnusableInput: for another word, with ROS 2's message.
+    :raises UnusableInput: for a word of another form, with ROS 2's message.
     """
     name, sign, value = word.partition(':=')
     if not (name and sign and value):

@@ -52,7 +52,7 @@ class Session:
         is available from the start. A list of (simulated seconds, string) types each string at its time. An open text file,
         such as `sys.stdin`, is read when a program waits for it; meanwhile, simulated time follows real time.
     :param console: called as console(stream, text) with everything that launch prints.
-    :param turn_limit_s: seconds of processor time after which a program that keeps its turn is stopped (see `Watchdog`); 0
+    :param turn_limit_s: seconds of processor time after which a program that does not yield is stopped (see `Watchdog`); 0
         disables the limit.
     :ivar traces: the steps of the last launches; see `edulaunch.advice.plan.launch_trace`.
     :ivar steps_launches: whether new launches stop before their first action.

@@ -100,11 +100,7 @@ def target_is_turtle1(run: Evidence) -> None:
     """The listener's parameter target_frame is turtle1"""
     require_process(run, *LISTENER)
     require_parameter(
-        run,
-        *LISTENER,
-        'target_frame',
-        dict.fromkeys(run, 'turtle1'),
-        'write the name of an existing frame: ros2 run tf2_tools view_frames shows them',
+        run, *LISTENER, 'target_frame', dict.fromkeys(run, 'turtle1'), 'write turtle1 as the value of the parameter target_frame'
     )
 
 

@@ -53,7 +53,7 @@ def _starts_fixed(run: Evidence) -> None:
     """Require the broadcaster of the fixed carrot in each run."""
     for recording in run.values():
         if not find_processes(recording, PACKAGE, BROADCASTERS['fixed']):
-            raise Missing(BROADCASTERS['fixed'], where=run.source.place, try_=f'give its Node {CONDITION.format("fixed")}')
+            raise Missing(BROADCASTERS['fixed'], where=run.source.place, try_=f'write {CONDITION.format("fixed")} in its Node')
 
 
 @check(points=1)
@@ -75,14 +75,16 @@ def no_node_dies(run: Evidence) -> None:
 def one_carrot_at_a_time(run: Evidence) -> None:
     """Each value of carrot starts only its own broadcaster"""
     for name, wanted in BROADCASTERS.items():
-        started = [executable for executable in BROADCASTERS.values() for _ in find_processes(run[name], PACKAGE, executable)]
+        found = [each for executable in BROADCASTERS.values() for each in find_processes(run[name], PACKAGE, executable)]
+        started = [str(each.executable) for each in found]
         if started != [wanted]:
-            raise Mismatch(
-                f'the broadcaster of the carrot in the run with {run.scenario(name).words}',
-                wanted,
-                ' and '.join(map(str, started)) or 'no broadcaster of a carrot',
-                where=run.source.place,
-                try_=f'give the Node of {wanted} {CONDITION.format(name)}',
+            wrong = next((each for each in found if each.executable != wanted), None)
+            raise Failure(
+                f'{wanted} is not the only broadcaster of carrot1 in the run with {run.scenario(name).words}',
+                expected=wanted,
+                seen=' and '.join(started) or 'no broadcaster of carrot1',
+                where=run.source.own(wrong.origin if wrong else None),
+                try_=f'write a condition in the Node of each broadcaster: {CONDITION.format(name)} for {wanted}',
             )
 
 
@@ -126,7 +128,7 @@ def carrot_is_the_target(run: Evidence) -> None:
         *LISTENER,
         'target_frame',
         dict.fromkeys(run, 'carrot1'),
-        "give the include launch_arguments={'target_frame': 'carrot1'}.items()",
+        "add launch_arguments={'target_frame': 'carrot1'}.items() to IncludeLaunchDescription(...)",
     )
 
 

@@ -71,7 +71,7 @@ def _has_the_default(run: Evidence) -> None:
         seen = _radius_parameter(run, name)
         if seen != float(DEFAULT):
             text = f'{EXECUTABLE} has no parameter radius' if seen is None else str(seen)
-            advice = f"give the Node parameters=[{{'radius': LaunchConfiguration('{ARGUMENT}')}}]"
+            advice = f"add parameters=[{{'radius': LaunchConfiguration('{ARGUMENT}')}}] to the Node"
             raise Mismatch('the parameter radius', DEFAULT, text, where=run.source.place, try_=advice)
 
 
@@ -88,7 +88,7 @@ def radius_is_passed(run: Evidence) -> None:
     seen = [_radius_parameter(run, name) for name in run]
     if seen == wanted:
         return
-    advice = f"give the Node parameters=[{{'radius': LaunchConfiguration('{ARGUMENT}')}}]"
+    advice = f"add parameters=[{{'radius': LaunchConfiguration('{ARGUMENT}')}}] to the Node"
     given = find_processes(run.first, PACKAGE, EXECUTABLE)[0].parameter_origins
     if 'radius' not in given:
         raise Missing('the parameter radius of the Node', name='radius', among=given, try_=advice, where=_node_place(run))

@@ -97,7 +97,7 @@ def leader_moves_when_asked(run: Evidence) -> None:
             where=run.source.place,
             expected='no movement without arguments, a square with move:=true',
             seen=f'{standing:.1f} m without arguments, {moving:.1f} m with move:=true',
-            try_="give draw_square condition=IfCondition(LaunchConfiguration('move'))",
+            try_="add condition=IfCondition(LaunchConfiguration('move')) to the Node of draw_square",
         )
 
 

@@ -13,7 +13,7 @@ from edugrade.library.following import require_arrival, require_copy, require_dr
 from edugrade.library.frames import frames_at_end, place_in, require_frame
 from edugrade.library.launched import require_process
 from edugrade.library.node_graph import loose_ends, require_node
-from edugrade.library.parameters import named_origin, node_parameter, refuse_missing_file, require_parameter
+from edugrade.library.parameters import named_origin, node_parameter, refuse_missing_file, require_parameter, value_and_origin
 
 from edulaunch.engine.recording.records import Parameter
 
@@ -68,8 +68,8 @@ def water_comes_from_the_file(run: Evidence) -> None:
             refuse_missing_file(run, wrong.values(), 'turtlesim')
             raise Mismatch(
                 f'the water of {node}',
-                ', '.join(f'{name} {value}' for name, value in WATER.items()),
-                ', '.join(f'{name} {parameter.value} (from: {parameter.origin})' for name, parameter in seen.items()),
+                '; '.join(f'{name} {value}' for name, value in WATER.items()),
+                '; '.join(f'{name} {value_and_origin(parameter)}' for name, parameter in seen.items()),
                 where=run.source.place_in(CONFIG, r'\bros__parameters\b|^\S+:'),
                 try_='begin the file with /**: above ros__parameters, because /** matches every node',
             )

@@ -128,9 +128,9 @@ def _require_place(run: Evidence, name: str, child: str, wanted: tuple[float, fl
         if all(abs(seen - asked) <= TOLERANCE_M for seen, asked in zip(frame.translation, wanted, strict=True)):
             continue
         raise Mismatch(
-            f'the position of {child} in {frame.parent} in the run with {run.scenario(name).words}',
-            f'(x, y, z) = {numbers(wanted)}',
-            numbers(frame.translation),
+            f'the position of {child} relative to {frame.parent} in the run with {run.scenario(name).words}',
+            f'x, y, z = {numbers(wanted)}',
+            f'x, y, z = {numbers(frame.translation)}',
             where=run.source.place,
             try_=try_,
         )

@@ -1,4 +1,4 @@
-"""Records attempts in the progress file of the student, which decides how specific a report is. It also has the hints."""
+"""Record attempts in the student's progress file, which determines how specific the advice is. This module also finds hints."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def record_attempt(report: Report, folder: str | None) -> Report:
             file.save()
     except UnusableInput as error:
         return replace(report, level=KIND, word=f'Your progress cannot be saved: {error.message}.')
-    return replace(report, level=level, word=file.word or (UNCHANGED if is_same and not passed else ''))
+    return replace(report, level=level, is_counted=True, word=file.word or (UNCHANGED if is_same and not passed else ''))
 
 
 def why_of(report: Report) -> str:

@@ -1,4 +1,4 @@
-"""Runs without a launch argument, which show its default.
+"""Runs without a launch argument, which show the effect of its default.
 
 A scenario names in `defaults` the arguments that it does not give. If the launch file declares another default, or none, the
 grader repeats the run with the argument. A wrong default then costs its own points, and not those of other checks. For a
@@ -77,7 +77,7 @@ def _calculated(outcome: Outcome) -> dict[str, str | None]:
 
 
 def _differ(one: Outcome, other: Outcome) -> bool:
-    """Return whether nodes had other parameters in one run than in the other, or published something else."""
+    """Return whether the parameters or the published messages of two runs differ."""
     return _what_happened(one) != _what_happened(other)
 
 
@@ -90,7 +90,7 @@ def _what_happened(outcome: Outcome) -> tuple[list[Any], list[Any]]:
 
 def plan_of(outcomes: Sequence[Outcome]) -> Plan:
     """Return, for each run, the arguments that it needs, the reason or '', and the arguments with a calculated default. The
-    last ones are empty for a run that needs arguments.
+    last part is empty for a run that needs arguments.
     """
     recorded = [outcome.recording for outcome in outcomes if outcome.recording is not None]
     if not recorded:

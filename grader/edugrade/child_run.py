@@ -94,7 +94,7 @@ class ChildRun:
         return self.returncode is None or -self.returncode in (signal.SIGKILL, signal.SIGSEGV, signal.SIGABRT)
 
     def read_channel(self) -> bool:
-        """Read what the child sent. Return False when it has closed the channel."""
+        """Read the data that the child has sent. Return False when it has closed the channel."""
         data = b''
         with suppress(ConnectionResetError):  # the child ended before it read what it must know
             data = os.read(self.channel, CHUNK_BYTES)
@@ -111,7 +111,7 @@ class ChildRun:
         return bool(data)
 
     def read_output(self) -> bool:
-        """Read what the child printed. Return False when no process can print there any more."""
+        """Read the output of the child. Return False when no process can print there any more."""
         data = os.read(self.output, CHUNK_BYTES)
         self.printed_bytes += len(data)
         if len(self.printed) < KEPT_OUTPUT_BYTES:
@@ -148,7 +148,7 @@ class ChildRun:
             self.cut = 'wall'
 
     def end(self) -> None:
-        """Make the guard end the run with all its processes. Afterwards, nothing of the run is left."""
+        """Make the guard end the run with all its processes. Afterwards, no process of the run exists."""
         with suppress(OSError):
             self.link.shutdown(socket.SHUT_WR)
         deadline = monotonic() + GUARD_S

@@ -49,7 +49,7 @@ class Exercise(NamedTuple):
 
     @property
     def path(self) -> str:
-        """The path that a student gets, relative to exercises/: the launch file, or the directory of the package."""
+        """The path of the starter file or of the starter package's directory, relative to exercises/."""
         return self.file.split('/')[0]
 
 

@@ -34,14 +34,14 @@ class Scenario(NamedTuple):
     :param is_interrupted: whether launch gets Ctrl-C after the recorded part of the run. The grader then reads the bags.
     :param defaults: arguments that the run does not give, each with the default that the launch file should declare. None
         stands for any default. See `edugrade.bare_runs`.
-    :param late: by executable, the simulated seconds by which the first program of edulaunch with this name begins late. The
-        second one begins late by twice this time, and so on. The delay stays hidden from the submission, as does the next one,
-        so that a clock cannot replace a node that receives messages.
-    :param sent: by topic, a std_msgs/msg/String that the grader publishes there: the simulated seconds and the text.
-    :param turned: by turtle, such as ``/turtle1``, a turn that the grader gives it: the simulated seconds and the angle in rad.
+    :param late: for each executable of edulaunch, the delay of its first start in simulated seconds. The second start has twice
+        this delay, and so on. The submission cannot know `late` or `sent`, so that a clock cannot replace a node that receives
+        messages.
+    :param sent: for each topic, the simulated time in seconds and the string that the grader publishes as std_msgs/msg/String.
+    :param turned: for each turtle, such as ``/turtle1``, the simulated time in seconds and the angle in radians of a turn.
         A follower that only repeats a known path then loses the turtle.
-    :param fails: the programs whose first start fails, by executable, or as the first words of a command. What waits for this
-        start must not begin then; a timer or the order of a list does not wait.
+    :param fails: the programs whose first start fails, each given as an executable or as the first words of a command. Actions
+        that wait for this start must not run; a timer or the order of a list does not wait.
     """
 
     name: str
@@ -57,12 +57,12 @@ class Scenario(NamedTuple):
 
     @property
     def command(self) -> str:
-        """The arguments as people type them after ``ros2 launch``."""
+        """The launch arguments, as typed after ``ros2 launch``."""
         return ' '.join(f'{name}:={value}' for name, value in self.arguments.items())
 
     @property
     def hidden(self) -> dict[str, Any]:
-        """What the submission must not know. It reaches the trusted peer after the fork of the other one."""
+        """The values that the submission must not know. The trusted peer gets them after the confined peer was forked."""
         return {'late': dict(self.late), 'sent': dict(self.sent), 'turned': dict(self.turned), 'fails': list(self.fails)}
 
     @property
@@ -78,7 +78,7 @@ class Outcome(NamedTuple):
     """A recording, or the reason why there is no recording.
 
     :param kind: 'recorded', 'unusable' (the launch file cannot be run), 'stopped' (the run did not end normally) or 'broke'.
-        The last one means that the grader or the engine failed, which costs the student no points.
+        The kind 'broke' means that the grader or the engine failed, which costs the student no points.
     """
 
     scenario: Scenario
@@ -189,9 +189,9 @@ class Failure(Exception):
 
     :param rationale: one sentence that states what is wrong, with names and values.
     :param expected: what the check looked for, in words or as a value.
-    :param seen: what it found instead.
+    :param seen: what the check found instead.
     :param where: (file, line) of the launch action or the file to change.
-    :param try_: what to do, beginning with a verb. Of several strings, a student sees the next one after some attempts.
+    :param try_: what to do, beginning with a verb. Of several strings, a student sees a later one after more attempts.
     :param share: the share of the points that the check still gives: at least 0 and less than 1.
     """
 
@@ -216,7 +216,7 @@ class Failure(Exception):
 
 
 class Missing(Failure):
-    """Something is absent.
+    """An expected thing does not exist.
 
     :param thing: what is absent, with its name, such as ``the launch argument "circle_radius"``.
     :param name: the bare name that the check looked for. With `among`, the report advises to correct the nearest name.
@@ -266,7 +266,7 @@ LONGEST_VALUE = 60
 
 
 class Mismatch(Failure):
-    """Something has another value than the expected one. The report shows both values in full."""
+    """A thing has another value than expected. The report shows both values in full."""
 
     def __init__(
         self,

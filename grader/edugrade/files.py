@@ -1,4 +1,4 @@
-"""Reads files of strangers (only regular files, up to a size), and writes each file completely or not at all."""
+"""Read untrusted files (only regular files, up to a maximum size), and write each file completely or not at all."""
 
 from __future__ import annotations
 

@@ -20,12 +20,12 @@ fails.
 
 
 class Limits(NamedTuple):
-    """Limits of one child process; wall-clock time is the only one that a student should ever meet.
+    """Limits of one child process. In practice, students reach only the limit of wall-clock time.
 
     :param wall_s: seconds of real time for one scenario. The rubric sets the simulated duration.
-    :param memory_mib: address space.
-    :param output_mib: size of its output.
-    :param recording_mib: size of its recording.
+    :param memory_mib: address space in MiB.
+    :param output_mib: size of the output in MiB.
+    :param recording_mib: size of the recording in MiB.
     :param sandbox: 'auto' confines as far as the system can, 'require' refuses runs that are not fully confined, and 'off' limits
         only time and memory.
     :param turn_s: processor time of one turn of a program. A single call into C may take two and a half times as long. The limit

@@ -90,7 +90,7 @@ def no_mark(reason: str, try_: str = 'find out who changes files there, and grad
 
 
 def _which(bad: Sequence[Outcome], outcomes: Sequence[Outcome]) -> str | None:
-    """Return which launches failed, or None when all of them failed."""
+    """Return a sentence that names the launches that failed, or None when all launches failed."""
     if len(bad) == len(outcomes):
         return None
     return 'it fails only when launched with ' + ' and with '.join(outcome.scenario.words for outcome in bad)
@@ -194,7 +194,7 @@ SHORTEST_NAME = 4
 
 
 def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckResult]:
-    """Return the results, each failed one with the finding that is about the same thing or place.
+    """Return the results with a cause for each failed one: the finding about the same thing or place.
 
     If no finding is about any of them and no program died, the failed check with the most points gets the worst finding.
     No finding appears twice, and marks do not depend on findings.

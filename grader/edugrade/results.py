@@ -74,6 +74,7 @@ class Report:
     :param secret: the name of the course secret that chose the seed, if there is one.
     :param student: the name of the student, or ''.
     :param level: the level of the advice that people see. Data always has all advice.
+    :param is_counted: whether the attempt is in the student's progress file, so that later attempts get more specific advice.
     :param variant: the values of a personalised exercise.
     :param looked: the digest of each run and the launch graph for `reports.document`, if they are known.
     :param why: why the exercise matters on a robot, for a submission that passes all checks.
@@ -96,6 +97,7 @@ class Report:
     secret: str | None = None
     student: str = ''
     level: int = 3
+    is_counted: bool = False
     word: str = ''
     why: str = ''
     variant: Variant | None = None

@@ -43,6 +43,7 @@ def comes_with_edulaunch(package: str) -> bool:
 _GAP = re.compile(r'\s*(?:#|<!--)\s*TODO\b\s*(\d{0,9})')
 _FUNCTION = re.compile(r'\s*(async\s+)?def\s+generate_launch_description\b')
 _LIST = re.compile(r'.*\bLaunchDescription\s*\(')
+_ROOT = re.compile(r'\s*<launch\b|launch\s*:')  # of a launch file in XML or YAML
 
 
 class Gap(NamedTuple):
@@ -67,8 +68,8 @@ class SubmittedText:
 
     @property
     def place(self) -> Place:
-        """The place for a missing action: the line of ``LaunchDescription(``, or else of the function."""
-        function = _line_of(_FUNCTION, self._lines)
+        """The place for a missing action: the line of ``LaunchDescription(``, or else of the function or of the root element."""
+        function = _line_of(_FUNCTION, self._lines) or _line_of(_ROOT, self._lines)
         return Place(self.file, _line_of(_LIST, self._lines, function or 0) or function)
 
     def place_in(self, name: str, pattern: str = '') -> Place:

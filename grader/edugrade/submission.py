@@ -181,7 +181,10 @@ def _nearest_to(path: str) -> str:
     close = nearest(name, names)
     if close is not None:
         return f'did you mean {os.path.join(folder, close)}?'
-    return f'launch files there: {", ".join(names)}' if names else 'there are no launch files in that folder'
+    shown = f'the folder {folder}' if folder else 'the current folder'
+    if not names:
+        return f'type the path of a launch file, because {shown} has none'
+    return f'type the path of one of the launch files in {shown}: {", ".join(names)}'
 
 
 MANIFEST = 'package.xml'

@@ -211,7 +211,7 @@ def test_a_topic_below_another_one_is_not_a_misspelling_of_it(tmp_path: Path) ->
     second = WALKER.replace('walker.py', 'second.py')
     text = program(body, 'from std_msgs.msg import String\n')
     found = told(write(tmp_path, main_launch_py=launch(WALKER, second), walker_py=text, second_py=other))
-    assert any('/depth/target, but no node publishes it' in one for one in found)
+    assert any('/depth/target, but no node publishes on this topic' in one for one in found)
     assert not any('subscribe to /depth if' in one for one in found)
 
 
@@ -285,7 +285,7 @@ def test_a_remapping_is_not_reversed_where_the_call_with_its_first_name_has_seve
     remapped = WALKER.replace("'walker.py')", "'walker.py'), '--ros-args', '-r', '/numbers:=/others'")
     files = {'walker_py': program(body, imports), 'hearer_py': program(hears, imports, "super().__init__('hearer')")}
     found = told(write(tmp_path, main_launch_py=launch(remapped, WALKER.replace('walker', 'hearer')), **files))
-    assert 'give /hearer the same remapping' in found[0]
+    assert 'add the same remapping to /hearer' in found[0]
 
 
 MIMIC = (
@@ -306,7 +306,7 @@ def test_an_absolute_path_is_not_told_to_become_absolute(tmp_path: Path) -> None
     text = launch(SIM).replace('    return', "    open('/home/ada/models/robot.sdf')\n    return")
     with pytest.raises(LaunchFileError) as caught:
         edulaunch.run(write(tmp_path, main_launch_py=text) / 'main.launch.py', duration_s=1.0, workspaces=[])
-    assert '/home/ada/models/robot.sdf is not on this machine' in str(caught.value)
+    assert '/home/ada/models/robot.sdf is not on this computer' in str(caught.value)
 
 
 def test_a_path_up_from_the_share_folder_is_not_told_to_be_absent_in_the_workspace(tmp_path: Path) -> None:

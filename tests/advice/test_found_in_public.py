@@ -73,7 +73,7 @@ def test_a_terminal_window_is_a_note(tmp_path: Path) -> None:
     teleop = f"Node(package='teleop_twist_keyboard', executable='teleop_twist_keyboard', name='teleop'{prefix})"
     report = reports(launch_file(tmp_path, f'return LaunchDescription([{teleop}])'))
     assert [one.splitlines()[0].partition(' (')[0] for one in report if 'teleop' in one or 'terminal' in one] == [
-        'gnome-terminal-1 opens a terminal window on a real computer, but in edulaunch its program receives no keys'
+        'edulaunch cannot open the terminal window of gnome-terminal-1, so the program in it receives no keyboard input'
     ]
 
 
@@ -206,7 +206,11 @@ def test_a_topic_that_has_none_in_its_name_has_a_variable_without_a_value(tmp_pa
     drive = f"ExecuteProcess(cmd=['python3', '{program}'])"
     sims = ', '.join(SIM.format(f", namespace='{name}'") for name in ('t1', 't2'))
     report = reports(launch_file(tmp_path, f'return LaunchDescription([{sims}, {drive}])'))[0]
-    assert '/None/cmd_vel' in report and 'None is the text of a variable without one' in report and 'turtle1' not in report
+    assert (
+        '/None/cmd_vel' in report
+        and 'None is what an undefined variable becomes in a string' in report
+        and 'turtle1' not in report
+    )
 
 
 def test_the_keyboard_program_in_a_window_of_its_own_is_not_the_students(tmp_path: Path) -> None:
@@ -216,7 +220,7 @@ def test_the_keyboard_program_in_a_window_of_its_own_is_not_the_students(tmp_pat
     )
     sims = ', '.join(SIM.format(f", namespace='{name}'") for name in ('t1', 't2'))
     report = '\n'.join(reports(launch_file(tmp_path, f'return LaunchDescription([{sims}, {teleop}])')))
-    assert 'rotate_absolute' not in report and 'opens a terminal window' in report
+    assert 'rotate_absolute' not in report and 'cannot open the terminal window' in report
 
 
 def test_a_robot_with_two_links_of_one_name_is_refused(tmp_path: Path) -> None:
@@ -239,7 +243,7 @@ def test_a_remapping_that_only_one_of_two_nodes_has_is_not_reversed(tmp_path: Pa
     count, add = (f"'python3', '{tmp_path / name}'" for name in ('counter.py', 'adder.py'))
     processes = f"ExecuteProcess(cmd=[{count}, '--ros-args', '-r', 'numbers:=other']), ExecuteProcess(cmd=[{add}])"
     report = reports(launch_file(tmp_path, f'return LaunchDescription([{processes}])'))[0]
-    assert 'give /adder the same remapping' in report and 'swap' not in report
+    assert 'add the same remapping to /adder' in report and 'swap' not in report
 
 
 def test_a_path_of_one_machine_becomes_the_path_that_the_build_makes(
@@ -276,7 +280,7 @@ def test_a_script_that_the_build_installs_with_its_ending_is_started_with_it(
     (robo / 'CMakeLists.txt').write_text(lines.format('install(PROGRAMS robo/go.py DESTINATION lib/${PROJECT_NAME})\n'))
     assert main(['doctor', str(file), '--for', '1']) == 1
     out = capsys.readouterr().out
-    assert 'robo has no executable go\n' in out and "write 'go.py'" in out
+    assert "the package 'robo' has no executable named 'go'\n" in out and "write 'go.py'" in out
     (robo / 'CMakeLists.txt').write_text(lines.format(''))
     assert main(['doctor', str(file), '--for', '1']) == 1
     assert 'add install(PROGRAMS robo/go.py DESTINATION lib/${PROJECT_NAME} RENAME go)' in capsys.readouterr().out

@@ -75,7 +75,7 @@ def test_lines_are_few_and_say_how_many_more_there_are() -> None:
     lines = warning_lines(findings, ENGLISH)
     assert len(lines) == 6 and lines[-1] == 'and 3 more'
     assert lines[0].splitlines() == [
-        'warning: two nodes have the name /n0: one in a, and one in b',
+        'warning: two nodes have the name /n0: one in a and one in b',
         "  help: rename one of them, for example with name='n_2' in the launch file, or use another namespace",
     ]
 

@@ -21,7 +21,7 @@ IMPORTS = (
 MISTAKES = {
     'from launch.actions import IfCondition': 'launch.actions does not contain IfCondition; write: from launch.conditions import IfCondition',
     'from launch.actions import DeclareLaunchArgumnt': 'launch.actions does not contain DeclareLaunchArgumnt; write: from launch.actions import DeclareLaunchArgument',
-    'from nav2_common.launch import RewrittenYaml': 'the module nav2_common (Navigation 2) is not part of edulaunch; run this launch file on a machine where nav2_common is installed',
+    'from nav2_common.launch import RewrittenYaml': 'the module nav2_common (Navigation 2) is not part of edulaunch; run this launch file on a computer where nav2_common is installed',
     'import qqq_zzz.parts': 'the module qqq_zzz does not exist; change to the workspace that contains this module, or name it with --workspace DIR',
     'from launch.action_s import LogInfo': 'the module launch.action_s does not exist; write: from launch.actions import ...',
     'import launch\nx = launch.actions.LogInf': 'launch.actions does not contain LogInf; write: from launch.actions import LogInfo',
@@ -30,7 +30,7 @@ MISTAKES = {
     'x = PythonLaunchDescriptionSource': 'the name PythonLaunchDescriptionSource is not defined; add this line: from launch.launch_description_sources import PythonLaunchDescriptionSource',
     'x = os.getcwd()': 'the name os is not defined; add this line: import os',
     'x = true': 'the name true is not defined; write True',
-    '  x = 1': 'line 6 is indented more than the line above, which does not begin a block; indent line 6 like the line above, or add the line that begins the block, such as def or if',
+    '  x = 1': 'line 6 is indented further than the line above, which does not begin a block; indent line 6 like the line above, or add the line that begins the block, such as def or if',
     "x = DeclareLaunchArgument('a', default_value=3)": "default_value=3 is of type int, but launch expects strings and substitutions here; write default_value='3'",
     "x = DeclareLaunchArgument('a', default_value=True)": "default_value=True is of type bool, but launch expects strings and substitutions here; write default_value='true'",
     "x = DeclareLaunchArgument('a', default='3')": 'DeclareLaunchArgument has no argument default=; write default_value=',
@@ -51,7 +51,7 @@ MISTAKES = {
     "from launch_ros.actions import LifecycleNode\nx = LifecycleNode(package='a', executable='b', name='n')": 'LifecycleNode needs the argument namespace=; add namespace=...',
     "x = TimerAction(period=2.0, actions=LogInfo(msg='a'))": 'the value of actions= cannot be of type launch.actions.log_info.LogInfo; put the value into a list: actions=[...]',
     "x = LaunchDescription(LogInfo(msg='a'))": 'launch expects a list here, not a single LogInfo; put it into square brackets: [LogInfo(...)]',
-    "x = LogInfo(msg='a')(LogInfo(msg='b'))": 'a comma is missing after LogInfo(...), so Python reads the brackets that follow as a call; put a comma after LogInfo(...)',
+    "x = LogInfo(msg='a')(LogInfo(msg='b'))": 'a comma is missing after LogInfo(...), so Python reads the next brackets as a part of it; put a comma after LogInfo(...)',
     'x = 1': 'this launch file has no function generate_launch_description(); write `def generate_launch_description(): return LaunchDescription([...])`',
 }
 
@@ -88,7 +88,7 @@ def test_syntax_errors_have_their_line(tmp_path: Path) -> None:
 
 
 VISITED = {
-    "LogInfo(msg=LaunchConfiguration('robot_nam'))": "  help: @:9 (LogInfo): the launch configuration 'robot_nam' does not exist; write 'robot_name' if you mean that one",
+    "LogInfo(msg=LaunchConfiguration('robot_nam'))": "  help: @:9 (LogInfo): the launch configuration 'robot_nam' does not exist; write 'robot_name' if you mean this name",
     "LogInfo(msg=LaunchConfiguration('zzz'))": "  help: @:9 (LogInfo): the launch configuration 'zzz' does not exist; write DeclareLaunchArgument('zzz', default_value='...') before this use",
     "LogInfo(msg='a', condition=IfCondition('yes'))": '  help: @:9 (LogInfo): this condition is neither true nor false; use true, 1, false or 0, and compare strings with EqualsSubstitution(left, right)',
     "LogInfo(msg=PythonExpression(['abc', ' == \"abc\"']))": "  help: @:9 (LogInfo): the string abc has no quotes in a PythonExpression, so Python reads it as a name; put quotes around the substitution, as in [\"'\", LaunchConfiguration('x'), \"' == 'abc'\"]",
@@ -131,7 +131,7 @@ def test_an_argument_of_a_group_that_is_over_is_explained(tmp_path: Path) -> Non
         f'{IMPORTS}def generate_launch_description():\n    part = __file__.replace("wrong", "part")\n'
         "    return LaunchDescription([GroupAction([IncludeLaunchDescription(part)]), LogInfo(msg=LaunchConfiguration('robot'))])\n"
     )
-    assert "'robot' was set inside a GroupAction that has already ended; give the group scoped=False" in said(path)[-1]
+    assert "'robot' was set inside a GroupAction that has already ended; add scoped=False to the group" in said(path)[-1]
 
 
 def test_of_an_error_that_nobody_knows_the_place_is_told(tmp_path: Path) -> None:

@@ -85,9 +85,9 @@ MISTAKES = {
         ),
         (
             '<launch>\n<group>\n</launch>',
-            '3: the element <group> that starts in line 2 is not closed; write </group> where the element ends',
+            '3: the element <group> that starts on line 2 is not closed; write </group> where the element ends',
         ),
-        ('<robot/>', "1: the outermost element is <robot>, not 'launch'; put everything into one element named launch"),
+        ('<robot/>', "1: the outermost element is <robot>, not 'launch'; put everything into one element named 'launch'"),
     ],
     'x.yaml': [
         ('launch:\n- nodee: {}', "2: 'nodee' is not an element of launch files; write 'node'"),

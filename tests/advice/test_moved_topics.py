@@ -38,7 +38,7 @@ def test_the_remapping_that_moved_the_subscription_is_named(tmp_path: Path, old:
     found = advice(tmp_path, old=old, new='/hand/cmd_vel', topic=topic)
     assert 'messages.other-topic' not in found
     assert found['messages.nobody-listens'].startswith(
-        f'remove the remapping of {topic} to /hand/cmd_vel from /turtlesim, or give '
+        f'remove the remapping of {topic} to /hand/cmd_vel from /turtlesim, or add the same '
     )
 
 

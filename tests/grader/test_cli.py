@@ -47,7 +47,7 @@ def test_a_file_without_a_rubric_names_the_known_ones(capsys: pytest.CaptureFixt
     file.write_text('')
     code, text = refused(capsys, str(file))
     assert code == 2
-    assert 'there is no rubric for "cirlce"; there are: broken_follow, carrot, circle, follow, large_project, static_frame\n'
+    assert 'there is no rubric named "cirlce". Available rubrics: broken_follow, carrot, circle, follow, large_project, static_frame\n'
     assert '  help: did you mean circle?' in text
 
 

@@ -115,7 +115,7 @@ def test_checks_of_one_cause_are_one_block_on_the_page_too() -> None:
 def test_the_next_step_is_the_first_failed_check_even_where_a_solved_todo_stayed() -> None:
     gaps = (Gap(made_report.FILE, 4, '# TODO 1: drive'),)
     assert next_step(made_report.report(made_report.PASSED, made_report.FAILED, gaps=gaps)).startswith(
-        'Next: fix the check "It drives"'
+        'Next: make the check "It drives" pass'
     )
 
 

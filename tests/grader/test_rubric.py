@@ -60,7 +60,10 @@ def test_every_rubric_of_the_course_can_be_loaded() -> None:
 def test_an_unknown_exercise_names_the_nearest() -> None:
     with pytest.raises(UnusableInput) as error:
         find_rubric('cirlce')
-    assert error.value.message.startswith('there is no rubric for "cirlce"; there are: ') and ' circle, ' in error.value.message
+    assert (
+        error.value.message.startswith('there is no rubric named "cirlce". Available rubrics: ')
+        and ' circle, ' in error.value.message
+    )
     assert error.value.help is not None
     assert error.value.help.startswith('did you mean circle?')
 

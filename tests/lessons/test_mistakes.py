@@ -48,7 +48,7 @@ def test_a_typo_in_an_executable_names_the_right_one(walk: Begin) -> None:
     with pytest.raises(edulaunch.LaunchFileError) as failed:
         edulaunch.run(student.folder / 'my_launch' / 'oops.launch.py')
     assert 'oops.launch.py:7' in str(failed.value)
-    assert failed.value.help == "turtlesim has no executable turtlesim_nod; write 'turtlesim_node'"
+    assert failed.value.help == "the package 'turtlesim' has no executable named 'turtlesim_nod'; write 'turtlesim_node'"
 
 
 def test_a_typo_in_a_frame_is_logged_once_a_second_and_nothing_dies(walk: Begin) -> None:

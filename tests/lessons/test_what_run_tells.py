@@ -92,7 +92,7 @@ def launch_file(folder: Path, *lines: str) -> Path:
         ),
         (
             "return LaunchDescription([Node(package='turtlesim', executable='mimic', name=EnvironmentVariable('USR'))])",
-            "the environment variable 'USR' is not set; write 'USER' if you mean that one",
+            "the environment variable 'USR' is not set; write 'USER' if you mean this name",
         ),
     ],
 )

@@ -78,7 +78,7 @@ def positional(failure: Failure) -> Iterator[Finding]:
     'launch.function-called',
     what='{function}() is called here, but OpaqueFunction needs the function itself',
     why='launch calls the function later, and passes the context',
-    do='write function={function} without brackets',
+    do='write function={function} without parentheses',
     level='error',
     edits=(('function={function}()', 'function={function}'),),
 )
@@ -143,7 +143,7 @@ def missing_keyword(failure: Failure) -> Iterator[Finding]:
         "write '{as_text}'",
         'write {keyword}=str(...) to convert the path to a string',
         'write {as_path} to convert the path to a string',
-        "give {joiner} one string or substitution for each part, and add a file name ending after it: [{joiner}([...]), '.yaml']",
+        "pass each part to {joiner} as one string, and write a file name ending after it: [{joiner}([...]), '.yaml']",
         'remove the inner brackets: {nested}',
         'write a string, or a substitution such as LaunchConfiguration(...)',
     ),
@@ -233,19 +233,37 @@ def not_a_list(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.missing-comma',
-    what='a comma is missing after {item}, so Python reads the brackets that follow as a call',
-    do='put a comma after {item}',
+    what=(
+        '{variable} is a {cls}, not a function, so it cannot be called',
+        'a comma is missing after {item}, so Python reads the next brackets as a part of it',
+    ),
+    do=('remove the parentheses after {variable}', 'put a comma after {item}'),
     level='error',
     confidence='asked',
 )
 def missing_comma(failure: Failure) -> Iterator[Finding]:
-    """Report two items of a list without a comma between them."""
+    """Report two items of a list without a comma between them, and a variable that is called although it is an action."""
     match = re.match(r"'(\w+)' object is not (callable|subscriptable)", failure.message)
     if match is None or failure.process is not None:
         return
     cls = class_named(match[1])
     if cls is not None or match[1] in ('dict', 'tuple', 'list', 'str'):
-        yield report(failure, item='the item of the list' if cls is None else f'{match[1]}(...)')
+        item = 'the item of the list' if cls is None else f'{match[1]}(...)'
+        yield report(failure, item=item, variable=_called_variable(failure, match[1]), cls=match[1])
+
+
+def _called_variable(failure: Failure, cls: str) -> str | None:
+    """Return the variable with an object of a class that the line of the failure calls, or None."""
+    tree = script_of(failure.file) or ast.Module([], [])
+    made = {
+        target.id
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Call)
+        for target in node.targets
+        if isinstance(target, ast.Name) and ast.unparse(node.value.func).rpartition('.')[2] == cls
+    }
+    calls = (node for node in ast.walk(tree) if isinstance(node, ast.Call) and node.lineno == failure.line)
+    return next((node.func.id for node in calls if isinstance(node.func, ast.Name) and node.func.id in made), None)
 
 
 @rule(
@@ -352,8 +370,8 @@ def number_wanted(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.text-is-bytes',
-    what='the text of a process event is bytes, and Python does not compare bytes with a string',
-    do='convert it first: event.text.decode()',
+    what='event.text is bytes, but this line uses it as a string',
+    do='convert it to a string first: event.text.decode()',
     level='error',
 )
 def text_is_bytes(failure: Failure) -> Iterator[Finding]:

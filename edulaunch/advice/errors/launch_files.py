@@ -90,8 +90,8 @@ def no_return(failure: Failure) -> Iterator[Finding]:
         "write '{near}'",
         'write the path {below}, because the package has the file in that folder',
         "find the file with PathJoinSubstitution([FindPackageShare('{package}'), ...]), and check that "
-        '{package} is built on this machine',
-        'correct the path, or find the file by its package with FindPackageShare: {absolute} is not on this machine',
+        '{package} is built on this computer',
+        'correct the path, or find the file by its package with FindPackageShare: {absolute} is not on this computer',
         'check the path: a launch file needs absolute paths, such as PathJoinSubstitution creates',
     ),
     level='error',
@@ -130,7 +130,7 @@ def _is_relative(text: str, path: str) -> bool:
 ABSENT_FILE = about(
     'packages.absent-file',
     what='the package {package} ({belongs_to}) is not part of edulaunch, so its files do not exist here',
-    do='leave this part out here, or give it a condition',
+    do='leave this part out here, or add a condition to it',
     level='info',
     hides=('launch.fails',),
 )
@@ -203,7 +203,7 @@ NO_ENTRY_POINT = about(
 )
 NO_EXECUTABLE = about(
     'packages.no-executable',
-    what='{package} has no executable {executable}',
+    what="the package '{package}' has no executable named '{executable}'",
     do=(
         'start a launch file with: ros2 launch {package} {launch_file}',
         "write '{near}'",
@@ -264,7 +264,7 @@ def relative_import(failure: Failure) -> Iterator[Finding]:
         "run this in the folder of edulaunch's setup.sh: pip install '.[{extra}]'",
         'write: from {near} import ...',
         'move {file_beside} into your Python package, and import it from there',
-        'run this launch file on a machine where {absent} is installed',
+        'run this launch file on a computer where {absent} is installed',
         'change to the workspace that contains this module, or name it with --workspace DIR',
     ),
     level='error',

@@ -186,7 +186,7 @@ def call(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.path-as-package',
     what="$({call} ...) needs only the name of a package, but '{given}' is a path",
-    do='close the bracket after the name: $({call} {package})/{rest}',
+    do='close the parenthesis after the name: $({call} {package})/{rest}',
     level='error',
     edits=(('{given})', '{package})/{rest}'),),
 )
@@ -212,9 +212,9 @@ NUMBER_ONLY = about(
 PARAM_ELEMENT = about(
     'launch.param-element', what='{shown} needs a name and a value, or a file', do="add name and value, or from='a file'"
 )
-ELEMENT = about('launch.element', what='{shown} contains a mistake', do="compare it with ROS 2's documentation on launch files")
+ELEMENT = about('launch.element', what='{shown} is not valid here', do="compare it with ROS 2's documentation on launch files")
 ROOT = about(
-    'launch.root', what="the outermost element is {shown}, not 'launch'", do='put everything into one element named launch'
+    'launch.root', what="the outermost element is {shown}, not 'launch'", do="put everything into one element named 'launch'"
 )
 EMPTY_FILE = about(
     'launch.empty-file',
@@ -223,7 +223,7 @@ EMPTY_FILE = about(
 )
 NOT_CLOSED = about(
     'launch.not-closed',
-    what='the element <{tag}> that starts in line {opened} is not closed',
+    what='the element <{tag}> that starts on line {opened} is not closed',
     do=('write </{tag}> where the element ends'),
 )
 
@@ -232,7 +232,7 @@ NOT_CLOSED = about(
     'launch.unreadable',
     what='launch cannot read this file: {problem}',
     do=(
-        'write another sign than {dashes} in the comment: XML allows it only at the ends of a comment',
+        'replace {dashes} in the comment with another character: XML allows it only at the start and the end of a comment',
         'write &amp; in place of each {ampersand} in that line, because & begins an entity in XML',
         'check brackets, quotes and indentation in that line and in the line above',
     ),
@@ -273,7 +273,7 @@ YAML_LIST = about(
 YAML_ITEM = about(
     'launch.yaml-item',
     what=(
-        "{below} is not below '{opened}', because it is not indented more than '{opened}'",
+        "{below} is not below '{opened}', because it is not indented further than '{opened}'",
         'one item of {shown} contains several elements: {several}',
         'an item of {shown} is not an element',
     ),

@@ -17,7 +17,7 @@ from edulaunch.engine.nearest import nearest, nearest_spelling
 @rule(
     'launch.command-failed',
     what=("the command '{command}' failed: {said}", "the command '{command}' failed"),
-    why='this launch file needs the output of the command',
+    why='the launch file needs the output of the command',
     do='run the command in a terminal, and fix the problem that it reports: {command}',
     level='error',
     hides=('programs.died',),
@@ -53,12 +53,12 @@ def program_absent(failure: Failure) -> Iterator[Finding]:
     ),
     why="launch runs events and timers after the group that set '{scoped}' has ended",
     do=(
-        "write '{near}' if you mean that one",
-        'give the group scoped=False, or read {scoped} in an OpaqueFunction inside the group',
-        'write <arg name="{xml}" default="..."/> before this line, or pass the value in the <include> of the '
-        'file that includes this one',
+        "write '{near}' if you mean this name",
+        'add scoped=False to the group, or read {scoped} in an OpaqueFunction inside the group',
+        'write <arg name="{xml}" default="..."/> before this line, or pass the value in the '
+        '<include> element of the other launch file',
         "write `- arg: {{name: {yaml}, default: '...'}}` before this line, or pass the value in the include of the "
-        'file that includes this one',
+        'other launch file',
         "write DeclareLaunchArgument('{configuration}', default_value='...') before this use",
     ),
     lesson='01_first_launch',
@@ -76,7 +76,7 @@ def no_configuration(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.no-argument',
     what=("the launch argument '{needed}' is required, but you passed '{near}'", "the launch argument '{needed}' is required"),
-    do=('replace {near}:= with {needed}:=', 'pass {needed}:=..., or give its DeclareLaunchArgument a default_value'),
+    do=('replace {near}:= with {needed}:=', 'pass {needed}:=..., or add default_value=... to its DeclareLaunchArgument'),
     level='error',
     lesson='01_first_launch',
 )
@@ -91,7 +91,7 @@ def no_argument(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.no-variable',
     what="the environment variable '{variable}' is not set",
-    do=("write '{near}' if you mean that one", "add a default: EnvironmentVariable('{variable}', default_value='...')"),
+    do=("write '{near}' if you mean this name", "add a default: EnvironmentVariable('{variable}', default_value='...')"),
     level='error',
     edits=(('{variable}', '{near}', 'near'),),
 )
@@ -104,7 +104,7 @@ def no_variable(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.condition-value',
-    what=('{code} has quotes around it, so the condition tests this string', 'this condition is neither true nor false'),
+    what=('{code} has quotes around it, so the condition tests this string itself', 'this condition is neither true nor false'),
     do=(
         'remove the quotes: {code}',
         'use true, 1, false or 0, and compare strings with $(eval {compared})',
@@ -176,7 +176,7 @@ def too_deep(failure: Failure) -> Iterator[Finding]:
 INCLUDE_RING = about(
     'launch.include-ring',
     what='launch files include each other in a circle: {ring}',
-    do='remove one of these includes, or give it a condition that becomes false',
+    do='remove one of these includes, or add a condition that becomes false to it',
 )
 EMPTY_PARAMETER_FILE = about(
     'launch.empty-parameter-file',
@@ -254,10 +254,10 @@ def _meant(text: str, wanted: str) -> str | None:
 
 @rule(
     'programs.parameter-undeclared',
-    what="the parameter '{parameter}' is used here, but the node has not declared it",
+    what="the parameter '{parameter}' is used before the node declares it",
     why='a node ignores a parameter of a launch file until it declares that parameter',
     do=(
-        "write '{near}' if you mean that one",
+        "write '{near}' if you mean this name",
         "declare it first with a default value: self.declare_parameter('{parameter}', ...)",
     ),
     lesson='03_parameters',
@@ -329,7 +329,7 @@ def value_as_yaml(failure: Failure) -> Iterator[Finding]:
 LIST_OF_ONE_TYPE = about(
     'launch.list-of-one-type',
     what=(
-        'the values of the list in line {at} of {parameter_file} are of different types',
+        'the values of the list on line {at} of {parameter_file} are of different types',
         'the values of this list are of different types',
     ),
     do=(

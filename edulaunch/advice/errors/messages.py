@@ -65,7 +65,7 @@ NO_INTERFACE = about(
     edits=(('{interface}', '{near}', 'near'),),
 )
 CLASS_GIVEN = about(
-    'messages.class-given', what='{wanted} is a class, but an object is needed here', do='write {wanted}() with brackets'
+    'messages.class-given', what='{wanted} is a class, but an object is needed here', do='write {wanted}(), with parentheses'
 )
 OTHER_CLASS = about(
     'messages.other-class',
@@ -94,7 +94,7 @@ _SAID = re.compile(r"Expected <class '(?P<module>[\w.]+)\.(?P<wanted>\w+)'>, got
 @rule(
     'messages.published-no-message',
     what='publish() was called with a {got}, but this publisher sends {wanted} messages',
-    why='a topic has messages of one type, and Python does not convert a {got} to a message',
+    why='all messages of a topic have the same type, and Python does not convert a {got} to a message',
     do='create a message with msg = {wanted}(), set its fields, and call publisher.publish(msg)',
     level='error',
 )
@@ -161,7 +161,7 @@ def unknown_name(failure: Failure) -> Iterator[Finding]:
     what=('{made}(...) needs its seconds as a named argument', 'Python cannot add, subtract or compare a {left} and a {right}'),
     do=(
         'write {made}(seconds=...)',
-        'call {callee}: write brackets after its name, as in now()',
+        'call {callee}: write parentheses after its name, as in now()',
         'write a Duration, as in now - Duration(seconds=0.5); time.nanoseconds / 1e9 is a Time in seconds',
     ),
     level='error',
@@ -188,7 +188,7 @@ def no_number(failure: Failure) -> Iterator[Finding]:
 @rule(
     'programs.no-period',
     what='create_timer() needs a period and a function, but it received only one argument',
-    do='pass the period in seconds, and then the function without brackets: self.create_timer(1.0, self.on_timer)',
+    do='pass the period in seconds, and then the function without parentheses: self.create_timer(1.0, self.on_timer)',
     level='error',
 )
 def no_period(failure: Failure) -> Iterator[Finding]:

@@ -110,7 +110,7 @@ def condition_word(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'launch.declared-after-use',
-    what="the launch argument '{configuration}' is used before its declaration in line {declared}",
+    what="the launch argument '{configuration}' is used before its declaration on line {declared}",
     why='launch executes the actions of a list in order, so the argument has no value before its declaration',
     do="move DeclareLaunchArgument('{configuration}', ...) to the beginning of the list",
     lesson='01_first_launch',
@@ -149,7 +149,7 @@ def _comes_later(tree: ast.Module, declared: int, used: int) -> bool:
     'launch.set-in-group',
     what="'{configuration}' is set inside a GroupAction, and the group ends before this use",
     why='a value that a group sets is valid only inside that group',
-    do='give the group scoped=False, or move this use into the group',
+    do='add scoped=False to the group, or move this use into the group',
     lesson='01_first_launch',
     level='error',
     hides=('launch.no-configuration', 'launch.declared-after-use'),
@@ -173,7 +173,7 @@ SETTING = ('SetLaunchConfiguration', 'DeclareLaunchArgument')
 
 @rule(
     'launch.class-for-action',
-    what='{given} has no brackets, so it is a class and not an action',
+    what='{given} has no parentheses, so it is a class, not an action',
     why='launch calls a handler with the event and the context, and this class does not accept these arguments',
     do='write {keyword}={given}()',
     lesson='05_events',

@@ -15,16 +15,16 @@ from edulaunch.ros.sources.source_package import read_text
 ABSENT_MODULE = about(
     'packages.absent-module',
     what='the module {module} ({belongs_to}) is not part of edulaunch',
-    why='on a robot the module may be installed; here this program ends, and the others continue',
-    do='run this program on a machine where the module is installed, or leave that part out here',
+    why='on a robot, the module may be installed; here, this program ends and the others continue',
+    do='run this program on a computer where the module is installed, or leave that part out here',
     level='info',
     hides=('launch.fails',),
 )
 ABSENT_PACKAGE = about(
     'packages.absent-package',
     what='the package {package} ({belongs_to}) is not part of edulaunch',
-    why='on a robot the module may be installed; here this program ends, and the others continue',
-    do='leave it out here, or give it a condition',
+    why='on a robot, the module may be installed; here, this program ends and the others continue',
+    do='leave it out here, or add a condition to it',
     level='info',
     hides=('launch.fails',),
 )
@@ -112,8 +112,8 @@ NATIVE = about(
 )
 LIBRARY = about(
     'programs.library',
-    what="this program needs the native library '{library}', which is not installed on this machine",
-    do='install it with the package manager of this machine',
+    what="this program needs the native library '{library}', which is not installed on this computer",
+    do='install it with the package manager of this computer',
 )
 NO_MODULE = about(
     'packages.no-module',
@@ -130,7 +130,7 @@ IMPORT_CIRCLE = about(
 )
 IMPORT_NAME = about(
     'programs.import-name',
-    what=('{module} does not contain {missing}; it contains {known}', '{module} does not contain {missing}'),
+    what=('the module {module} does not contain {missing}; it contains {known}', '{module} does not contain {missing}'),
     do=('write {near}', 'look up the name that you mean in {module}'),
     edits=(('{missing}', '{near}', 'near'),),
 )
@@ -210,7 +210,7 @@ NOT_BUILT = about(
 ASYNCIO_PROGRAMS = about(
     'programs.asyncio-programs',
     what='asyncio cannot start programs in the simulation ({method})',
-    do='start them with subprocess.run() or subprocess.Popen(), which wait in simulated time',
+    do='start programs with subprocess.run() or subprocess.Popen(), which wait in simulated time',
 )
 ASYNCIO_NETWORK = about(
     'programs.asyncio-network',

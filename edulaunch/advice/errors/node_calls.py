@@ -67,7 +67,7 @@ def timer_order(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'messages.service-class',
-    what='{service}() is not possible: a service type has no objects, only a Request and a Response',
+    what='{service}() is not possible: only its Request and its Response can be created',
     do='write {service}.Request()',
     lesson=LESSON,
     level='error',
@@ -99,7 +99,7 @@ def parameter_object(failure: Failure) -> Iterator[Finding]:
     'programs.local-not-attribute',
     what='line {made} stores {attribute} in a local variable, so self.{attribute} does not exist',
     why='a local variable exists only until its method returns; other methods see only attributes of self',
-    do='write self.{attribute} = ... in line {made}',
+    do='write self.{attribute} = ... on line {made}',
     level='error',
 )
 def local_not_attribute(failure: Failure) -> Iterator[Finding]:
@@ -135,8 +135,8 @@ CALLED_WITH = {
 @rule(
     'programs.callback-signature',
     what=(
-        'rclpy calls {method}(), the callback of {made_by}(), with the arguments {parameters}, but it has other parameters',
-        'rclpy calls {method}(), the callback of {made_by}(), without arguments, but it has parameters',
+        'rclpy calls the callback {method}() of {made_by}() with the arguments {parameters}, but it has other parameters',
+        'rclpy calls the callback {method}() of {made_by}() without arguments, but it has parameters',
     ),
     do=('write def {method}(self, {parameters})', 'write def {method}(self)'),
     lesson=LESSON,
@@ -165,7 +165,7 @@ PARTS = {'float': 'double_value', 'int': 'integer_value', 'bool': 'bool_value', 
 @rule(
     'programs.other-part-of-value',
     what='this line reads .{read} of the parameter, but a field of type {wanted} needs .{part}',
-    why='each part of a ParameterValue has its own type, and every part except the one of the value is empty or 0',
+    why='each part of a ParameterValue has its own type, and all parts except the part of the value are empty or 0',
     do='write .{part} instead of .{read}, or get the value of any type with get_parameter(...).value',
     lesson='03_parameters',
     level='error',
@@ -184,7 +184,7 @@ def other_part_of_value(failure: Failure) -> Iterator[Finding]:
 @rule(
     'programs.attribute-never-set',
     what='line {line_read} reads self.{attribute}, but no line of the class {klass} gives it a value',
-    why='an attribute exists from its first assignment on, so the constructor usually assigns it',
+    why='an attribute exists only after its first assignment, so assign it in the constructor',
     do=(
         'write self.{near} if you mean that one, or self.{attribute} = ... in __init__ of {klass}',
         'write self.{attribute} = ... in __init__ of {klass}',

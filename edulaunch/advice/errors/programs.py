@@ -26,7 +26,7 @@ AFTER_SHUTDOWN = about(
 )
 SHUTDOWN_TWICE = about(
     'programs.shutdown-twice',
-    what='rclpy is not running, so rclpy.shutdown() fails: it was called before, Ctrl-C was pressed, or rclpy.init() never ran',
+    what='rclpy.shutdown() fails, because it was already called, Ctrl-C was pressed, or rclpy.init() was never called',
     do='call rclpy.try_shutdown() instead',
     texts=('Context must be initialized before it can be shutdown',),
 )
@@ -51,7 +51,7 @@ OWN_NAME = about(
     do='choose another name, such as {attribute}_',
 )
 SPIN_CLASS = about(
-    'programs.spin-class', what='{given} is a class, not a node', do='create a node: write {given}() with brackets'
+    'programs.spin-class', what='{given} is a class, not a node', do='create a node: write {given}(), with parentheses'
 )
 SPIN_NO_NODE = about(
     'programs.spin-no-node', what='a node is needed here, not a {given}', do='pass the node itself: rclpy.spin(node)'
@@ -97,12 +97,12 @@ DOMAIN_ID = about(
 RUNAWAY = about(
     'programs.runaway',
     what=(
-        '{blocked} waits here for something outside the simulation, and no other program can run meanwhile',
+        '{blocked} waits for something outside the simulation, so no other program can run',
         'this loop never waits, so no other program can run',
     ),
     do=(
-        'give the wait a timeout, such as sock.settimeout(0.1), or leave {blocked} out where the other side is missing',
-        'wait in each round with time.sleep(), rclpy.spin_once() or rate.sleep(), or use a timer instead',
+        'add a timeout to the wait, such as sock.settimeout(0.1), or leave {blocked} out where nothing answers',
+        'wait in each iteration with time.sleep(), rclpy.spin_once() or rate.sleep(), or use a timer instead',
     ),
     hides=('programs.never-spun',),
 )
@@ -120,8 +120,8 @@ WITH_ENTITY = about(
 CALLBACK_NONE = about(
     'programs.callback-none',
     what='this subscription has None as its callback',
-    why='with brackets, Python calls the function at once and passes its return value',
-    do='pass the function itself, without brackets: self.heard, not self.heard()',
+    why='with parentheses, Python calls the function at once and passes its return value',
+    do='pass the function itself, without parentheses: self.heard, not self.heard()',
 )
 CALLBACK_ARGUMENTS = about(
     'programs.callback-arguments',
@@ -151,7 +151,7 @@ NO_SUCH_NODE = about(
 )
 NO_TRANSITION = about(
     'programs.no-transition',
-    what="the node '{node}' is {state}, and this transition is not possible in that state",
+    what="the transition '{transition}' is not possible while '{node}' is {state}",
     do=('use one of these transitions: {possible}', 'create a new node, because no transition leads out of this state'),
 )
 LOG_NO_TEXT = about(
@@ -185,7 +185,7 @@ def forgotten_self(failure: Failure) -> Iterator[Finding]:
 @rule(
     'programs.called-too-early',
     what='{method}() was called without the argument {argument}',
-    do='pass the function itself, without brackets: self.{method}',
+    do='pass the function itself, without parentheses: self.{method}',
     level='error',
     confidence='asked',
 )

@@ -35,7 +35,7 @@ def _in_line(failure: Failure, **facts: Any) -> Finding:
     'programs.typographic-quotes',
     what='Python cannot read the character {character} ({code}), which a word processor or a web page inserts',
     do=(
-        'write straight quotes instead of {quote}: \' or "',
+        'replace {quote} with a straight quote: \' or "',
         'replace it with {straight}',
         'delete the character, and type the line again',
     ),
@@ -68,7 +68,7 @@ def bracket_open(failure: Failure) -> Iterator[Finding]:
 @rule(
     'programs.bracket-other',
     what=(
-        '{closing} does not match the {opening} in line {opened}, which needs {wanted}',
+        '{closing} does not match the {opening} on line {opened}, which needs {wanted}',
         '{closing} does not match {opening}, which needs {wanted}',
     ),
     do='write {wanted} before it or instead of it',
@@ -85,7 +85,7 @@ def bracket_other(failure: Failure) -> Iterator[Finding]:
 @rule(
     'programs.bracket-too-many',
     what='this {closing} has no opening bracket',
-    do='remove it, or add the opening bracket',
+    do='remove it, or add the opening bracket before it',
     level='error',
 )
 def bracket_too_many(failure: Failure) -> Iterator[Finding]:
@@ -116,10 +116,10 @@ def not_utf_8(failure: Failure) -> Iterator[Finding]:
     'programs.indentation',
     what=(
         'the line after line {opened} is not indented',
-        'line {deeper} is indented more than the line above, which does not begin a block',
+        'line {deeper} is indented further than the line above, which does not begin a block',
         'the indentation of this line does not match any line above',
     ),
-    why='Python uses the indentation to find out which lines belong together',
+    why='Python uses the indentation to decide which lines belong together',
     do=(
         'indent the line by four spaces, because it belongs to the {statement}',
         'indent line {deeper} like the line above, or add the line that begins the block, such as def or if',
@@ -162,7 +162,7 @@ OPEN_TEXT = _simple(
     'programs.open-text',
     r'unterminated (?:triple-quoted |f-)?string literal|EOL while scanning',
     'a string starts in this line and does not end',
-    'add the closing quote, which must be the same as the opening one',
+    'add the closing quote, which must be the same character as the opening quote',
 )
 ONE_EQUALS = _simple(
     'programs.one-equals', r"Maybe you meant '=='", 'a single = assigns a value, but a comparison needs ==', 'write == to compare'

@@ -54,10 +54,10 @@ def wrong_call(failure: Failure) -> Iterator[Finding]:
 @rule(
     'programs.brackets-missing',
     what=(
-        '{called} has no brackets, so Python does not call it',
+        '{called} has no parentheses, so Python does not call it',
         '{klass} is a class, but an object of this class is needed here',
     ),
-    do=('write {called}()', 'create an object with brackets: {klass}()'),
+    do=('write {called}()', 'create an object with parentheses: {klass}()'),
     level='error',
 )
 def brackets_missing(failure: Failure) -> Iterator[Finding]:
@@ -81,7 +81,7 @@ def brackets_missing(failure: Failure) -> Iterator[Finding]:
 @rule(
     'programs.not-callable',
     what='{called} is a value of type {type}, not a function, so Python cannot call it',
-    do='write {called} without the brackets ()',
+    do='write {called} without the parentheses ()',
     level='error',
 )
 def not_callable(failure: Failure) -> Iterator[Finding]:
@@ -102,7 +102,7 @@ def not_callable(failure: Failure) -> Iterator[Finding]:
     'programs.no-local-value',
     what='this function assigns {variable}, so Python does not use the {variable} of the file, and {variable} has no value yet',
     why='a name that a function assigns anywhere is a local variable in the whole function',
-    do='write `global {variable}` as the first line of the function, or use self.{variable} from the constructor on',
+    do='write `global {variable}` as the first line of the function, or use self.{variable} and set it in the constructor',
     lesson='00_python',
     level='error',
 )
@@ -138,8 +138,8 @@ def future_no_answer(failure: Failure) -> Iterator[Finding]:
 @rule(
     'programs.init-misspelt',
     what=(
-        'Python never calls {method}() of {klass}, because a constructor has the name __init__',
-        'this line calls {called}() of super(), but a constructor has the name __init__',
+        'Python never calls {method}() of {klass}, because the constructor must be called __init__',
+        'this line calls {called}() of super(), but the constructor is called __init__',
     ),
     do=('write {wanted} with two underscores on each side',),
     level='error',

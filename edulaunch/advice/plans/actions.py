@@ -131,7 +131,7 @@ FIRST_LAUNCH = '01_first_launch'
 
 @rule(
     'launch.command-in-one-word',
-    what="launch takes the whole string '{command}' as the name of one program",
+    what="launch uses the whole string '{command}' as the name of one program",
     why='without a shell, launch does not split the string at spaces, so it cannot find the program',
     do='write each word as a separate string, as in cmd=[{words}], or add shell=True',
     lesson=FIRST_LAUNCH,
@@ -148,7 +148,7 @@ def command_in_one_word(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 @rule(
     'launch.command-of-letters',
-    what="cmd is the string '{command}', and launch takes each letter of it as a word",
+    what="cmd is the string '{command}', and launch uses each letter of it as a separate word",
     why='cmd= needs a list, and Python reads a string as a list of letters',
     do='write a list: cmd=[{words}]',
     lesson=FIRST_LAUNCH,

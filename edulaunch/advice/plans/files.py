@@ -19,7 +19,10 @@ LESSON = '03_parameters'
 
 @rule(
     'launch.key-for-no-node',
-    what='{file} sets no parameter of {node}, because its keys are {keys}',
+    what=(
+        '{file} sets no parameter of {nodes}, because its only key is {only}',
+        '{file} sets no parameter of {nodes}, because its keys are {keys}',
+    ),
     why='ROS 2 compares each key of a parameter file with the full name of the node, and ignores other keys silently',
     do=(
         'replace the key `{near}` with `{node}` (or with `/**` for all nodes)',
@@ -56,6 +59,8 @@ def key_for_no_node(rehearsal: Rehearsal) -> Iterator[Finding]:
                     file=os.path.realpath(source['file']),
                     line=max(lines[near or keys[0]] - 2, 1),
                     node=item['runtime_name'],
+                    nodes=item['runtime_name'],
+                    only=keys[0] if len(keys) == 1 else None,
                     keys=keys[:5],
                     near=near,
                 )
@@ -108,7 +113,7 @@ def parameter_file_missing(rehearsal: Rehearsal) -> Iterator[Finding]:
 @rule(
     'launch.parameter-order',
     what='{parameter} of {node} gets the value {value} from {written}, although the launch file sets {lost} later',
-    why='an entry for /** came first (from SetParameter or another file), and an entry for the node overrides it',
+    why='there is an earlier entry for /**, so the entry for {node} in {written} overrides all later entries for /**',
     do="set the namespace of the node with namespace='/', or remove {parameter} from {written}",
     lesson=LESSON,
 )
@@ -175,8 +180,8 @@ _DEFAULT = re.compile(r'\bdefault(_value)?\s*[=:]\s*$')
 
 @rule(
     'launch.path-of-one-machine',
-    what='the absolute path {path} exists on one machine only',
-    why='other users have other home folders',
+    what='the absolute path {path} exists on only one computer',
+    why='other users have different home folders',
     do=(
         "find the file by its package: PathJoinSubstitution([FindPackageShare('{package}'), {parts}])",
         "let the build install {unbuilt}, and find it by its package with FindPackageShare('{package}')",

@@ -30,7 +30,7 @@ def _odd(recording: Recording, what: str) -> Iterator[Finding]:
 
 @rule(
     'tf.two-parents',
-    what="the frame '{frame}' has several parents ({parents}), which {nodes} broadcast",
+    what="the frame '{frame}' has several parents ({parents}), broadcast by {nodes}",
     why='each frame in tf has one parent and the latest transform wins, so the frame jumps between the parents',
     do="change one of the two child_frame_id values, or reverse one transform to make '{frame}' the parent",
     lesson=LESSON,
@@ -89,7 +89,7 @@ def static_repeated(recording: Recording) -> Iterator[Finding]:
 @rule(
     'tf.static-and-moving',
     what="{first} broadcasts the frame '{frame}' as static, and {second} broadcasts it as moving",
-    why='a frame is either static or moving, and the latest transform replaces the ones of the other kind',
+    why='a frame is either static or moving, and the latest transform replaces all transforms of the other kind',
     do="broadcast '{frame}' either on /tf or on /tf_static",
     lesson=STATIC,
 )
@@ -142,8 +142,8 @@ def own_parent(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.nameless',
-    what="{node} broadcasts a transform from '{parent}' to '{frame}', and one of the two names is empty",
-    why='tf2 ignores a transform without the names of both frames',
+    what="{node} broadcasts a transform from '{parent}' to '{frame}', but one of these names is empty",
+    why='tf2 ignores a transform in which the name of a frame is missing',
     do='set both header.frame_id and child_frame_id before you send the transform',
     lesson=LESSON,
     level='error',
@@ -208,8 +208,8 @@ def unstamped(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.other-clock',
-    what="{node} uses another clock for the time stamps of '{frame}', which is {lag_s} s off",
-    why='a lookup between this frame and other frames finds no common time',
+    what="{node} uses another clock for the time stamps of '{frame}', which differs by {lag_s} s",
+    why='a lookup between this frame and another frame finds no common time',
     do='get the time with self.get_clock().now(), and set use_sim_time to the same value in all nodes',
     lesson=LESSON,
     level='error',

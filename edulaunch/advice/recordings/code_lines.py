@@ -22,8 +22,8 @@ FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 
 @rule(
     'programs.not-called',
-    what='the line `{written}` has no brackets, so Python does not call {function}()',
-    why='without brackets, a function is a value, and a line with only a value does nothing',
+    what='the line `{written}` has no parentheses, so Python does not call {function}()',
+    why='without parentheses, a function is a value, and a line with only a value does nothing',
     do='write {written}({argument})',
     lesson='00_python',
     level='error',
@@ -57,7 +57,7 @@ CALLED = {
 
 @rule(
     'programs.made-after-spin',
-    what='{function}() in line {at} comes after {spin}() in line {spun}, which returns only when the program ends',
+    what='{function}() on line {at} comes after {spin}() on line {spun}, which returns only when the program ends',
     why='the lines after {spin}() run too late: nothing spins the node any more',
     do='move line {at} before line {spun}',
     lesson='09_broadcaster_and_listener',
@@ -177,7 +177,7 @@ def _only_number(tree: ast.Module, name: str) -> float | None:
 
 @rule(
     'programs.exit-in-callback',
-    what='{written} in {callback}() ended the program of {node} at its message {messages}: did you mean return?',
+    what='{written} in {callback}() ended the program of {node} when it received message number {messages}: did you mean return?',
     why='exit() ends the whole program, and the node with it; return ends only this call of {callback}()',
     do='replace {written} with return, if the node should wait for the next message',
     lesson='09_broadcaster_and_listener',
@@ -222,7 +222,7 @@ SAME_TIME = 20
 
 @rule(
     'messages.own-echo',
-    what='{node} receives each message that it publishes on {topic}, and publishes it again, {count} times in {span_s:g} s',
+    what='{node} receives each message that it publishes on {topic}, and publishes it again: {count} times in {span_s:g} s',
     why='a node that subscribes to the topic on which it publishes also receives its own messages',
     do='publish on another topic than {topic}, the topic of the subscription',
     lesson='01_first_launch',
@@ -247,9 +247,9 @@ def own_echo(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'launch.yaml-key-twice',
-    what="one item of this list has the key '{key}' twice, in lines {first} and {again}, and YAML keeps only the second one",
+    what="one item of this list has the key '{key}' twice, in lines {first} and {again}, and YAML keeps only the second value",
     why='in YAML, each item of a list begins with a dash, and a mapping has each key once',
-    do="begin line {again} with a dash: '- {key}:'",
+    do="begon line {again} with a dash: '- {key}:'",
     lesson='06_xml_yaml',
     level='error',
     hides=('messages.nobody-publishes', 'messages.nobody-listens', 'messages.other-topic'),

@@ -23,7 +23,7 @@ ROS_FLAGS = ('-p', '--param', '--params-file')
 
 @rule(
     'launch.arguments-of-letters',
-    what="arguments is the string '{text}', and {process} receives each letter of it as a word",
+    what="arguments is the string '{text}', and {process} receives each letter of it as a separate word",
     why='arguments= needs a list, and Python reads a string as a list of letters',
     do='write a list: arguments=[{words}]',
     lesson='08_static_broadcaster',
@@ -43,7 +43,7 @@ def arguments_of_letters(recording: Recording) -> Iterator[Finding]:
 @rule(
     'programs.no-ros-args',
     what="{process} receives '{flag} {value}' without --ros-args before it, so ROS 2 ignores the option",
-    why='ROS 2 reads only the arguments after --ros-args, and the program itself reads the others',
+    why='ROS 2 reads only the arguments after --ros-args, and the program reads the others',
     do='write --ros-args {flag} {value}',
     lesson='02_names',
     level='error',

@@ -37,7 +37,7 @@ def _of(recording: Recording, kind: str, *rest: str, but: frozenset[str] = froze
     what='{callback}() in {node} blocks forever in {waiting}, waiting for a reply from {awaited}',
     why='the node runs one callback at a time, so it cannot receive the reply until {callback}() returns',
     do=(
-        'call future.add_done_callback(self.answered), or give the client its own callback group and spin with a '
+        'call future.add_done_callback(self.answered), or create the client with its own callback group and spin with a '
         'MultiThreadedExecutor'
     ),
     lesson=LESSON,
@@ -153,8 +153,8 @@ def rate_not_spun(recording: Recording) -> Iterator[Finding]:
 @rule(
     'programs.callback-missing',
     what='{function}() in {node} passes None instead of a function',
-    why='with brackets, Python calls the function at once and passes its return value, which is `None`',
-    do='pass the function itself, without brackets: self.tick, not self.tick()',
+    why='with parentheses, Python calls the function at once and passes its return value, which is `None`',
+    do='pass the function itself, without parentheses: self.tick, not self.tick()',
     lesson='09_broadcaster_and_listener',
     level='error',
     hides=('programs.died', 'turtlesim.slow-commands'),
@@ -200,9 +200,9 @@ def waits_for_input(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'launch.terminal-window',
-    what='{process} opens a terminal window on a real computer, but in edulaunch its program receives no keys',
-    why='in edulaunch, a launch file cannot open a window',
-    do='run its command in another terminal',
+    what='edulaunch cannot open the terminal window of {process}, so the program in it receives no keyboard input',
+    why='only a computer with a screen can open windows, and the simulated machine has none',
+    do='run the command of {process} in another terminal',
     lesson=LESSON,
     level='info',
 )

@@ -92,7 +92,7 @@ def leading_slash(recording: Recording) -> Iterator[Finding]:
         'only a TransformListener fills a buffer, and only while its node spins',
     ),
     do=(
-        'let {sender} send the transform again and again from a timer, or use StaticTransformBroadcaster if it never changes',
+        'let {sender} send the transform repeatedly from a timer, or use StaticTransformBroadcaster if it never changes',
         'write self.tf_listener = TransformListener(self.tf_buffer, self) with the buffer of the lookup, and call '
         'rclpy.spin(node)',
     ),
@@ -114,8 +114,8 @@ def empty_buffer(recording: Recording) -> Iterator[Finding]:
 @rule(
     'tf.lookup-early',
     what="{node} looks up '{frame}' only once, at its start, before it has received any transform",
-    why='a node receives transforms only while it spins, so its constructor cannot look one up',
-    do='look it up repeatedly in a timer with self.create_timer(0.1, self.on_timer), and ignore each TransformException',
+    why='a node receives transforms only while it spins, so its constructor cannot look up a transform',
+    do='look up the frame repeatedly in a timer with self.create_timer(0.1, self.on_timer), and ignore each TransformException',
     lesson=LESSON,
     level='error',
     hides=('programs.died',),
@@ -160,7 +160,7 @@ def separate_trees(recording: Recording) -> Iterator[Finding]:
 @rule(
     'tf.lookup-future',
     what="{node} looks up '{frame}' {gap_s} s after the newest transform in its buffer",
-    why='a transform takes time to arrive, so the buffer has no transform for the current time yet',
+    why='a transform takes time to arrive, so the buffer does not yet have a transform for the current time',
     do=(
         'pass rclpy.time.Time() to get the newest transform; this lookup blocks the node for {waited_s} s, so '
         'it receives no new transforms',

@@ -34,7 +34,7 @@ def _unfit(recording: Recording, *policies: str) -> Iterator[Finding]:
 
 @rule(
     'messages.best-effort',
-    what='{node} publishes {topic} as best effort, but {other} requires reliable, so it receives nothing',
+    what='{node} publishes on {topic} with best-effort reliability, but {other} requires reliable, so {other} receives nothing',
     why='ROS 2 does not connect a subscription to a publisher that offers less than the subscription requires',
     do='use create_subscription(..., qos_profile_sensor_data) in {other}, or publish with reliable',
     lesson=LESSON,
@@ -63,7 +63,7 @@ def not_kept(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'messages.qos',
-    what='{node} publishes {topic}, but {other} receives nothing, because their QoS policy {policy} differs',
+    what='{node} publishes on {topic}, but {other} receives nothing, because the QoS policy {policy} of the two differs',
     why='ROS 2 does not connect a subscription to a publisher that offers less than the subscription requires',
     do='use the same QoSProfile on both sides, and compare them with `ros2 topic info {topic} --verbose`',
     lesson=LESSON,
@@ -76,7 +76,7 @@ def quality(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'messages.types',
-    what='{node} publishes {sent} on {topic}, but {other} expects {heard}, so it receives nothing',
+    what='{node} publishes {sent} on {topic}, but {other} expects {heard}, so {other} receives nothing',
     why='ROS 2 connects only publishers and subscriptions of the same type, and reports nothing otherwise',
     do='use the same message type on both sides, or two topics',
     lesson=LESSON,
@@ -215,8 +215,8 @@ def _names(node: NodeRecord) -> list[str]:
 
 @rule(
     'programs.same-name',
-    what='two nodes have the name {node}: one in {first}, and one in {second}',
-    why='parameters and services of {node} have the same names in both, so you cannot know which one answers',
+    what='two nodes have the name {node}: one in {first} and one in {second}',
+    why='parameters and services of {node} have the same names in both, so it is not defined which node answers',
     do=(
         'if you need only one, press Ctrl-C in the terminal where `{command}` is running',
         "rename one of them, for example with name='{other}' in the launch file, or use another namespace",

@@ -158,7 +158,7 @@ def _turned(recording: Recording) -> Iterator[tuple[Broadcasts, str, list[tuple[
     why='a listener computes directions from this rotation, so a follower turns the wrong way',
     do=(
         'use transform.rotation.z = math.sin(message.theta / 2) and transform.rotation.w = math.cos(message.theta / 2), '
-        'or compare your function with this'
+        'or compare your function with these formulas'
     ),
     lesson=LESSON,
     level='error',
@@ -205,7 +205,7 @@ def quaternion_order(recording: Recording) -> Iterator[Finding]:
     'launch.remapping-reversed',
     what="the remapping of '{old}' to '{new}' disconnects {node} from {old}, which another node uses",
     why='the first name of a remapping is the name in the code of the node, and the second name replaces it',
-    do=('give {other} the same remapping, or remove this one', "swap the names: remappings=[('{new}', '{old}')]"),
+    do=('add the same remapping to {other}, or remove this remapping', "swap the names: remappings=[('{new}', '{old}')]"),
     lesson='02_names',
     level='error',
     hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes', 'launch.remapping-unused'),
@@ -286,7 +286,7 @@ def joined_strings_used(recording: Recording) -> Iterator[Finding]:
 @rule(
     'tf.loop',
     what='each of the frames {frames} is the parent of the next, so they form a loop',
-    why='the frames of tf must form a tree, and every lookup in a loop fails',
+    why='frames must form a tree, and every lookup in a loop fails',
     do="remove one of the transforms: the top frame, such as 'map' or 'world', has no parent",
     lesson=LESSON,
     level='error',

@@ -42,7 +42,7 @@ def alone(recording: Recording) -> Iterator[Finding]:
 @rule(
     'time.other-clock',
     what='the clock of the computer that runs {node} differs from the clock of this computer',
-    why='time stamps of one computer are in the past or future of the other, so tf lookups fail and filters drop messages',
+    why='time stamps of one computer are in the past or the future of the other, so tf lookups fail and filters drop messages',
     do='synchronize the clocks of both computers with NTP, and compare them with `date`',
     lesson=LESSON,
 )

@@ -24,7 +24,7 @@ SET = 'rcl_interfaces/srv/SetParameters'
     what="{node} does not declare the parameter '{parameter}', so ROS 2 ignores the value {value}",
     why='a node accepts only the parameters that it declares, and ROS 2 drops all others without a warning',
     do=(
-        "write '{near}' if you mean that one",
+        "write '{near}' if you mean this name",
         "declare it with self.declare_parameter('{parameter}', ...), or set one of the parameters that {node} "
         'declares: {declared}',
         "declare it in the node: self.declare_parameter('{parameter}', ...)",
@@ -55,12 +55,13 @@ ROS_PARAMETERS = ('qos_overrides.', 'use_sim_time', 'start_type_description_serv
 @rule(
     'programs.key-for-no-node',
     what=(
-        'the values of this launch file are for the node {launched}, but ROS arguments give it the name {node}',
-        '{file} sets no parameter of {node}, because its keys are {keys}',
+        'the launch file sets parameters for the node {launched}, but ROS arguments rename this node to {node}',
+        '{file} sets no parameter of {nodes}, because its only key is {only}',
+        '{file} sets no parameter of {nodes}, because its keys are {keys}',
     ),
     why='ROS 2 compares each key of a parameter file with the full name of the node, and ignores other keys silently',
     do=(
-        'remove __node and __ns from the ROS arguments, and set name and namespace of the node in place of {launched}',
+        'remove __node and __ns from the ROS arguments, and set name= and namespace= of the node instead',
         'replace the key `{near}` with `{node}` (or with `/**` for all nodes)',
         'write the key `{node}` (or `/**` for all nodes) above `ros__parameters`',
     ),
@@ -84,7 +85,10 @@ def key_for_no_node(recording: Recording) -> Iterator[Finding]:
             near = nearest_spelling(node, keys) or (keys[0] if len(keys) == 1 else None)
             is_made = file.startswith('launch_params_')  # launch generates this file, so the student cannot edit it
             places = node_place(recording, node) if is_made else (passed_file(recording, file), line)
-            details = {'node': node, 'keys': keys[:5], 'near': near, 'launched': keys[0] if is_made else None}
+            nodes = list(dict.fromkeys(fact.data['node'] for fact in facts))[:5]
+            only = keys[0] if len(keys) == 1 else None
+            details = {'node': node, 'nodes': nodes, 'keys': keys[:5], 'only': only, 'near': near}
+            details['launched'] = keys[0] if is_made else None
             yield found('file', file, file=places[0], line=places[1], time_s=facts[0].time_s, **details)
 
 

@@ -44,7 +44,7 @@ def private_name(recording: Recording) -> Iterator[Finding]:
     what=('{process} died with exit code {code} ({error})', '{process} died with exit code {code}'),
     why='the other programs continue without it, and launch itself reports success',
     do=(
-        'check line {at}, where the program ended',
+        'correct line {at}, where the program ended',
         '{help}',
         'check the last output of the program: {said}',
         'check the last output of the program',

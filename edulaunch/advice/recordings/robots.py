@@ -22,7 +22,7 @@ def _place(process: ProcessRecord) -> dict[str, Any]:
 
 @rule(
     'messages.bag-of-nothing',
-    what='{process} records {topic}, but no node publishes it, so the bag contains no messages of it',
+    what='{process} records {topic}, but no node publishes on this topic, so the bag has no messages from this topic',
     do=('record {near} if you mean that topic', 'look up the name of the topic with `ros2 topic list`'),
     lesson='15_bags',
     level='error',
@@ -50,7 +50,7 @@ def bag_of_nothing(recording: Recording) -> Iterator[Finding]:
 @rule(
     'launch.description-is-path',
     what='robot_description is {given}, but {process} needs the content of the URDF file, not its path',
-    why='the parameter must contain the whole XML, because no program reads the file',
+    why='{process} does not open files, so the parameter must contain the XML itself',
     do="read the file with open(path).read(), or use ParameterValue(Command(['xacro ', path]), value_type=str)",
     lesson='12_urdf',
     level='error',
@@ -112,7 +112,7 @@ def _movable(recording: Recording) -> Iterator[tuple[str, list[str]]]:
 
 @rule(
     'messages.no-joint-states',
-    what='{node} has the movable joints {joints}, but no node publishes {topic}',
+    what='{node} has the movable joints {joints}, but no node publishes on {topic}',
     why='without the angle of a joint, the frames after that joint have no position in tf',
     do=(
         "start a publisher, such as Node(package='joint_state_publisher', executable='joint_state_publisher') if "

@@ -52,7 +52,7 @@ def _sent(recording: Recording, end: EndRecord) -> bool:
 
 @rule(
     'messages.other-topic',
-    what='{node} publishes {topic}, which no node subscribes to; {other} subscribes to {near}, which no node publishes',
+    what='{node} publishes on {topic}, but no node subscribes to it; {other} subscribes to {near}, but no node publishes on it',
     why='ROS 2 connects topics by their full name with the namespace, so every letter and every slash counts',
     do="use the same name in both, or add remappings=[('{topic}', '{near}')] in the launch file",
     lesson=LESSON,
@@ -127,8 +127,8 @@ def _commands(recording: Recording) -> set[str]:
     what='{node} sends commands on {topic}, but no node subscribes to it',
     why='a message on a topic without a subscription is lost',
     do=(
-        'give a value to the variable in this name: {empty} is the text of a variable without one',
-        'remove the remapping of {topic} to {moved} from {mover}, or give {node} the same one',
+        'set the variable in this name: {empty} is what an undefined variable becomes in a string',
+        'remove the remapping of {topic} to {moved} from {mover}, or add the same remapping to {node}',
         'publish on {near}, which has a subscription',
         'start the node that subscribes to {topic}, or look up its name with `ros2 topic list -t`',
     ),
@@ -158,12 +158,12 @@ COMMANDS = ('geometry_msgs/msg/Twist', 'geometry_msgs/msg/TwistStamped')
 
 @rule(
     'messages.nobody-publishes',
-    what='{node} subscribes to {topic}, but no node publishes it',
+    what='{node} subscribes to {topic}, but no node publishes on this topic',
     why='ROS 2 never calls the callback of this subscription',
     do=(
-        'give a value to the variable in this name: {empty} is the text of a variable without one',
+        'set the variable in this name: {empty} is what an undefined variable becomes in a string',
         'subscribe to {near} if you mean that topic',
-        'start the node that publishes {topic}, or look up its name with `ros2 topic list -t`',
+        'start the node that publishes on {topic}, or look up its name with `ros2 topic list -t`',
     ),
     lesson=LESSON,
     confidence='asked',
@@ -187,7 +187,7 @@ def nobody_publishes(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'messages.too-early',
-    what='{node} published {topic} only before {other} subscribed to it, so the messages are lost',
+    what='{node} published on {topic} only before {other} subscribed, so the messages are lost',
     why='a publisher does not store its messages for later subscriptions',
     do=(
         'publish again later, for example from a timer, or use QoSProfile(depth=1, '
@@ -232,9 +232,9 @@ CLOSE_NS = 1_000_000_000
 
 @rule(
     'messages.two-commanders',
-    what='{first} and {second} send different commands on {topic} ({turns} changes within a second)',
-    why='the robot follows the latest command, so it moves back and forth between the two',
-    do='let only one node send commands at a time: stop one of them, or give each its own robot',
+    what='{first} and {second} send different commands on {topic} ({turns} changes within one second)',
+    why='the robot follows the latest command, so it alternates between the two commands',
+    do='let only one node send commands at a time: stop one of them, or use a separate robot for each',
     lesson='10_carrots',
 )
 def two_commanders(recording: Recording) -> Iterator[Finding]:

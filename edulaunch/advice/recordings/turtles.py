@@ -85,7 +85,7 @@ def _driver(recording: Recording, turtle: str) -> str | None:
 @rule(
     'turtlesim.spawn-taken',
     what="{node} cannot spawn '{turtle}', because a turtle with that name already exists",
-    why='the reply then has an empty name, and both parts of your program control the same turtle',
+    why='the reply then has an empty name, and both nodes control the same turtle',
     do="use another name, leave the name empty to get a generated one, or kill '{turtle}' first",
     lesson=LESSON,
     level='error',
@@ -173,7 +173,7 @@ def pen_off(recording: Recording) -> Iterator[Finding]:
 @rule(
     'turtlesim.kill-unknown',
     what="the turtle '{turtle}' cannot be killed, because it does not exist",
-    do=("write '{near}' if you mean that one", 'use the name of an existing turtle: {names}', 'spawn the turtle first'),
+    do=("write '{near}' if you mean this name", 'use the name of an existing turtle: {names}', 'spawn the turtle first'),
     lesson=LESSON,
     level='error',
 )

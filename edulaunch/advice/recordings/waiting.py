@@ -101,9 +101,9 @@ def timer_period(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'time.no-clock',
-    what='{node} uses simulated time (use_sim_time is true), but no node publishes /clock',
-    why='the time of the node remains 0, so its timers never run and all its stamps are 0',
-    do='set use_sim_time to false, or start the simulator that publishes /clock',
+    what='{node} uses simulated time (use_sim_time is true), but no node publishes on /clock',
+    why='the clock of the node stays at 0, so its timers never run, and all its time stamps are 0',
+    do='set use_sim_time to false, or start the simulator that publishes on /clock',
     lesson='13_large_project',
     level='error',
     hides=('tf.unstamped',),

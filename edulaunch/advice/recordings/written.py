@@ -79,7 +79,7 @@ def _goes_on(recording: Recording, node: NodeRecord, topic: str) -> bool:
 @rule(
     'programs.method-twice',
     what='the class {klass} defines the method {method}() twice, and Python keeps only the second one',
-    why='in Python, a later definition replaces an earlier one with the same name without a warning',
+    why='in Python, a later definition silently replaces an earlier one with the same name',
     do='rename one of the two, and use the new name where you create the subscription or timer',
     lesson='00_python',
     level='error',
@@ -116,7 +116,7 @@ def activated_without_super(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'programs.spin-in-constructor',
-    what='the constructor of {klass} calls rclpy.spin(self) in line {at}, so its next lines never run',
+    what='the constructor of {klass} calls rclpy.spin(self) on line {at}, so its next lines never run',
     why='rclpy.spin() returns only when the program ends',
     do='remove this line, and call rclpy.spin(node) in main(), after the node is created',
     level='error',
@@ -158,7 +158,7 @@ MANY_PUBLISHERS = 5
 
 @rule(
     'messages.publisher-each-time',
-    what='{node} has created {count} publishers of {topic}, one for each message',
+    what='{node} creates a new publisher on {topic} for each message ({count} so far)',
     why='on a network, a new publisher needs some time until the subscriptions find it, and its first message is lost',
     do='create the publisher once, in the constructor, and keep it: self.publisher = self.create_publisher(...)',
     lesson='01_first_launch',

@@ -128,8 +128,8 @@ def timer_in_milliseconds(scripts: list[Script]) -> Iterator[Finding]:
 @rule(
     'launch.ends-at-once',
     what='{written} is in the list of the launch description, so launch ends everything as soon as it starts',
-    why='launch executes the actions of its list one after the other, without waiting for the programs',
-    do='put it where it should happen: OnProcessExit(target_action=..., on_exit=[{written}]), or in the actions of a TimerAction',
+    why='launch executes the actions of its list in order, and does not wait for the programs',
+    do='move it to its place: OnProcessExit(target_action=..., on_exit=[{written}]), or the actions of a TimerAction',
     lesson='05_events',
     level='error',
     hides=('messages.nobody-publishes', 'messages.nobody-listens', 'programs.interrupted', 'launch.waits-for-endless'),
@@ -160,8 +160,8 @@ def _ends_launch(action: ast.expr) -> bool:
 @rule(
     'launch.event-class',
     what='EmitEvent gets the class {event}, not an event, so no handler reacts to it',
-    why='without brackets, {event} is a class, and launch compares events by their class',
-    do='write EmitEvent(event={event}(...)), with brackets',
+    why='without parentheses, {event} is a class, and launch compares events by their class',
+    do='write EmitEvent(event={event}(...)), with parentheses',
     lesson='05_events',
     level='error',
     edits=(('event={event}', 'event={event}()'),),
@@ -183,8 +183,8 @@ def event_class(scripts: list[Script]) -> Iterator[Finding]:
 
 @rule(
     'launch.equals-swapped',
-    what="{condition} compares the argument '{first}', which does not exist, with the text '{second}', which is an argument",
-    why='the first value is the name of the argument, and the second one is the text that it should have',
+    what="the arguments of {condition} are swapped: '{second}' is a launch argument, and '{first}' is not",
+    why='the first value must be the name of the launch argument, and the second must be the expected value',
     do="write {condition}('{second}', '{first}')",
     lesson=LESSON_CONDITIONS,
     level='error',

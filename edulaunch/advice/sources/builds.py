@@ -148,7 +148,7 @@ _EXECUTABLE = re.compile(r"""(?:\bexec(?:utable)?\s*[=:]|["'\s]-m["',]*)\s*["']?
 
 @rule(
     'packages.program-not-executable',
-    what='CMake installs {file} without permission to execute it',
+    what='CMake installs {file} without the execute permission',
     why='`ros2 run {package} {file}` finds only executable files',
     do='replace install(FILES ...) in CMakeLists.txt with install(PROGRAMS {written} DESTINATION lib/${{PROJECT_NAME}})',
     lesson=LESSON,

@@ -176,7 +176,7 @@ _XML_LAUNCHED = re.compile(r"""\bpkg\s*[:=]\s*["']?(\w+)["']?""")
         '{dependency} is {how} here, but package.xml names it only as {tags}',
         '{dependency} is {how} here, but package.xml does not name it',
     ),
-    why='rosdep installs only the packages that package.xml names, so this one is missing on other machines',
+    why='rosdep installs only the packages that package.xml names, so this one is missing on other computers',
     do='add <exec_depend>{dependency}</exec_depend> to package.xml',
     lesson='07_packages',
     edits=(('', '<exec_depend>{dependency}</exec_depend>', 'manifest'),),
@@ -257,7 +257,7 @@ _PROJECT = re.compile(r'^\s*project\s*\(\s*([\w.-]+)', re.MULTILINE | re.IGNOREC
         'colcon uses the name in package.xml, but setup.py installs files into {place}',
         'ament_package() stops the build if the two names differ',
     ),
-    do="write '{package}' in both",
+    do="write '{package}' in both files",
     lesson='07_packages',
     level='error',
 )

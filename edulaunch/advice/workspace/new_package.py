@@ -46,7 +46,7 @@ def _refuse(package: NewPackage) -> None:
     if not _NAME.fullmatch(package.name) or package.name.endswith('_') or '__' in package.name:
         raise PackageError(
             f'{package.name!r} cannot be the name of a package.',
-            help='use small letters, digits and single underscores, and begin with a letter',
+            help='use lowercase letters, digits and single underscores, and start with a letter',
         )
     if package.build_type == 'ament_python' and package.name == package.node_name:
         raise PackageError(

@@ -67,7 +67,7 @@ def of_ros_1(workspace: Workspace) -> Iterator[Finding]:
 @rule(
     'packages.build-output-committed',
     what='the repository contains {folder}/, which colcon created',
-    why='its paths are valid only on the machine where colcon created it',
+    why='its paths are valid only on the computer where colcon created it',
     do='add {folder}/ to .gitignore, and remove it with `git rm -r --cached {folder}`',
 )
 def build_output_committed(workspace: Workspace) -> Iterator[Finding]:
@@ -106,9 +106,10 @@ def package_is_repository(workspace: Workspace) -> Iterator[Finding]:
     what='{file} {said}',
     why='colcon reads this file when it builds the package',
     do=(
-        'create the file {missing}, or remove package.xml if this folder is not a package to build',
-        'correct line {at}, and run the check again',
-        'correct this file, and run the check again',
+        'create {script}: with metadata in setup.cfg or pyproject.toml, `from setuptools import setup; setup()` is enough',
+        'create {absent} in the folder of the package, or remove package.xml if this folder is not a package',
+        'correct line {at} of {file}, and run the check again',
+        'correct {file}, and run the check again',
     ),
     level='error',
 )
@@ -117,15 +118,16 @@ def build_file(workspace: Workspace) -> Iterator[Finding]:
     for warning in workspace.around.warnings:
         if not warning.about:
             name, line = os.path.basename(warning.file), warning.line or None
-            missing = None if os.path.exists(warning.file) else name
-            yield found('file', name, file=warning.file, line=line, said=warning.sentence, missing=missing, at=line)
+            absent = None if os.path.exists(warning.file) else name
+            facts = {'script': absent if absent == 'setup.py' else None, 'absent': absent, 'at': line}
+            yield found('file', name, file=warning.file, line=line, said=warning.sentence, **facts)
 
 
 @rule(
     'packages.build-unknown',
     what='{file} {said}',
     why='edulaunch does not run CMake, so it ignores this line',
-    do='do not change anything: a build knows the value',
+    do='change nothing: a build knows the value',
     level='info',
 )
 def build_unknown(workspace: Workspace) -> Iterator[Finding]:
@@ -137,9 +139,9 @@ def build_unknown(workspace: Workspace) -> Iterator[Finding]:
 
 @rule(
     'packages.same-name',
-    what='two packages have the name {package}, and edulaunch uses the one in {other}/ instead of the one with this {file}',
+    what='two packages have the name {package}; edulaunch uses the one in {other}/ and ignores the one with this {file}',
     why='colcon refuses to build a workspace in which two packages have the same name',
-    do='change to the workspace that you mean with cd; within one workspace, change the <name> of one of the two',
+    do='change to the workspace that you mean with cd; within one workspace, change the <name> of one of the two packages',
 )
 def same_name(workspace: Workspace) -> Iterator[Finding]:
     """Report the package that is left out because another one has the same name."""

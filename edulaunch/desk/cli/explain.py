@@ -75,7 +75,7 @@ def explain_verb(arguments: argparse.Namespace) -> int:
     if not arguments.json:
         data = explanation.data
         reason = data['shutdown_reason'] or 'none'
-        print(f'nodes: {data["nodes"]}, other processes: {data["processes"]}, reason of the shutdown: {reason}')
+        print(f'nodes: {data["nodes"]}, other processes: {data["processes"]}, reason for the shutdown: {reason}')
     return report(explanation)
 
 

@@ -236,7 +236,7 @@ class InterruptHandler:
     """Handles Ctrl-C for a running session. The first press shuts the system down as ROS 2 does, and later presses force it.
 
     A press only sets a flag, which the session reads between two steps of the simulation. If the flag of the previous press is
-    still set, some program does not end its turn, so the interrupt is raised immediately.
+    still set, some program does not yield, so the interrupt is raised immediately.
     """
 
     def __init__(

@@ -17,7 +17,9 @@ if TYPE_CHECKING:
 
 def machine_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the command for the machine, such as `status` or `stop`."""
-    parser.add_argument('word', choices=('status', 'pause', 'resume', 'speed', 'stop'), nargs='?', default='status')
+    commands = ('status', 'pause', 'resume', 'speed', 'stop')
+    about = f'one of {", ".join(commands)} (default: status)'
+    parser.add_argument('word', metavar='COMMAND', choices=commands, nargs='?', default='status', help=about)
     parser.add_argument('value', nargs='?', help='for speed: simulated seconds per second')
 
 

@@ -143,7 +143,7 @@ class Connection:
             self.close()
 
     def look_for_signals(self, deliver: Callable[[int], object]) -> None:
-        """While a program of the terminal keeps its turn, pass Ctrl-C and the end of the terminal on to it.
+        """While a program of the terminal does not yield, pass Ctrl-C and the end of the terminal on to it.
 
         :raises BaseException: the exception that the signal raises in the middle of the program's code.
         """
@@ -155,7 +155,7 @@ class Connection:
             deliver(int(message[1]))
 
     def _answer(self) -> None:
-        """Confirm a signal to the other end immediately, because a program may keep its turn for a long time."""
+        """Confirm a signal to the other end immediately, because a program may run for a long time without yielding."""
         self.send(wire.ANSWER)
         self._push()
 

@@ -146,10 +146,10 @@ class Guardian:
             self._signal(signal.SIGUSR2)
         elif silent > END or (self._interrupted and busy > BUSY_END):
             where = self._where or 'a program'
-            self._end(f'{where} kept its turn for {busy_s:.0f} s, could not be interrupted, and ended with the machine.')
+            self._end(f'{where} ran for {busy_s:.0f} s without a pause, could not be interrupted, and ended with the machine.')
 
     def _busy(self, busy_s: float) -> str:
-        text = f'{self._where or "a program"} has kept its turn for {busy_s:.0f} s, and no other program can run'
+        text = f'{self._where or "a program"} has run for {busy_s:.0f} s without a pause, and no other program can run'
         most = END if self._silent_s else BUSY_END
         end = f'it ends by itself after about {most * self._limit_s:.0f} s of processor time'
         return f'{text}\n  help: `edulaunch machine stop` ends the machine at once; {end}'

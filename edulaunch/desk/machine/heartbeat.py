@@ -19,7 +19,7 @@ BEAT_S = 0.4
 
 
 class Heartbeat:
-    """Reports whether a machine waits for terminals, or some program has kept its turn since the last beat.
+    """Reports whether a machine waits for terminals, or whether a program has not yielded since the last beat.
 
     :param pipe: the pipe for the beats, which may have no reader.
     """

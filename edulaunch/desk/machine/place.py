@@ -18,7 +18,7 @@ HEARTBEAT = 4
 BEATS = 3
 """The file descriptor of the guardian's end of that pipe."""
 IDLE_SIGN, BUSY_SIGN = '+\n', '-\n'
-"""The bytes in the pipe: no long turn, or a program has kept its turn since the last byte."""
+"""The bytes in the pipe: no long turn, or a program has not yielded since the last byte."""
 LONGEST_SOCKET_PATH = 103
 """macOS allows no longer path of a socket; Linux allows 107 bytes."""
 BACKLOG = 256

@@ -1,6 +1,6 @@
 """The process that hosts a machine, from its start to its end.
 
-Ctrl-C also reaches a program that keeps its turn. The machine does not read from terminals during
+Ctrl-C also reaches a program that does not yield. The machine does not read from terminals during
 that turn, so the operating system sends it a signal when input arrives.
 """
 

@@ -205,7 +205,7 @@ class Machine(LiveMachine):
         self.do_for(self._hand, words)
 
     def record_request(self, words: dict[str, Any]) -> None:
-        """Handle a request of a page, and keep it with its time."""
+        """Record a request from a page with its simulated time, so that `continue_at` can repeat the request."""
         if not self._is_again:
             self._done.append((self.session.sim.now_ns - self._start_ns, dict(words)))
 

@@ -45,7 +45,7 @@ class ViewedMachine:
         return self.session.snapshot()
 
     def record_request(self, words: dict[str, Any]) -> None:
-        """Handle a request of a page."""
+        """Accept a request from a page, and record nothing: this machine cannot go back to a past instant."""
 
     def continue_at(self, time_s: float) -> None:
         """Continue from a past instant. This is not possible if other terminals have typed in the meantime."""

@@ -216,7 +216,9 @@ def _replacement(rules: Iterable[RemapRule], kind: str, node_name: str) -> str |
 
 
 def remapped_name(rules: Sequence[RemapRule], kind: str, name: str, node_name: str, namespace: str) -> str:
-    """Return an expanded topic or service name after the first rule that matches it; rules never chain.
+    """Apply the first matching remapping rule to an expanded topic or service name, and return the result.
+
+    The result is not remapped again.
 
     :param kind: 'topic' or 'service'.
     """

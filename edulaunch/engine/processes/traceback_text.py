@@ -220,7 +220,7 @@ def _unread_file(error: BaseException) -> str | None:
 
 
 def runaway_text(program: str, error: BaseException) -> tuple[str, Origin | None]:
-    """Return the text about a program that was stopped because it kept its turn, and where it was.
+    """Return the text about a program that was stopped because it did not yield, and where it was.
 
     :param program: its launch name.
     """

@@ -40,13 +40,13 @@ CONTAINERS = frozenset({list, dict, set, tuple, bytearray})
 
 
 class RunawayProgram(BaseException):
-    """Raised inside a program that kept its turn for too long, at any line; `except Exception` does not catch it.
+    """Raised inside a program that ran for too long without yielding, at any line; `except Exception` does not catch it.
 
     :param did: the rest of a sentence after the program's name.
     :param counted: whether counting found it, which repeats exactly, and not its duration.
     """
 
-    def __init__(self, did: str = 'kept its turn for too long', *, counted: bool = False) -> None:
+    def __init__(self, did: str = 'ran for too long', *, counted: bool = False) -> None:
         super().__init__(did)
         self.counted = counted
 

@@ -153,7 +153,7 @@ def is_compared(node: str) -> bool:
 
 
 def masked(text: str) -> str:
-    """Return a line of output without parts that vary between runs: times, identities, numbers and counts."""
+    """Return a line of output with times, IDs and numbers replaced by `#`, because they vary between runs."""
     text = _UNIQUE.sub('#', _STAMPED_LOG.sub('[#]', _SOURCE.sub('', text)))
     return _ROW.sub('#', _NUMBER.sub('#', text)).rstrip()
 

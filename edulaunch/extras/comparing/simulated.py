@@ -160,7 +160,7 @@ def simulate(
 
 
 def with_programs(seen: Observation, programs: Sequence[RealProgram]) -> Observation:
-    """Return the recording, and the records of programs of this computer."""
+    """Return the observation extended by the output and the ends of the real programs that ran on this computer."""
     lines = [line for each in programs for pieces in each.written.values() for line in lines_of(program_of(each.name), pieces)]
     known = {each.name: Program(each.started_s, each.ended_s, each.returncode) for each in programs}
     return seen._replace(lines=[*seen.lines, *lines], programs={**seen.programs, **known})

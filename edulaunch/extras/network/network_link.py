@@ -28,7 +28,7 @@ class Interface:
     """The type of an endpoint.
 
     :ivar name: such as 'geometry_msgs/msg/Twist' or 'turtlesim/srv/Spawn'.
-    :ivar registry: has its text, its spec and its class (and those of nested types).
+    :ivar registry: holds the definition, the spec and the class of the type and of its nested types.
     """
 
     def __init__(self, name: str, registry: Registry) -> None:

@@ -1,4 +1,7 @@
-"""The full link: the real rclpy in a side process. Topics, services, parameters and actions, both ways, with every ROS 2 peer."""
+"""This link connects to ROS 2 through the real rclpy, which runs in a child process.
+
+It bridges topics, services, parameters and actions in both directions to every ROS 2 peer.
+"""
 
 from __future__ import annotations
 

@@ -10,7 +10,9 @@ from edulaunch.extras.network.crossing import add_options, join_request, option_
 
 def network_arguments(parser: argparse.ArgumentParser) -> None:
     """Add on or off, and what crosses."""
-    parser.add_argument('word', choices=('status', 'on', 'off', 'install'), nargs='?', default='status')
+    commands = ('status', 'on', 'off', 'install')
+    about = f'one of {", ".join(commands)} (default: status)'
+    parser.add_argument('word', metavar='COMMAND', choices=commands, nargs='?', default='status', help=about)
     add_options(parser)
 
 

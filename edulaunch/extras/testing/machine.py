@@ -153,7 +153,7 @@ class TestMachine:
             sim.cancel(end)
 
     def let_debug(self, person_is_here: bool) -> None:
-        """Allow a program to keep its turn for any time while a person is in a debugger."""
+        """Allow a program to run for any time without yielding while a person is in a debugger."""
         if self.session.host.watchdog is not None:
             self.session.host.watchdog.asleep = person_is_here
 

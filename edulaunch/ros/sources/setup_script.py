@@ -128,11 +128,7 @@ class _SetupScript:
             with open(self.file, 'rb') as stream:
                 tree = ast.parse(stream.read(), self.file)
         except FileNotFoundError:
-            self.warn(
-                'is missing, so this ament_python package cannot be built; when setup.cfg or pyproject.toml '
-                'say everything, it needs one line: from setuptools import setup; setup()',
-                0,
-            )
+            self.warn('is missing, so this ament_python package cannot be built', 0)
             return None
         except (SyntaxError, ValueError) as error:
             self._stop(f'cannot be read: {getattr(error, "msg", error)}', getattr(error, 'lineno', 0) or 0)
@@ -288,7 +284,7 @@ class _SetupScript:
             if not self._have_nodes(modules):
                 return 'bin'
             self.warn(
-                f'has no install_scripts=$base/lib/{self.package} below [install], '
+                f'has no install_scripts=$base/lib/{self.package} in its section [install], '
                 f'so `ros2 run {self.package} ...` and Node() '
                 'find no executable of this package',
                 0,

@@ -191,9 +191,9 @@ class ConfinedHost(Host):
 
 
 class ConfinedSession(Session):
-    """A session whose worlds and stock nodes are elsewhere.
+    """A session whose worlds and stock nodes run in the trusted peer.
 
-    :param end: the end of the socket to the trusted peer.
+    :param end: this process's end of the socket to the trusted peer.
     """
 
     sim: PeerSimulation

@@ -50,14 +50,14 @@ class Peer:
         raise error
 
     def send(self, kind: FrameKind, payload: bytes) -> None:
-        """Send the other peer a frame for the recording, or one that wakes no task there."""
+        """Send a frame that wakes no task of the other peer, such as a frame for the recording."""
         if self._sent_ns != self.sim.now_ns:
             self._sent_ns = self.sim.now_ns
             self._add(FrameKind.ADVANCE, TIME.pack(self._sent_ns))
         self._add(kind, payload)
 
     def tell(self, kind: FrameKind, payload: bytes) -> None:
-        """Send a frame that may wake tasks there, in the order of the items scheduled here before and after."""
+        """Send a frame that may wake tasks of the other peer. It keeps its position among the items that this peer schedules."""
         sim = self.sim
         if self._marked != sim.last_number or not sim.is_marked():
             self.send(FrameKind.MARK, NUMBER.pack(sim.number_for_the_other()))
@@ -67,7 +67,7 @@ class Peer:
     _marked = -1
 
     def call(self, kind: FrameKind, value: Any) -> Any:
-        """Make the other peer act now, and return its answer."""
+        """Make the other peer handle a frame immediately, and return its answer."""
         self.send(kind, NUMBER.pack(self.sim.sequence()) + dump(value))
         self._flush()
         return self._take_until(FrameKind.RETURN)
@@ -114,7 +114,7 @@ class Peer:
             self.fatal(error)
 
     def _take_over(self, payload: memoryview) -> Any:
-        """Return the other peer's last number, the key of its next item, and a value."""
+        """Return the last sequence number of the other peer, the key of its next item, and a value."""
         number, *key = TOKEN.unpack_from(payload)
         self._take_number(number)
         self.sim.other = key[0], key[1], key[2], key[3]

@@ -143,8 +143,8 @@ class Trusted:
 
     :param end: the end of the socket to the confined peer.
     :param quota: the maximum number of bytes from that peer.
-    :ivar sent: by topic, a std_msgs/msg/String from a node /visitor: the simulated seconds and the text.
-    :ivar turned: by turtle, a turn that the node /visitor asks for: the simulated seconds and the angle in radians.
+    :ivar sent: for each topic, the simulated time in seconds and the string that the node /visitor publishes.
+    :ivar turned: for each turtle, the simulated time in seconds and the angle in radians by which the node /visitor turns it.
     """
 
     def __init__(self, end: socket.socket, seed: int, quota: int | None = None) -> None:
@@ -215,7 +215,7 @@ class Trusted:
             self.sim.run(self.sim.now_ns + round(duration_s * 1e9))
 
     def published_bytes(self, topic: str) -> Counter[bytes]:
-        """Return how often each message of a stock type was published on a topic, as CDR bytes."""
+        """Return how often each message of a stock type was published on a topic. The keys are CDR bytes."""
         found: Counter[bytes] = Counter()
         for (name, kind), flat in self.recorder.columns.items():
             if name == topic:

@@ -84,9 +84,9 @@ MOST_PROGRAMS = 2000
 class TrustedHost(Host):
     """Hosts the programs of edulaunch. It starts no program of the system, and searches for none among the student's files.
 
-    :ivar identified: the program of each process that runs here, by its pid.
-    :ivar late_s: by executable, the simulated time by which its first program begins late. The second one begins late by twice
-        this time, and so on.
+    :ivar identified: maps the pid of each process that runs here to its program.
+    :ivar late_s: for each executable, the delay of its first start in simulated seconds. The second start has twice
+        this delay, and so on.
     :ivar fails: the programs of both peers whose first start fails, by executable, or as the first words of a command.
     """
 

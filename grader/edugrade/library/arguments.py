@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from ..evidence import Evidence, Failure, Mismatch, Missing, written_text
+from .written import declaration_of, default_of, written
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording.records import DeclaredArgument
@@ -24,9 +25,9 @@ def require_declared(run: Evidence, name: str, example: str) -> DeclaredArgument
             f'the launch argument "{name}"',
             name=name,
             among=declared,
-            expected=f'a DeclareLaunchArgument named {name}',
+            expected=written(run, f'a DeclareLaunchArgument named {name}', f'an arg named {name}', f'an arg named {name}'),
             where=run.source.place,
-            try_=f"add DeclareLaunchArgument('{name}', default_value='{example}', description='...')",
+            try_=f'add {declaration_of(run, name, example)}',
         )
     return argument
 
@@ -41,10 +42,10 @@ def require_argument(run: Evidence, name: str, example: str) -> DeclaredArgument
     if argument.default is None:
         raise Missing(
             f'the default value of "{name}"',
-            expected=f"default_value='{example}'",
+            expected=default_of(run, example),
             seen='none',
             where=_place(argument),
-            try_='give it a default_value, so that the file can also be launched without arguments',
+            try_=f'add a default value to {name}, so that the file can also be launched without arguments',
         )
     return argument
 
@@ -68,9 +69,8 @@ def require_default(
     is_given = any(name in names for _, names in run.bare.values())  # the runs without this argument were different runs
     is_shown = shows is not None and bare and not is_literal(argument.default or '') and not is_given
     if default is not None and not is_same_value(seen, default) and not is_shown:
-        raise Mismatch(
-            f'the default value of "{name}"', default, seen, where=_place(argument), try_=f"write default_value='{default}'"
-        )
+        advice = f'write {default_of(run, default)}'
+        raise Mismatch(f'the default value of "{name}"', default, seen, where=_place(argument), try_=advice)
     for scenario in [scenario for scenario in run if name in run.bare.get(scenario, ('', ()))[1]]:
         raise Failure(
             f'the launch file does not run without {name}:=...',

@@ -1,4 +1,4 @@
-"""Calls the functions and classes that a cell of a notebook defines. An exception becomes a sentence of the report."""
+"""Call functions and classes that a notebook cell defines, and report exceptions as sentences."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _ANY = object()
 
 
 def defined(run: Evidence, name: str) -> Any:
-    """Return the value that a cell has given to a name.
+    """Return the value of a name that a notebook cell defines.
 
     :raises Missing: when no cell defines it.
     """
@@ -22,7 +22,7 @@ def defined(run: Evidence, name: str) -> Any:
 
 
 def call(name: str, function: Any, *given: Any, wanted: Any = _ANY) -> Any:
-    """Return what a function or a class of the student returns.
+    """Call a function or a class of the student, and return the result.
 
     :raises Failure: when it cannot be called, or raises an exception.
     :raises Mismatch: when it returns another value than `wanted`.

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from ..evidence import Evidence, Failure
 from ..shortened import shortened
-from ..source import Place
+from ..source import Place, is_shipped
 from .identity import processes_of
 from .launched import launched
 
@@ -35,7 +35,7 @@ INTERRUPTED = (2, 130)  # exit codes of programs that handle SIGINT themselves
 
 
 class Death(NamedTuple):
-    """A program that ended with another exit code than 0 before the end of its run.
+    """A program that ended before the end of its run with an exit code other than 0.
 
     :ivar process: its record, or None for a real program, which appears only in a line of launch.
     """
@@ -70,7 +70,7 @@ def refuse_gone(run: Evidence) -> None:
             if process.ended_s is not None and process.ended_s < recording.duration_s:
                 raise Failure(
                     f'{process.name} ends after {process.ended_s:.1f} s in the run with {run.scenario(name).words}',
-                    expected='it runs until the end',
+                    expected=f'{process.name} runs until the end of the run',
                     seen=f'something ends it, since {process.executable} never ends by itself',
                     where=process.origin,
                     try_='remove what sends it a signal or shuts down the launch',
@@ -126,6 +126,7 @@ def last_line(recording: Recording, name: str) -> str:
 
 def _failure(recording: Recording, death: Death, words: str) -> Failure:
     rationale = f'{death.name} died after {death.when_s:.1f} s with exit code {death.returncode} in the run with {words}'
+    expected = f'{death.name} runs until the end of the run'
     origin = death.process.origin if death.process else None
     error = death.process.exception if death.process else None
     if error is not None:
@@ -133,18 +134,21 @@ def _failure(recording: Recording, death: Death, words: str) -> Failure:
         broken = BROKEN_FILE.search(str(error['message']))
         if broken is not None:
             return _broken_file(death, broken, at, words)
-        return Failure(
-            rationale,
-            expected='it runs until the end',
-            seen=f'{error["type"]}: {error["message"]}',
-            where=Place(error['file'], error['line']) if error.get('file') else origin,
-            try_=f'check the arguments and parameters that the launch file passes to it{at}',
-        )
+        where = Place(error['file'], error['line']) if error.get('file') else origin
+        seen = f'{error["type"]}: {error["message"]}'
+        return Failure(rationale, expected=expected, seen=seen, where=where, try_=_advice_on(death, where, at))
     printed = last_line(recording, death.name)
     advice = (
         'correct the mistake that this last line names' if printed else 'start it in a terminal of its own to see why it ends'
     )
-    return Failure(rationale, expected='it runs until the end', seen=printed or 'no output', where=origin, try_=advice)
+    return Failure(rationale, expected=expected, seen=printed or 'no output', where=origin, try_=advice)
+
+
+def _advice_on(death: Death, where: tuple[str, int | None] | None, at: str) -> str:
+    """Return what to do about an exception: in the student's own program, or in the call of a program of edulaunch."""
+    if where is not None and death.process is not None and where != death.process.origin and not is_shipped(where[0]):
+        return 'correct this line of the program'
+    return f'check the arguments and parameters that the launch file passes to {death.name}{at}'
 
 
 def _broken_file(death: Death, broken: re.Match[str], at: str, words: str) -> Failure:

@@ -18,7 +18,7 @@ def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound
 
     :param goal: the position of the goal over time.
     :param follower: the turtle, such as ``/turtle2``.
-    :raises Failure: with the largest distance and when it was.
+    :raises Failure: with the largest distance and its time.
     """
     track = driven_track(run, scenario, follower)
     worst = farthest(distances(goal, track), since_s)
@@ -52,7 +52,7 @@ def require_arrival(run: Evidence, scenario: str, follower: str, try_: str) -> N
 
 
 def require_driver(run: Evidence, turtle: str, package: str, executable: str | None = None) -> None:
-    """Require that only one program commands a turtle, so that the turtle shows what this program does.
+    """Require that only one program sends commands to a turtle, so that its movement shows the behaviour of this program.
 
     :param turtle: such as ``/turtle2``, or '' for the robot.
     :param executable: the only program of that package that may do so (default: all of them).
@@ -68,7 +68,7 @@ def require_driver(run: Evidence, turtle: str, package: str, executable: str | N
                 raise Failure(
                     f'{node.name} drives {name}, which only {driver} may drive',
                     expected=f'the simulator receives the velocities of {name} on {usual}',
-                    seen=f'it receives them on {topic}, and the process {node.process} publishes this topic',
+                    seen=f'it receives them on {topic}, and the process {node.process} publishes on this topic',
                     where=process.origin if process else None,
                     try_=f'remove the remapping of {usual} from the Node of the simulator',
                 )

@@ -76,7 +76,7 @@ def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: 
         if elsewhere is not None:
             now_and_then = any(item.frame.parent == parent for item in sent)
             raise Failure(
-                f'the frame {child} has another parent than {parent} in the run with {words}',
+                f'the parent of the frame {child} is not {parent} in the run with {words}',
                 expected=parent,
                 seen=elsewhere.frame.parent + (f' at {elsewhere.time_s:.2f} s' if now_and_then else ''),
                 where=run.source.place,

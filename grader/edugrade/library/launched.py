@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ..evidence import Evidence, Failure, Missing
 from ..source import shipped_program
 from .identity import nodes_of, process_of, processes_of
+from .written import node_of
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -24,9 +25,9 @@ def refuse_strangers(recording: Recording, topic: str, package: str, executable:
     if found is not None:
         node, process = found
         raise Failure(
-            f'{node.name} publishes {topic}, which only a program of {package} may publish',
-            expected=f'only {package} publishes {topic}',
-            seen=f'the process {node.process} publishes it',
+            f'{node.name} publishes on {topic}, but only a program of {package} may publish there',
+            expected=f'only {package} publishes on {topic}',
+            seen=f'the process {node.process} publishes on it',
             where=process.origin if process else None,
             try_='publish on another topic, and move turtles and robots with velocity commands',
         )
@@ -79,9 +80,9 @@ def require_process(run: Evidence, package: str, executable: str) -> ProcessReco
         f'the node {executable} of the package {package}',
         name=executable,
         among=started,
-        expected=f"Node(package='{package}', executable='{executable}')",
+        expected=node_of(run, package, executable),
         where=run.source.place,
-        try_='add this Node to the LaunchDescription',
+        try_=f'add {node_of(run, package, executable)} to the launch file',
     )
 
 

@@ -108,11 +108,12 @@ def require_listener(
         seen = f'subscribers of {topic}: {", ".join(found.subscriptions) or "none"}'
         if node in found.subscriptions:
             seen += f'\nthis {node} is not a program of {package}'
+        process = process_of(run[scenario], nodes[0][1], nodes[0][0]) if nodes else None
         raise Failure(
             f'{node} does not subscribe to {topic}',
             expected=f'a subscription of {node} to {topic}',
             seen=seen,
-            where=run.source.place,
+            where=run.source.own(process.origin if process else None),
             try_=try_,
         )
 
@@ -190,7 +191,7 @@ def _loose(node: NodeRecord, recording: Recording) -> list[str]:
     words = []
     for topic, _ in node.publishers:
         if topic not in ALWAYS_THERE and not recording.topics[topic].subscriptions:
-            words.append(f'{node.name} publishes {topic}, which has no subscriber')
+            words.append(f'{node.name} publishes on {topic}, which has no subscriber')
     for topic, _ in node.subscriptions:
         if topic not in ALWAYS_THERE and not recording.topics[topic].publishers:
             words.append(f'{node.name} subscribes to {topic}, which has no publisher')

@@ -89,9 +89,13 @@ def _gives(text: str, node: str, name: str, value: Any) -> bool:
     return any(entry.name == name and entry.value == value and pattern_matches(entry.pattern, node) for entry in entries)
 
 
-def with_origin(parameter: Parameter | None) -> str:
+def value_and_origin(parameter: Parameter | None) -> str:
     """Return the value with its origin, for a sentence."""
-    return 'no such parameter' if parameter is None else f'{parameter.value} (from: {parameter.origin})'
+    if parameter is None:
+        return 'no such parameter'
+    if parameter.origin == 'default':
+        return f'{parameter.value}, the default value'
+    return f'{parameter.value}, from {parameter.origin}'
 
 
 def require_parameter(
@@ -117,7 +121,7 @@ def require_parameter(
     raise Mismatch(
         f'the parameter {name} of {executable}',
         _by_run(run, {key: str(value) for key, value in wanted.items()}),
-        _by_run(run, {key: with_origin(seen) for key, seen in found.items()}),
+        _by_run(run, {key: value_and_origin(seen) for key, seen in found.items()}),
         where=where,
         try_=try_,
     )

@@ -7,18 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
-from ..results import (
-    ALL_PASSED,
-    BROKEN_GRADER,
-    FAILED,
-    GRADER_BROKE,
-    NOT_RUN,
-    OWN_VARIANT,
-    PASSED,
-    SOME_FAILED,
-    CheckResult,
-    Report,
-)
+from ..results import ALL_PASSED, BROKEN_GRADER, FAILED, GRADER_BROKE, NOT_RUN, OWN_VARIANT, PASSED, CheckResult, Report
 from ..verdicts import refusal_of
 from .wording import ALL, ShortPaths, at_level, explained, points_of, translated
 
@@ -28,7 +17,7 @@ if TYPE_CHECKING:
 MARKS = {PASSED: 'ok', FAILED: 'FAILED', NOT_RUN: 'not run', GRADER_BROKE: 'BROKE'}
 COLOURS = {PASSED: '32', FAILED: '31', NOT_RUN: '33', GRADER_BROKE: '35'}
 WIDTH = 100
-MORE = 'The advice becomes more specific with each attempt that you save, and with each hint that you open (--hint 1).'
+MORE = 'After more attempts with a changed file, this advice becomes more specific. You can also open a hint (--hint 1).'
 INDENT = ' ' * 9
 
 
@@ -128,8 +117,8 @@ def why_line(report: Report) -> str:
 
 
 def says_less(report: Report) -> bool:
-    """Return whether the report does not yet show all of its advice."""
-    return report.level < ALL and report.exit_code == SOME_FAILED
+    """Return whether later attempts of the student get more specific advice than this report shows."""
+    return report.is_counted and any(at_level(result, report.level) != at_level(result, ALL) for result in report.results)
 
 
 def points_line(report: Report) -> str:
@@ -156,8 +145,10 @@ def sandbox_line(reports: Sequence[Report]) -> str:
         return 'sandbox: off. The submission could read, write and send everything that you can.' if states else ''
     missing = {layer: reason for state in states for layer, reason in state.items() if reason != 'held'}
     held = [layer for state in states[:1] for layer in state if layer not in missing]
-    words = f'sandbox: {", ".join(held) or "nothing"} confined'
-    return words + ('; NOT ' + ', '.join(f'{layer} ({reason})' for layer, reason in missing.items()) if missing else '')
+    words = f'sandbox: it confined {", ".join(held) or "nothing"}.'
+    if not missing:
+        return words
+    return f'{words} It did NOT confine {", ".join(f"{layer} ({reason})" for layer, reason in missing.items())}.'
 
 
 def next_step(report: Report) -> str:
@@ -172,6 +163,7 @@ def next_step(report: Report) -> str:
     if report.gaps and not any(outcome.recording is None for outcome in report.outcomes):
         lines = ', '.join(str(gap.line) for gap in report.gaps)
         return (
-            f'Next: fix the check "{first.sentence}", and grade the file again. Lines that still have a "# TODO" comment: {lines}'
+            f'Next: make the check "{first.sentence}" pass, and grade the file again. '
+            f'Lines that still have a "# TODO" comment: {lines}'
         )
-    return f'Next: fix the check "{first.sentence}", and grade the file again.'
+    return f'Next: make the check "{first.sentence}" pass, and grade the file again.'

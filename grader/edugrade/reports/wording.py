@@ -28,29 +28,55 @@ TRIES = {THING: 2, ALL: 4}
 ARTICLES = ('a ', 'an ', 'the ', 'one ', 'two ')
 KINDS = {
     'compare the names letter by letter with the task': (' instead of "',),
-    'a DeclareLaunchArgument': ('DeclareLaunchArgument',),
-    'an IncludeLaunchDescription': ('IncludeLaunchDescription',),
-    'a static_transform_publisher': ('static_transform_publisher',),
-    'an event handler': ('RegisterEventHandler',),
-    'an action that waits': ('TimerAction',),
-    'a group with a namespace': ('PushRosNamespace',),
-    'a remapping of a Node': ('remappings',),
-    'the value that the launch file gives this parameter': ('parameters=', 'parameter ', 'ros2 param '),
-    'a Node with a namespace': ('namespace',),
-    'a condition of an action': ('condition',),
-    'a command that the launch file starts': ('ExecuteProcess', 'ros2 topic pub'),
-    'a frame': ('view_frames', 'the frame '),
-    'a broadcaster of a frame': ('broadcaster',),
-    'a file that the package installs': ('data_files',),
-    'a parameter file': ('create this file', 'this parameter file'),
-    'the output of a node': (' log ', ' logs ', ' print ', ' prints '),
-    'a launch argument': ('argument',),
-    'a subscription of a node': ('subscri', 'listen'),
-    'a publisher of a node': ('publish',),
-    'a Node': ('the node /', 'Node'),
+    'check which action and which event start this node': ('which event start',),
+    'check the name and the default value of the launch argument': ('DeclareLaunchArgument', 'default_value', 'default'),
+    'check which launch file is included, and which arguments it gets': ('IncludeLaunchDescription', 'launch_arguments'),
+    'check the options of the static_transform_publisher': ('static_transform_publisher', 'arguments of its Node'),
+    'check the events and the actions of the event handlers': ('RegisterEventHandler',),
+    'check which actions wait, and for how long': ('TimerAction',),
+    'check which actions are in the group with the namespace': ('PushRosNamespace',),
+    'check the remappings of the node': ('remap',),
+    'check the value that the launch file gives this parameter': ('parameters=', 'param ', 'parameter '),
+    'check the name and the namespace of the node': ('namespace',),
+    'check the conditions of the actions': ('condition',),
+    'check the command that the launch file starts': ('ExecuteProcess', 'ros2 topic pub'),
+    'check the names of the frames': ('view_frames',),
+    'check the name, the parent and the position of the frame': ('the frame ',),
+    'check the parameters and the remappings of the broadcaster': ('broadcaster',),
+    'check which files the package installs': ('data_files',),
+    'check the path and the content of the parameter file': ('create this file', 'this parameter file'),
+    'check what the node prints and logs': (' log ', ' logs ', ' print ', ' prints '),
+    'check where the launch argument is declared and used': ('argument',),
+    'check to which topic the node subscribes': ('subscri', 'listen'),
+    'check which node publishes on this topic, and whether this node starts': ('publish',),
+    'check the package, the executable and the name of the node': ('the node /', 'Node', '<node ', 'node: '),
 }
-"""Kinds of things to check, with the words of an advice or a reason that belong to each. The first kind that fits counts."""
-_INSIDE = ((re.compile(r'(?<=[\w=])\([^()\[\]]*\)'), '\0'), (re.compile(r'(?<=[\w=])\[[^()\[\]]*\]'), '\1'))
+"""Advice that names only the kind of thing to check, with the words of an advice or a reason that belong to it. The first
+kind that fits counts."""
+ADDED = {
+    'check the name and the default value of the launch argument': 'add a DeclareLaunchArgument to the launch file',
+    'check which launch file is included, and which arguments it gets': 'add an IncludeLaunchDescription to the launch file',
+    'check the options of the static_transform_publisher': 'add a static_transform_publisher to the launch file',
+    'check the events and the actions of the event handlers': 'add an event handler',
+    'check which actions wait, and for how long': 'add an action that waits',
+    'check which actions are in the group with the namespace': 'add a group with a namespace',
+    'check the name and the namespace of the node': 'add a node with a namespace',
+    'check the conditions of the actions': 'add a condition to an action',
+    'check the command that the launch file starts': 'add a command to the launch file',
+    'check the parameters and the remappings of the broadcaster': 'add a broadcaster of this frame',
+    'check where the launch argument is declared and used': 'add a launch argument',
+    'check the package, the executable and the name of the node': 'add a node',
+}
+"""For a kind of thing that is missing: advice to add it."""
+PARAMETER = 'check the value that the launch file gives this parameter'
+_INSIDE = (
+    (re.compile(r'(?<=\w)\(\)'), '\2'),
+    (re.compile(r'(?<=[\w=])\([^()\[\]{}]*\)'), '\0'),
+    (re.compile(r'(?<=[\w=])\[[^()\[\]{}]*\]'), '\1'),
+    (re.compile(r'(?<=[\w=(\[ ])\{[^()\[\]{}]*\}'), '\3'),
+    (re.compile(r'(?<=\w=)"[^"\n]*"'), '\4'),
+)
+_ABBREVIATED = {'\0': '(...)', '\1': '[...]', '\2': '()', '\3': '{...}', '\4': '"..."'}
 _DEEPEST = 6
 LAUNCHED = ' in the run with '
 _CORRECTED = re.compile(r'^write "[^"\n]*" instead of "[^"\n]*", or ')
@@ -58,6 +84,8 @@ _CORRECTED = re.compile(r'^write "[^"\n]*" instead of "[^"\n]*", or ')
 
 def at_level(result: CheckResult, level: int) -> CheckResult:
     """Return the result with the advice of a level. At KIND it has no cause, unless an error ended a program."""
+    if result.status == FAILED and ' died ' in result.reason and _has_ended(result):  # the cause knows more than the check
+        return replace(result, steps=(), try_=None if level >= ALL else 'correct the mistake that the cause names')
     # this result is not part of the task, so nothing is hidden
     if result.status != FAILED or level >= ALL or result.name in OF_NO_RUBRIC:
         return result
@@ -81,15 +109,15 @@ def _has_ended(result: CheckResult) -> bool:
 def kind_of(result: CheckResult) -> str:
     """Return advice that only names the kind of thing to check."""
     for text in (_CORRECTED.sub('', result.try_ or ''), result.reason.partition(LAUNCHED)[0], result.sentence):
-        thing = next((kind for kind, words in KINDS.items() if any(word in text for word in words)), None)
-        if thing is not None and not thing.startswith(ARTICLES):
-            return thing
-        if thing is not None:
-            if not result.reason.endswith('missing'):
-                return f'check {thing}'
-            if 'value' in thing:
-                return 'write the missing parameter into the parameters of this Node, or correct its name there'
-            return f'add {thing}, or correct the existing one' if result.seen else f'add {thing}'
+        advice = next((kind for kind, words in KINDS.items() if any(word in text for word in words)), None)
+        if advice is None:
+            continue
+        if not result.reason.endswith('missing'):
+            return advice
+        if advice == PARAMETER:
+            return 'write the missing parameter into the parameters of this Node, or correct its name there'
+        added = ADDED.get(advice, advice)
+        return added if added == advice or not result.seen else f'{added}, or {advice}'
     return without_code(result.try_) if result.try_ else 'compare the expected value with the seen value'
 
 
@@ -101,7 +129,9 @@ def without_code(advice: str) -> str:
             advice = pattern.sub(sign, advice)
         if advice == before:
             break
-    return advice.replace('\0', '(...)').replace('\1', '[...]')
+    for sign, short in _ABBREVIATED.items():
+        advice = advice.replace(sign, short)
+    return advice
 
 
 def level_of(tries: int, hints: list[int], untouched: bool) -> int:

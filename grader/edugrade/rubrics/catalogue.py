@@ -83,7 +83,7 @@ def find_rubric(
     close = nearest(name, list(known))
     hint = f'did you mean {close}? ' if close else ''
     raise UnusableInput(
-        f'there is no rubric for "{name}"; there are: {", ".join(sorted(known)) or "none"}',
+        f'there is no rubric named "{name}". Available rubrics: {", ".join(sorted(known)) or "none"}',
         help=f'{hint}Name the file after its exercise (circle.launch.py), or give --rubric NAME or FILE',
     )
 

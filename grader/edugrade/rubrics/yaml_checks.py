@@ -17,8 +17,9 @@ from ..library.identity import rows_of
 from ..library.launched import refuse_strangers, require_process
 from ..library.movement import Track, length, odometry_track, since, turtle_track
 from ..library.node_graph import require_ended, require_listener, require_node, require_nodes, require_started, require_topic
-from ..library.parameters import named_origin, refuse_missing_file, require_parameter
+from ..library.parameters import named_origin, refuse_missing_file, require_parameter, value_and_origin
 from ..library.parameters import node_parameter as read_parameter
+from ..library.written import parameter_of_node, remapping_to
 from ..shortened import last_lines, readable, shortened
 from .yaml_wanted import OfRun, Wanted
 
@@ -90,7 +91,8 @@ def node(run: Evidence, wanted: Wanted) -> None:
                 raise Failure(f'{name} starts in the run with {one.words}', expected=asked, seen=name, **one.advice)
             continue
         both = 'this namespace and name' if name.strip('/').count('/') else 'this name'
-        require_node(one.alone, name, package, wanted.try_ or f'give the Node of {package} {both}', wanted['executable'] or None)
+        advice = wanted.try_ or f'write {both} in the Node of {package}'
+        require_node(one.alone, name, package, advice, wanted['executable'] or None)
 
 
 @kind('Only these nodes run: {are}', 'are', 'package')
@@ -107,20 +109,20 @@ def hears(run: Evidence, wanted: Wanted) -> None:
     """Require that a node subscribes to a topic that has messages."""
     for one in wanted.of_each(run):
         topic = one.text('topic')
-        advice = wanted.try_ or f"give the Node remappings=[(..., '{topic}')]"
+        advice = wanted.try_ or remapping_to(run, topic)
         require_listener(run, one.scenario, one.text('node'), topic, advice, *one.program())
 
 
 @kind('{node} starts at the right time', 'node at', f'after {PROGRAM} {MEASURE}')
 def starts(run: Evidence, wanted: Wanted) -> None:
     """Require that a node starts at a time, or a time after the start of another node."""
-    _happens(run, wanted, 'start', require_started)
+    _happens(run, wanted.advising('check which action and which event start this node'), 'start', require_started)
 
 
 @kind('{node} ends at the right time', 'node at', f'after {PROGRAM} {MEASURE}')
 def ends(run: Evidence, wanted: Wanted) -> None:
     """Require that a node ends at a time, or a time after the start of another node."""
-    _happens(run, wanted, 'end', require_ended)
+    _happens(run, wanted.advising('check what ends this node, and when'), 'end', require_ended)
 
 
 @kind('The launch shuts down at the right time', 'at', MEASURE)
@@ -212,7 +214,7 @@ def parameter(run: Evidence, wanted: Wanted) -> None:
     """Require a value of a parameter of an executable's node."""
     require_process(run, wanted['package'], wanted['executable'])
     values = {one.scenario: one.same_type('value') for one in wanted.of_each(run)}
-    advice = wanted.try_ or f"give the Node parameters=[{{'{wanted['name']}': ...}}]"
+    advice = wanted.try_ or parameter_of_node(run, wanted['name'])
     require_parameter(run, wanted['package'], wanted['executable'], wanted['name'], values, advice)
 
 
@@ -224,7 +226,7 @@ def node_parameter(run: Evidence, wanted: Wanted) -> None:
         is_right = found is not None and found.value == asked and isinstance(found.value, bool) == isinstance(asked, bool)
         if found is None or not is_right or origin not in found.origin:
             refuse_missing_file(one.alone, [found], wanted['package'])
-            seen = 'no such parameter' if found is None else f'{found.value}, from {found.origin}'
+            seen = value_and_origin(found)
             thing = f'{wanted["name"]} of {one.text("node")} in the run with {one.words}'
             raise Mismatch(thing, f'{asked}, from {origin}' if origin else str(asked), seen, where=run.source.place, try_=advice)
 
@@ -238,7 +240,7 @@ def measured_parameter(run: Evidence, wanted: Wanted) -> None:
         is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
         if found is None or not (is_number and low <= value <= high and str(wanted['origin']) in found.origin):
             refuse_missing_file(one.alone, [found], wanted['package'])
-            seen = 'no such parameter' if found is None else f'{value!r}, from {found.origin}'
+            seen = value_and_origin(found)
             bounds = [f'at least {low:g}'] * ('at_least' in wanted) + [f'at most {high:g}'] * ('at_most' in wanted)
             asked = ' and '.join(bounds + [f'from {wanted["origin"]}'] * ('origin' in wanted))
             raise Mismatch(f'{wanted["name"]} of {one.text("node")}', asked, seen, where=run.source.place, try_=advice)
@@ -248,9 +250,7 @@ def _parameters(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, Paramete
     """Yield for each run the parameter of the node, which must exist, and the advice."""
     for one in wanted.of_each(run):
         node, name = one.text('node'), wanted['name']
-        advice = (
-            wanted.try_ or f'check what sets {name} of {node} in the launch file: ros2 param get {node} {name} prints its value'
-        )
+        advice = wanted.try_ or f'check which parameter file, argument or Node sets the parameter {name} of {node}'
         require_node(one.alone, node, wanted['package'], advice)
         asked = one.same_type('value') if 'value' in wanted else None
         found = read_parameter(one.recording, node, wanted['package'], name, asked)

@@ -6,6 +6,7 @@ import ast
 import operator
 import re
 from collections.abc import Callable, Iterator
+from copy import copy
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
@@ -55,6 +56,14 @@ class Wanted(dict[str, Any]):
         parts = {key: ', '.join(map(str, value)) if isinstance(value, list) else str(value) for key, value in self.items()}
         parts = {key: readable(text) if key == 'pattern' else text for key, text in parts.items()}
         return Wanted({key: ARGUMENT.sub(r'\1', text) for key, text in parts.items()}, None)
+
+    def advising(self, advice: str) -> Wanted:
+        """Return the values, with this advice if the rubric has none."""
+        if self.try_ is not None:
+            return self
+        advised = copy(self)
+        advised.try_ = advice
+        return advised
 
     def of_each(self, run: Evidence) -> Iterator[OfRun]:
         """Return the values for each run."""

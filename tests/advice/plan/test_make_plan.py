@@ -241,7 +241,9 @@ def test_a_handler_of_its_own_events_is_silenced_and_named(plan: Plan, tmp_path:
 def test_a_plan_does_not_go_on_without_well_known_packages_as_a_launch_does(plan: Plan, body: str) -> None:
     error = plan(body)['error']
     assert error['text'].startswith("\"package 'gazebo_ros' not found, searching: ")
-    assert error['help'] == 'the package gazebo_ros (Gazebo) is not part of edulaunch; leave it out here, or give it a condition'
+    assert (
+        error['help'] == 'the package gazebo_ros (Gazebo) is not part of edulaunch; leave it out here, or add a condition to it'
+    )
 
 
 def test_what_a_respawned_process_does_again_is_not_told_again(plan: Plan) -> None:

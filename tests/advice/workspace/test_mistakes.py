@@ -72,7 +72,7 @@ def test_scripts_of_a_cmake_package(workspace: Any, node: str) -> None:
         workspace.write(f'robo/scripts/{name}.py', text)
     assert said(workspace.folder) == [
         'robo/scripts/one.py:1: the first line of the program one.py does not name its interpreter',
-        'robo/scripts/two.py: CMake installs two.py without permission to execute it',
+        'robo/scripts/two.py: CMake installs two.py without the execute permission',
         'robo/scripts/three.py: three.py starts a node, but no build installs it',
     ]
 

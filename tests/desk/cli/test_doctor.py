@@ -20,7 +20,7 @@ def test_a_launch_file_is_run_and_looked_at(capsys: pytest.CaptureFixture[str], 
     assert capsys.readouterr().out == (
         '1. two nodes have the name /talker: one in talker-1, and one in talker-2\n'
         '   where: failing.launch.py:9, at 0.00 s\n'
-        '   why:   parameters and services of /talker have the same names in both, so you cannot know which one answers\n'
+        '   why:   parameters and services of /talker have the same names in both, so it is not defined which node answers\n'
         "   do:    rename one of them, for example with name='talker_2' in the launch file, or use another namespace\n"
         '   see:   lessons/01_first_launch.ipynb\n'
     )

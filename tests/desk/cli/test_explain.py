@@ -45,7 +45,7 @@ def test_nodes_come_with_their_parameters_remaps_and_timers(file: Path, capsys: 
         '│   └── remap a -> b',
         '└── timer after 2 s  <my.launch.py:12>',
         '    └── node /late: demo_nodes_cpp talker  <my.launch.py:12>',
-        'nodes: 2, other processes: 0, reason of the shutdown: idle',
+        'nodes: 2, other processes: 0, reason for the shutdown: idle',
     ]
 
 

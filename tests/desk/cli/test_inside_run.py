@@ -44,7 +44,7 @@ def test_run_of_something_unknown(machine) -> None:
     )
     assert (
         machine.fails('ros2 run turtlesim mimik')
-        == "No executable found\n  help: turtlesim has no executable mimik; write 'mimic'\n"
+        == "No executable found\n  help: the package 'turtlesim' has no executable named 'mimik'; write 'mimic'\n"
     )
     assert machine.fails('ros2 run turtlesim x').endswith(
         'use one of its executables: draw_square, mimic, turtle_teleop_key, turtlesim_node\n'

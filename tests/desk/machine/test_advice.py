@@ -85,8 +85,8 @@ def test_each_run_of_a_mistake_is_reported_and_no_run_without_it(desk: Desk) -> 
         write(desk, 'main.launch.py', SIM, OWN, setup=DRIVES.format(topic), work=SENDS.format(0.1, 0.5))
         reported.append(launched(desk, 'main.launch.py').partition(' (')[0])
     line = (
-        'warning: /program publishes /turtle1/cmd_val, which no node subscribes to; /sim subscribes to /turtle1/cmd_vel, which no node '
-        'publishes'
+        'warning: /program publishes on /turtle1/cmd_val, but no node subscribes to it; /sim subscribes to /turtle1/cmd_vel, but no node '
+        'publishes on it'
     )
     assert reported == [line, '', line, line]
 

@@ -79,7 +79,7 @@ def test_status_names_the_line_and_stop_ends_it(desk: Desk) -> None:
     stuck = begin(desk, 'sums')
     stuck.wait_for((desk.place / 'domain-0.busy').exists)
     status = ours(desk, 'machine status')
-    assert status.end() == 1 and 'sums.py:13 (tick) has kept its turn for' in status.output
+    assert status.end() == 1 and 'sums.py:13 (tick) has run for' in status.output
     stop = ours(desk, 'machine stop')
     assert stop.end() == 0 and 'the machine did not answer, so it was killed' in stop.output
     assert (
@@ -95,7 +95,7 @@ def test_a_call_that_looks_for_signals_is_interrupted_and_the_others_go_on(desk:
     talker = desk.ros2('run demo_nodes_py talker')
     talker.until('Publishing')
     stuck = begin(desk, 'matches')
-    assert stuck.end() == 1 and 'matches.py:13' in stuck.output and 'kept its turn for too long' in stuck.output
+    assert stuck.end() == 1 and 'matches.py:13' in stuck.output and 'ran for too long' in stuck.output
     before = talker.output.count('Publishing')
     talker.until(lambda output: output.count('Publishing') > before)
     assert desk.log() == ''
@@ -108,9 +108,9 @@ def test_a_call_that_does_not_ends_with_its_machine_and_who_waits_is_told(desk: 
     stuck.wait_for((desk.place / 'domain-0.busy').exists)
     waiting = desk.ros2('topic list')
     assert stuck.end() == 1
-    assert 'sums.py:13 (tick) kept its turn for' in stuck.output and 'could not be interrupted' in stuck.output
+    assert 'sums.py:13 (tick) ran for' in stuck.output and 'could not be interrupted' in stuck.output
     assert waiting.end() == 1
-    assert 'the machine has ended' in waiting.output and 'sums.py:13 (tick) kept its turn for' in waiting.output
+    assert 'the machine has ended' in waiting.output and 'sums.py:13 (tick) ran for' in waiting.output
     assert desk.said('topic list') == '/parameter_events\n/rosout\n'
 
 

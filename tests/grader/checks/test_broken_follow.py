@@ -77,7 +77,7 @@ def test_a_misspelt_target_is_shown_with_its_origin() -> None:
     results = graded('broken_follow', lambda s: run(s, values=values))
     assert statuses(results) == {'target_is_turtle1': 'failed', 'turtle2_follows': 'not_run'}
     assert (results['target_is_turtle1'].seen, results['target_is_turtle1'].where) == (
-        'trutle1 (from: a.launch.py line 33)',
+        'trutle1, from a.launch.py line 33',
         (FILE, 33),
     )
 

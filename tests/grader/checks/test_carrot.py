@@ -68,7 +68,7 @@ def test_the_default_is_the_fixed_one() -> None:
 def test_a_listener_that_follows_turtle1_is_told_where_its_value_comes_from() -> None:
     values = {'/listener': {'target_frame': Parameter('turtle1', 'default')}}
     results = graded('carrot', lambda s: run(s, values=values))
-    assert results['carrot_is_the_target'].seen == 'turtle1 (from: default)'
+    assert results['carrot_is_the_target'].seen == 'turtle1, the default value'
     assert results['fixed_carrot_is_reached'].root_cause == 'carrot_is_the_target'
 
 

@@ -32,8 +32,8 @@ def test_a_correct_launch_passes_everything() -> None:
 def test_a_fixed_height_fails_and_shows_both_places() -> None:
     fixed = frame('base_link', 0.2, 0.0, 0.5, is_static=True)
     result = graded('static_frame', lambda scenario: run(scenario, laser=fixed))['laser_is_in_its_place']
-    assert (result.status, result.seen) == ('failed', '(0.20, 0.00, 0.50)')
-    assert result.expected.startswith('(x, y, z) = (0.20, 0.00, 0.')
+    assert (result.status, result.seen) == ('failed', 'x, y, z = (0.20, 0.00, 0.50)')
+    assert result.expected.startswith('x, y, z = (0.20, 0.00, 0.')
 
 
 def test_degrees_are_not_radians() -> None:
@@ -87,7 +87,7 @@ def test_a_frame_that_was_elsewhere_first_is_not_in_its_place() -> None:
     low = frame('base_link', 0.2, 0.0, 0.0, is_static=True)
     results = graded('static_frame', lambda scenario: sent_from(4.5, scenario, laser=low))
     assert statuses(results) == {'laser_is_in_its_place': 'failed'}
-    assert results['laser_is_in_its_place'].seen == '(0.20, 0.00, 0.00)'
+    assert results['laser_is_in_its_place'].seen == 'x, y, z = (0.20, 0.00, 0.00)'
 
 
 def test_a_frame_that_hung_elsewhere_first_is_told_with_its_time() -> None:

@@ -8,7 +8,7 @@ from typing import Any
 
 from edugrade import Scenario
 from edugrade.evidence import Outcome
-from edugrade.reports.terminal import render, sandbox_line
+from edugrade.reports.terminal import MORE, render, sandbox_line
 from edugrade.results import CheckResult
 from edugrade.source import Gap
 from made_report import BROKE, FAILED, FILE, NOT_RUN, PASSED, report
@@ -27,7 +27,7 @@ not run  because "It drives" failed:
 ok       It starts  [2 of 2]
 
 1 of 3 checks passed: 2 of 9 points.
-Next: fix the check "It drives", and grade the file again.
+Next: make the check "It drives" pass, and grade the file again.
 """
 
 
@@ -45,14 +45,14 @@ def test_the_next_step_follows_the_first_failure_and_open_gaps_are_listed() -> N
     recording: Any = object()
     outcome = Outcome(Scenario('s'), 'recorded', recording=recording)
     text = render(report(FAILED, outcome=outcome, gaps=(Gap(FILE, 4, '# TODO 1: drive'),)))
-    line = 'Next: fix the check "It drives", and grade the file again. Lines that still have a "# TODO" comment: 4'
+    line = 'Next: make the check "It drives" pass, and grade the file again. Lines that still have a "# TODO" comment: 4'
     assert ' '.join(text.split()).endswith(line)
 
 
 def test_an_open_gap_comes_after_a_file_that_cannot_run() -> None:
     unusable = Outcome(Scenario('s'), 'unusable')
     text = render(report(FAILED, outcome=unusable, gaps=(Gap(FILE, 4, '# TODO 1: drive'),)))
-    assert text.endswith('Next: fix the check "It drives", and grade the file again.\n')
+    assert text.endswith('Next: make the check "It drives" pass, and grade the file again.\n')
 
 
 def test_failures_of_one_cause_are_one_block() -> None:
@@ -89,6 +89,19 @@ def test_a_run_that_did_not_begin_was_not_without_a_sandbox() -> None:
     broke = Outcome(Scenario('fast'), 'broke', sandbox=None)
     held = Outcome(Scenario('fast'), 'recorded', sandbox={'files': 'held'})
     assert sandbox_line([report(BROKE, outcome=broke)]) == 'sandbox: not needed. Nothing of the submission was run.'
-    assert sandbox_line([report(BROKE, outcome=broke), report(PASSED, outcome=held)]) == 'sandbox: files confined'
+    assert sandbox_line([report(BROKE, outcome=broke), report(PASSED, outcome=held)]) == 'sandbox: it confined files.'
     assert sandbox_line([report(PASSED)]).startswith('sandbox: off.')
     assert sandbox_line([]) == ''
+
+
+def test_the_report_promises_better_advice_only_to_a_student_who_gets_it() -> None:
+    shown = replace(report(replace(FAILED, try_='write a=b in the Node')), level=1)
+    assert MORE not in render(shown)
+    assert MORE in render(replace(shown, is_counted=True))
+    assert MORE not in render(replace(shown, is_counted=True, level=3))
+
+
+def test_the_line_on_the_sandbox_names_the_layers_that_failed() -> None:
+    partly = Outcome(Scenario('fast'), 'recorded', sandbox={'files': 'held', 'network': 'no namespaces'})
+    line = 'sandbox: it confined files. It did NOT confine network (no namespaces).'
+    assert sandbox_line([report(PASSED, outcome=partly)]) == line

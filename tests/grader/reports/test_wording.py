@@ -76,17 +76,27 @@ def failed(try_: str, reason: str = 'the node /a is missing') -> CheckResult:
 @pytest.mark.parametrize(
     ('try_', 'kind', 'thing'),
     [
-        ("add DeclareLaunchArgument('r', default_value='1')", 'add a DeclareLaunchArgument', 'add DeclareLaunchArgument(...)'),
         (
-            "give the Node parameters=[{'radius': LaunchConfiguration('r')}]",
+            "add DeclareLaunchArgument('r', default_value='1')",
+            'add a DeclareLaunchArgument to the launch file',
+            'add DeclareLaunchArgument(...)',
+        ),
+        (
+            "add parameters=[{'radius': LaunchConfiguration('r')}] to the Node",
             'write the missing parameter into the parameters of this Node, or correct its name there',
-            'give the Node parameters=[...]',
+            'add parameters=[...] to the Node',
         ),
         (
-            'give the Node of turtlesim this namespace and name',
-            'add a Node with a namespace',
-            'give the Node of turtlesim this namespace and name',
+            'write this namespace and name in the Node of turtlesim',
+            'add a node with a namespace',
+            'write this namespace and name in the Node of turtlesim',
         ),
+        (
+            "add launch_arguments={'target_frame': 'carrot1'}.items() to IncludeLaunchDescription(...)",
+            'add an IncludeLaunchDescription to the launch file',
+            'add launch_arguments={...}.items() to IncludeLaunchDescription(...)',
+        ),
+        ('write default="kitchen"', 'add a DeclareLaunchArgument to the launch file', 'write default="..."'),
         ('write "/a" instead of "/b"', 'compare the names letter by letter with the task', None),
     ],
 )
@@ -97,7 +107,8 @@ def test_one_advice_has_three_steps(try_: str, kind: str, thing: str | None) -> 
 
 def test_only_an_existing_thing_can_be_corrected() -> None:
     result = replace(failed("add DeclareLaunchArgument('r', default_value='1')"), seen='radius')
-    assert at_level(result, KIND).try_ == 'add a DeclareLaunchArgument, or correct the existing one'
+    words = 'add a DeclareLaunchArgument to the launch file, or check the name and the default value of the launch argument'
+    assert at_level(result, KIND).try_ == words
 
 
 def test_a_rubric_may_say_the_steps_itself() -> None:

@@ -91,7 +91,7 @@ def test_a_missing_argument_of_the_file_itself(file: str, capsys: Any) -> None:
     assert launch_a_launch_file(launch_file_path=file, launch_file_arguments=[]) == 1
     out = capsys.readouterr().out
     assert "missing required argument 'x' (description: 'no description given'), given: []" in out
-    assert 'pass x:=..., or give its DeclareLaunchArgument a default_value' in out
+    assert 'pass x:=..., or add default_value=... to its DeclareLaunchArgument' in out
 
 
 def test_what_a_launch_file_is_called(file: str, tmp_path: Path) -> None:

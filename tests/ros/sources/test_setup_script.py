@@ -131,7 +131,7 @@ def test_without_install_scripts_the_executable_is_not_found_and_a_warning_says_
     assert workspace.index().executables('robo') == []
     assert workspace.warnings('robo') == [
         (
-            'robo/setup.cfg: has no install_scripts=$base/lib/robo below [install], so `ros2 run robo ...` '
+            'robo/setup.cfg: has no install_scripts=$base/lib/robo in its section [install], so `ros2 run robo ...` '
             'and Node() '
             'find no executable of this package'
         )

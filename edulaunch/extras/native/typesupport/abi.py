@@ -44,7 +44,7 @@ class String(c.Structure):
 
 
 class Sequence(c.Structure):
-    """A sequence of any type of rosidl_runtime_c."""
+    """A sequence struct of rosidl_runtime_c, for any element type."""
 
     _fields_ = (('data', c.c_void_p), ('size', c.c_size_t), ('capacity', c.c_size_t))
 

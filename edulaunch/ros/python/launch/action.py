@@ -91,7 +91,7 @@ class Action(LaunchDescriptionEntity):
         """Execute the action if its condition holds. Afterwards, emit an ExecutionComplete event if a handler is registered for
         it.
 
-        If an exception is raised, add the place of this action to it, for the message that people see.
+        If the action raises an exception, add the action's file and line to the exception for the error message.
         """
         try:
             if self.__condition is not None and not self.__condition.evaluate(context):

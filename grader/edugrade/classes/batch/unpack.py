@@ -1,4 +1,4 @@
-"""Unpacks archives of strangers: only regular files and folders, only inside the given folder, and within limits on the
+"""Unpack untrusted archives: only regular files and folders, only inside the given folder, and within limits on the
 measured size.
 """
 

@@ -81,7 +81,7 @@ def test_asyncio_hears_signals_and_tells_what_it_cannot_do(world: Any) -> None:
         """)
     assert wrote.startswith('pressed 2.0\n') and wrote.endswith(
         'RuntimeError: asyncio: subprocess_exec cannot be used in the simulation\n'
-        '  help: asyncio cannot start programs in the simulation (subprocess_exec); start them with subprocess.run() or subprocess.Popen(), which wait in simulated time\n'
+        '  help: asyncio cannot start programs in the simulation (subprocess_exec); start programs with subprocess.run() or subprocess.Popen(), which wait in simulated time\n'
     )
 
 

@@ -154,6 +154,7 @@ class Life:
             raise with_facts(
                 RCLError('Failed to trigger lifecycle state machine transition: Transition is not registered.'),
                 'programs.no-transition',
+                transition=next((one.label for one in TRANSITIONS if one.number == wanted), str(wanted)),
                 node=self.node.get_fully_qualified_name(),
                 state=start.label,
                 possible=[f'{one.number} ({one.label})' for one in TRANSITIONS if one.start == start.label],

@@ -1,0 +1,61 @@
+"""Writes parts of a launch file for advice, in the format of the submission: Python, XML or YAML."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ..evidence import Evidence
+
+
+def written(run: Evidence, python: str, xml: str, yaml: str) -> str:
+    """Return one of three ways to write the same thing: the one for the format of the submitted launch file."""
+    file = run.source.file.lower()
+    if file.endswith('.xml'):
+        return xml
+    return yaml if file.endswith(('.yaml', '.yml')) else python
+
+
+def default_of(run: Evidence, value: str) -> str:
+    """Return how to write the default value of a launch argument."""
+    return written(run, f"default_value='{value}'", f'default="{value}"', f'default: "{value}"')
+
+
+def declaration_of(run: Evidence, name: str, default: str) -> str:
+    """Return how to declare a launch argument with a default."""
+    return written(
+        run,
+        f"DeclareLaunchArgument('{name}', default_value='{default}', description='...')",
+        f'<arg name="{name}" default="{default}" description="..."/>',
+        f'- arg: {{name: "{name}", default: "{default}", description: "..."}}',
+    )
+
+
+def remapping_to(run: Evidence, topic: str) -> str:
+    """Return advice to remap a topic of a node to another topic."""
+    return written(
+        run,
+        f"add remappings=[(..., '{topic}')] to the Node",
+        f'add <remap from="..." to="{topic}"/> to the node',
+        f'add remap: [{{from: "...", to: "{topic}"}}] to the node',
+    )
+
+
+def parameter_of_node(run: Evidence, name: str) -> str:
+    """Return advice to set a parameter of a node."""
+    return written(
+        run,
+        f"add parameters=[{{'{name}': ...}}] to the Node",
+        f'add <param name="{name}" value="..."/> to the node',
+        f'add param: [{{name: "{name}", value: "..."}}] to the node',
+    )
+
+
+def node_of(run: Evidence, package: str, executable: str) -> str:
+    """Return how to start a node."""
+    return written(
+        run,
+        f"Node(package='{package}', executable='{executable}')",
+        f'<node pkg="{package}" exec="{executable}"/>',
+        f'- node: {{pkg: "{package}", exec: "{executable}"}}',
+    )

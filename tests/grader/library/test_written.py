@@ -1,0 +1,37 @@
+"""Advice has the format of the submitted launch file."""
+
+from __future__ import annotations
+
+import pytest
+from edugrade.evidence import Evidence
+from edugrade.library.written import declaration_of, default_of, node_of, parameter_of_node, remapping_to
+from edugrade.source import SubmittedText
+
+
+def evidence(file: str) -> Evidence:
+    return Evidence({}, {}, SubmittedText(file, ''))
+
+
+@pytest.mark.parametrize(
+    ('file', 'default', 'remapping'),
+    [
+        ('/a.launch.py', "default_value='kitchen'", "add remappings=[(..., '/news')] to the Node"),
+        ('/a.launch.xml', 'default="kitchen"', 'add <remap from="..." to="/news"/> to the node'),
+        ('/a.launch.yaml', 'default: "kitchen"', 'add remap: [{from: "...", to: "/news"}] to the node'),
+        ('/a.launch.yml', 'default: "kitchen"', 'add remap: [{from: "...", to: "/news"}] to the node'),
+    ],
+)
+def test_a_default_and_a_remapping(file: str, default: str, remapping: str) -> None:
+    assert (default_of(evidence(file), 'kitchen'), remapping_to(evidence(file), '/news')) == (default, remapping)
+
+
+def test_an_xml_file_gets_no_python() -> None:
+    run = evidence('/a.launch.xml')
+    assert declaration_of(run, 'room', 'kitchen') == '<arg name="room" default="kitchen" description="..."/>'
+    assert parameter_of_node(run, 'speed') == 'add <param name="speed" value="..."/> to the node'
+    assert node_of(run, 'turtlesim', 'mimic') == '<node pkg="turtlesim" exec="mimic"/>'
+
+
+def test_a_file_in_markup_has_a_place_for_missing_things() -> None:
+    assert SubmittedText('/a.launch.xml', '<?xml version="1.0"?>\n<launch>\n</launch>').place == ('/a.launch.xml', 2)
+    assert SubmittedText('/a.launch.yaml', 'launch:\n').place == ('/a.launch.yaml', 1)
