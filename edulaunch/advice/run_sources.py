@@ -66,6 +66,12 @@ def _parsed(file: str, changed_ns: int, size: int) -> ast.Module | None:
     return parsed(file) if os.path.isfile(file) and size <= LONGEST else None
 
 
+@lru_cache(maxsize=256)
+def walked(tree: ast.Module) -> tuple[ast.AST, ...]:
+    """Return all nodes of a file in the order of `ast.walk`. All rules share this walk, which takes most of their time."""
+    return tuple(ast.walk(tree))
+
+
 def joined_strings(file: str) -> Iterator[tuple[str, str, int]]:
     """Yield two adjacent string literals of one line, which Python joins to a name, and the line."""
     try:

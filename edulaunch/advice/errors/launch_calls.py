@@ -57,6 +57,30 @@ def keyword(failure: Failure) -> Iterator[Finding]:
 
 
 @rule(
+    'launch.other-node',
+    what=(
+        'Node in this launch file is the class of {of_program}, which creates a node inside a program',
+        'Node in this program is the action of {of_launch}, with which a launch file starts a program',
+    ),
+    why='rclpy.node and launch_ros.actions both have a class with the name Node',
+    do='write: {line}',
+    lesson='01_first_launch',
+    level='error',
+    hides=('launch.fails', 'launch.keyword', 'launch.positional', 'programs.wrong-call', 'programs.died'),
+)
+def other_node(failure: Failure) -> Iterator[Finding]:
+    """Report a launch file that imports the Node of rclpy, and a program that imports the Node of launch_ros."""
+    wrong, right = ('rclpy', 'launch_ros.actions') if failure.process is None else ('launch_ros', 'rclpy.node')
+    tree = script_of(failure.file) if failure.type == 'TypeError' and 'Node.__init__()' in failure.message else None
+    for node in [] if tree is None else ast.walk(tree):
+        is_node = isinstance(node, ast.ImportFrom) and any(name.name == 'Node' and not name.asname for name in node.names)
+        if is_node and isinstance(node, ast.ImportFrom) and (node.module or '').partition('.')[0] == wrong:
+            of = {'of_program' if failure.process is None else 'of_launch': node.module}
+            yield report(failure._replace(line=node.lineno), line=f'from {right} import Node', **of)
+            return
+
+
+@rule(
     'launch.positional',
     what='{action} does not accept these arguments without names',
     do=('write the name of the argument: {action}({first}=...)', 'put the arguments into one list: {action}([..., ...])'),

@@ -164,6 +164,20 @@ NOT_THIS_FOLDER = about(
     do=('delete the file {ignored_by}', 'move the folder out of {inside}', 'write the name of the folder into <name>'),
 )
 BROKEN = about('packages.broken', what='this package cannot be built: {reason}', do='fix that line first')
+ENTRY_GROUP = about(
+    'packages.entry-group',
+    what="entry_points in {written}:{at} has the key '{group}', so a build installs no programs of it",
+    why='setuptools creates programs only from the key console_scripts, and ignores other keys',
+    do="write '{near}'",
+    lesson='07_packages',
+)
+INSTALLS_ELSEWHERE = about(
+    'packages.installs-elsewhere',
+    what="package.xml calls the package '{package}', but {written}:{at} installs its files into share/{other}",
+    why='ROS 2 looks for the files of a package in the folder with the name in package.xml',
+    do="write '{package}' in place of '{other}' in {written}",
+    lesson='07_packages',
+)
 NOT_INSTALLED = about(
     'packages.not-installed',
     what='{source} exists, but the build does not install it',

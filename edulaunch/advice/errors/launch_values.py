@@ -32,6 +32,46 @@ def command_failed(failure: Failure) -> Iterator[Finding]:
 
 
 @rule(
+    'launch.command-no-space',
+    what="Command joins '{program}' and '{path}' to one word, '{joined}', because there is no space between them",
+    why='Command joins the items of its list as they are, and then splits the result at spaces',
+    do="write a space after the program: '{program} '",
+    lesson='12_urdf',
+    level='error',
+    hides=('launch.fails', 'launch.program-absent', 'programs.died'),
+)
+def command_no_space(failure: Failure) -> Iterator[Finding]:
+    """Report a Command such as `Command(['xacro', path])`, whose first word is a program and an existing file."""
+    if failure.facts.get('about') != 'launch.program-absent':
+        return
+    program, slash, rest = str(failure.facts.get('program')).partition('/')
+    path = in_share(os.path.realpath(slash + rest))
+    if re.fullmatch(r'\w+', program) and os.path.isfile(slash + rest):
+        calls = [node for node in ast.walk(script_of(failure.file) or ast.Module([], [])) if name_of_call(node) == 'Command']
+        line = calls[0].lineno if len(calls) == 1 and isinstance(calls[0], ast.Call) else failure.line
+        name = os.path.basename(path)
+        yield report(failure._replace(line=line), program=program, path=f'/.../{name}', joined=f'{program}/.../{name}')
+
+
+@rule(
+    'launch.output-word',
+    what="the output of an action cannot be '{given}'",
+    why="output= accepts 'screen', 'log' and 'both'; 'screen' also writes the log file",
+    do=("write output='{near}'", "write output='screen' or output='log'"),
+    lesson='01_first_launch',
+    level='error',
+    hides=('launch.fails',),
+    edits=(('{given}', '{near}'),),
+)
+def output_word(failure: Failure) -> Iterator[Finding]:
+    """Report a value of output= that launch does not accept."""
+    match = re.match(r'(.+) is not a valid (?:standard|combined) output config', failure.message)
+    if match is not None:
+        near = nearest_spelling(match[1].lower(), ('screen', 'log', 'both', 'own_log', 'full'))
+        yield report(failure, given=match[1], near=near)
+
+
+@rule(
     'launch.program-absent',
     what="this launch file needs the program '{program}', which this computer does not have on its PATH",
     why='launch looks for the program on the computer that runs it',

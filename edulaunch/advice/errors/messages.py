@@ -127,10 +127,11 @@ HOMES = {
 _HOME_OF = {name: home for home, names in HOMES.items() for name in names.split()}
 
 
-def _methods_of(file: str | None) -> set[str]:
-    """Return the names of all methods that a program defines."""
+def _class_with(file: str | None, method: str) -> ast.ClassDef | None:
+    """Return the last class of a program that defines a method of this name."""
     classes = [node for node in ast.walk(script_of(file) or ast.Module([], [])) if isinstance(node, ast.ClassDef)]
-    return {node.name for klass in classes for node in klass.body if isinstance(node, ast.FunctionDef)}
+    with_method = [one for one in classes if any(isinstance(node, ast.FunctionDef) and node.name == method for node in one.body)]
+    return with_method[-1] if with_method else None
 
 
 @rule(
@@ -138,6 +139,7 @@ def _methods_of(file: str | None) -> set[str]:
     what='the name {missing} is not defined',
     do=(
         'add this line: {line}',
+        'move `def {inner}` to the left margin, because its indentation makes it a method of the class {klass}',
         'write self.{method}: it is a method of the class',
         'check the spelling of the name, and whether its definition is inside another function',
     ),
@@ -150,10 +152,12 @@ def unknown_name(failure: Failure) -> Iterator[Finding]:
     if match is not None and failure.process is not None and failure.type == 'NameError':
         home = 'rclpy' if match[1] == 'rclpy' else _HOME_OF.get(match[1])
         line = None if home is None else 'import rclpy' if match[1] == 'rclpy' else f'from {home} import {match[1]}'
-        methods = _methods_of(failure.file)
-        method = match[1] if match[1] in methods and not line else None
-        near_bound = None if line or method else nearest_spelling(match[1], failure.facts.get('bound') or ())
-        yield report(failure, missing=match[1], line=line, method=method, near_bound=near_bound)
+        klass = None if line else _class_with(failure.file, match[1])
+        is_inside = klass is not None and klass.lineno <= (failure.line or 0) <= (klass.end_lineno or 0)
+        method = match[1] if klass is not None and is_inside else None
+        inner, name = (match[1], klass.name) if klass is not None and not is_inside else (None, None)
+        near_bound = None if line or klass else nearest_spelling(match[1], failure.facts.get('bound') or ())
+        yield report(failure, missing=match[1], line=line, method=method, inner=inner, klass=name, near_bound=near_bound)
 
 
 @rule(

@@ -51,6 +51,7 @@ def no_variable(failure: Failure) -> Iterator[Finding]:
     ),
     lesson='14_services',
     level='error',
+    hides=('programs.result-before-reply',),
 )
 def result_too_early(failure: Failure) -> Iterator[Finding]:
     """Report the use of a future's result before it exists. None has the attribute on a line with `.result()`, or in a variable

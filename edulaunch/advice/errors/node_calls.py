@@ -81,18 +81,28 @@ def service_class(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.parameter-object',
-    what='this line uses a Parameter object instead of its value',
+    what=(
+        'this line uses the object that {getter} returns, instead of the value in it',
+        'this line uses a Parameter object instead of its value',
+    ),
     why='get_parameter() returns an object with the name, the type and the value',
-    do='write .value after get_parameter(...)',
+    do=(
+        'write .value in place of .{getter}, or add the field of its type, such as .double_value',
+        'write .value after get_parameter(...)',
+    ),
     lesson='03_parameters',
     level='error',
     hides=('messages.field-value',),
 )
 def parameter_object(failure: Failure) -> Iterator[Finding]:
     """Report a Parameter object in place of its value, as in `self.get_parameter('speed') * 2`, or in a field of a message."""
-    is_calculated = re.search(r"'Parameter'( and '|$)|and 'Parameter'|not 'Parameter'", failure.message) is not None
-    if failure.facts.get('given') == 'rclpy.parameter.Parameter' or (failure.type == 'TypeError' and is_calculated):
-        yield report(failure)
+    used = re.search(
+        r"'(Parameter(?:Value)?)'(?: and '|$|:? )|and '(Parameter(?:Value)?)'|not '?(Parameter(?:Value)?)'?$", failure.message
+    )
+    given = str(failure.facts.get('given')).rpartition('.')[2]
+    if given in ('Parameter', 'ParameterValue') or (failure.type == 'TypeError' and used is not None and failure.process):
+        is_inner = given == 'ParameterValue' or (used is not None and 'ParameterValue' in used.groups())
+        yield report(failure, getter='get_parameter_value()' if is_inner else None)
 
 
 @rule(

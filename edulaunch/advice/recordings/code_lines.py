@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.run_sources import launch_files, name_of_call, program_scripts
+from edulaunch.advice.run_sources import launch_files, name_of_call, program_scripts, walked
 from edulaunch.advice.runs import end_place, ends_by_name, files_of, own_nodes
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ def not_called(recording: Recording) -> Iterator[Finding]:
     either, but `self.count` alone is rare, and is not the cause of anything.
     """
     for file, tree in program_scripts(recording):
-        for node in ast.walk(tree):
+        for node in walked(tree):
             if isinstance(node, ast.Expr) and isinstance(node.value, ast.Attribute) and node.value.attr in CALLED:
                 written, function = ast.unparse(node.value), node.value.attr
                 facts: dict[str, Any] = {'function': function, 'argument': CALLED[function]}
@@ -67,7 +67,7 @@ CALLED = {
 def made_after_spin(recording: Recording) -> Iterator[Finding]:
     """Report an endpoint or a timer that is created after rclpy.spin() in the same block, if nothing spins after it."""
     for file, tree in program_scripts(recording):
-        for body in (getattr(node, 'body', None) for node in ast.walk(tree)):
+        for body in (getattr(node, 'body', None) for node in walked(tree)):
             calls = [call for line in body for call in _calls(line)] if isinstance(body, list) else []
             spins = [number for number, call in enumerate(calls) if name_of_call(call).startswith('spin')]
             spin = calls[spins[0]] if len(spins) == 1 else None
@@ -106,7 +106,7 @@ def global_forgotten(recording: Recording) -> Iterator[Finding]:
             for target in line.targets
             if isinstance(target, ast.Name) and not target.id.isupper()
         }
-        functions = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)] if made else []
+        functions = [node for node in walked(tree) if isinstance(node, ast.FunctionDef)] if made else []
         uses = {id(one): _uses(one) for one in functions}
         changed = {name for stored, _, declared in uses.values() for name in declared & stored.keys()}
         for one in functions:
@@ -147,7 +147,7 @@ _IN_COMMENT = re.compile(r'#.*?\b(\d+(?:\.\d+)?)\s*(?:hz|hertz)\b', re.IGNORECAS
 def period_in_hertz(recording: Recording) -> Iterator[Finding]:
     """Report a timer whose period is a variable with a name such as `rate_hz`, or a number that its comment calls Hz."""
     for file, tree in program_scripts(recording):
-        for call in ast.walk(tree):
+        for call in walked(tree):
             if isinstance(call, ast.Call) and name_of_call(call) == 'create_timer' and call.args:
                 period, comment = call.args[0], _IN_COMMENT.search(linecache.getline(file, call.lineno))
                 name = period.id if isinstance(period, ast.Name) else period.attr if isinstance(period, ast.Attribute) else ''
@@ -155,18 +155,18 @@ def period_in_hertz(recording: Recording) -> Iterator[Finding]:
                     is_hertz = comment is not None and period.value not in (0, 1) and float(comment[1]) == period.value
                     value, hertz = period.value, comment and comment[1]
                 else:
-                    value, hertz = _only_number(tree, name) if _HERTZ.search(name.replace('_', ' ')) else None, None
+                    value, hertz = only_number(tree, name) if _HERTZ.search(name.replace('_', ' ')) else None, None
                     is_hertz = value is not None and value > 1
                 if is_hertz:
                     facts: dict[str, Any] = {'written': ast.unparse(period), 'period_s': value, 'hertz': hertz, 'variable': name}
                     yield found('function', 'create_timer', file=file, line=call.lineno, **facts)
 
 
-def _only_number(tree: ast.Module, name: str) -> float | None:
+def only_number(tree: ast.Module, name: str) -> float | None:
     """Return the number that a variable or attribute gets in its only assignment in a file."""
     values = [
         node.value
-        for node in ast.walk(tree)
+        for node in walked(tree)
         if isinstance(node, ast.Assign)
         for target in node.targets
         if (isinstance(target, ast.Name) and target.id == name) or (isinstance(target, ast.Attribute) and target.attr == name)
@@ -204,11 +204,11 @@ def exit_in_callback(recording: Recording) -> Iterator[Finding]:
 def _exits(tree: ast.Module, file: str, node: str, messages: int) -> Iterator[Finding]:
     called_back = {
         call.args[2].attr
-        for call in ast.walk(tree)
+        for call in walked(tree)
         if isinstance(call, ast.Call) and name_of_call(call) == 'create_subscription' and len(call.args) > 2
         if isinstance(call.args[2], ast.Attribute)
     }
-    for method in ast.walk(tree):
+    for method in walked(tree):
         if isinstance(method, ast.FunctionDef) and method.name in called_back:
             for call in ast.walk(method):
                 if isinstance(call, ast.Call) and ast.unparse(call.func) in ('exit', 'quit', 'sys.exit'):

@@ -6,7 +6,7 @@ import ast
 import os
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.run_sources import program_scripts
@@ -60,6 +60,35 @@ def no_ros_args(recording: Recording) -> Iterator[Finding]:
                 if flag in ROS_FLAGS and (':=' in value or flag == '--params-file'):
                     yield found('process', process.name, file=process.file, line=process.line, flag=flag, value=value)
                     break
+
+
+@rule(
+    'launch.parameter-as-argument',
+    what="{process} receives the word '{word}', which sets neither a parameter nor a remapping",
+    why='arguments=[...] are the words of a command line, and ROS 2 reads only the words after --ros-args',
+    do=('write {written} in place of arguments=[...]', 'write --ros-args -p {word} in place of {word}'),
+    lesson='03_parameters',
+    level='error',
+    hides=('messages.nobody-listens', 'messages.nobody-publishes', 'messages.other-topic'),
+)
+def parameter_as_argument(recording: Recording) -> Iterator[Finding]:
+    """Report a word such as `speed:=2` before `--ros-args`, or without it, on the command line of a node."""
+    with_node = {node.process for node in recording.nodes}
+    for process in recording.processes:
+        words = process.argv[: process.argv.index('--ros-args')] if '--ros-args' in process.argv else process.argv
+        if process.name not in with_node or os.path.basename(process.argv[0]) == 'ros2':
+            continue
+        for flag, word in zip(words, words[1:], strict=False):
+            match = re.fullmatch(r'(/?[A-Za-z_~][\w/.~]*):=(.*)', word)
+            if match is not None and flag not in (*ROS_FLAGS, '-r', '--remap'):
+                is_name = '/' in match[1] or '/' in match[2]
+                written = (
+                    f"remappings=[('{match[1]}', '{match[2]}')]" if is_name else f"parameters=[{{'{match[1]}': {match[2]}}}]"
+                )
+                own = process.origin is not None and '__' not in match[1]
+                facts: dict[str, Any] = {'word': word, 'written': written if own else None}
+                yield found('process', process.name, file=process.file, line=process.line, **facts)
+                break
 
 
 @rule(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import linecache
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +15,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
 
 LESSON = '13_large_project'
+_SEND_GOAL = re.compile(r'([\w.]+)\.send_goal\(')
 WAITS = {'call': 'call()', 'look': 'while not future.done()', 'await': 'await'}
 
 
@@ -37,8 +40,9 @@ def _of(recording: Recording, kind: str, *rest: str, but: frozenset[str] = froze
     what='{callback}() in {node} blocks forever in {waiting}, waiting for a reply from {awaited}',
     why='the node runs one callback at a time, so it cannot receive the reply until {callback}() returns',
     do=(
+        'write self.future = {client}.send_goal_async(goal), and then self.future.add_done_callback(self.accepted)',
         'call future.add_done_callback(self.answered), or create the client with its own callback group and spin with a '
-        'MultiThreadedExecutor'
+        'MultiThreadedExecutor',
     ),
     lesson=LESSON,
     level='error',
@@ -50,7 +54,9 @@ def deadlock(recording: Recording) -> Iterator[Finding]:
     """
     for finding in _of(recording, 'callback waits', 'waiting'):
         waiting = finding.facts['waiting']
-        yield finding._replace(facts={**finding.facts, 'waiting': WAITS.get(waiting, f'{waiting}()')})
+        goal = _SEND_GOAL.search(linecache.getline(finding.file or '', finding.line or 0))
+        facts = {'waiting': 'send_goal()' if goal else WAITS.get(waiting, f'{waiting}()'), 'client': goal and goal[1]}
+        yield finding._replace(facts={**finding.facts, **facts})
 
 
 @rule(

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.run_sources import name_of_call, program_scripts
+from edulaunch.advice.run_sources import name_of_call, program_scripts, walked
 from edulaunch.advice.runs import origin_place, own_nodes
 from edulaunch.engine.nearest import nearest
 
@@ -49,11 +49,11 @@ def _tested(recording: Recording) -> set[str]:
     for _, tree in program_scripts(recording):
         holders = {
             ast.unparse(target): name
-            for node in ast.walk(tree)
+            for node in walked(tree)
             if isinstance(node, ast.Assign) and (name := _parameter_read(node.value))
             for target in node.targets
         }
-        for node in ast.walk(tree):
+        for node in walked(tree):
             if isinstance(node, (ast.If, ast.IfExp, ast.While)):
                 for test in node.test.values if isinstance(node.test, ast.BoolOp) else (node.test,):
                     inner = test.operand if isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not) else test
@@ -106,13 +106,10 @@ def _read_in_constructor(recording: Recording, name: str) -> tuple[str, int] | N
     place = None
     for file, tree in program_scripts(recording):
         inside = {
-            id(inner): method.name
-            for method in ast.walk(tree)
-            if isinstance(method, ast.FunctionDef)
-            for inner in ast.walk(method)
+            id(inner): method.name for method in walked(tree) if isinstance(method, ast.FunctionDef) for inner in ast.walk(method)
         }
-        used = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
-        for node in ast.walk(tree):
+        used = {id(node.value) for node in walked(tree) if isinstance(node, ast.Attribute)}
+        for node in walked(tree):
             called = name_of_call(node)
             if called.endswith('_set_parameters_callback'):
                 return None

@@ -118,6 +118,23 @@ def native_component(recording: Recording) -> Iterator[Finding]:
 
 
 @rule(
+    'programs.no-goal-response',
+    what='the goal callback {callback}() of {node} returned {returned} instead of a GoalResponse, so the goal is rejected',
+    why='an action server accepts a goal only if the callback returns GoalResponse.ACCEPT',
+    do='return GoalResponse.ACCEPT or GoalResponse.REJECT, and write: from rclpy.action import GoalResponse',
+    lesson='14_services',
+    level='error',
+)
+def no_goal_response(recording: Recording) -> Iterator[Finding]:
+    """Report a goal callback that returned a boolean, None or another value."""
+    for fact in recording.facts:
+        if fact.kind == 'no goal response':
+            file, line = fact_place(recording, fact)
+            facts = {'callback': fact.data['callback'], 'returned': fact.data['returned']}
+            yield found('node', fact.data['node'], file=file, line=line, time_s=fact.time_s, **facts)
+
+
+@rule(
     'programs.goal-failed',
     what='the execute callback of {node} ended with an exception: {said}',
     why='rclpy logs the exception, ends the goal as aborted, and the node continues',

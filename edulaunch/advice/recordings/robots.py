@@ -112,14 +112,19 @@ def _movable(recording: Recording) -> Iterator[tuple[str, list[str]]]:
 
 @rule(
     'messages.no-joint-states',
-    what='{node} has the movable joints {joints}, but no node publishes on {topic}',
+    what=(
+        '{node} expects the angles of its joints on {topic}, but {other} publishes them on {elsewhere}',
+        '{node} has the movable joints {joints}, but no node publishes on {topic}',
+    ),
     why='without the angle of a joint, the frames after that joint have no position in tf',
     do=(
+        "start both nodes in one namespace: give {other} namespace='{space}'",
+        'start both nodes in one namespace, or remap {elsewhere} to {topic}',
         "start a publisher, such as Node(package='joint_state_publisher', executable='joint_state_publisher') if "
-        'there is no robot'
+        'there is no robot',
     ),
     lesson='12_urdf',
-    hides=('messages.nobody-publishes',),
+    hides=('messages.nobody-publishes', 'messages.other-topic'),
 )
 def no_joint_states(recording: Recording) -> Iterator[Finding]:
     """Report a robot_state_publisher that existed for a second while no node published joint states. Skip nodes that launch files
@@ -137,7 +142,16 @@ def no_joint_states(recording: Recording) -> Iterator[Finding]:
         file, line = node_place(recording, node)
         is_ours = file is not None and file.startswith(ours)
         if ('publisher', topic) not in ends and recording.duration_s - lived[node] >= 1.0 and not is_ours:
-            yield found('topic', topic, file=file, line=line, node=node, joints=joints)
+            others = [end for end in recording.ends if end.kind == 'publisher' and end.type == JOINT_STATE]
+            facts: dict[str, Any] = {'node': node, 'joints': joints}
+            if others:
+                facts |= {
+                    'other': others[0].node,
+                    'elsewhere': others[0].name,
+                    'space': topic.rpartition('/')[0].strip('/') or None,
+                }
+                file, line = node_place(recording, others[0].node)
+            yield found('topic', topic, file=file, line=line, **facts)
 
 
 JOINT_STATE = 'sensor_msgs/msg/JointState'

@@ -28,6 +28,26 @@ def _late(recording: Recording) -> list[Fact]:
 
 
 @rule(
+    'time.timers-pile-up',
+    what='this line creates a new timer each time it runs, so {node} has {count} timers that all call {callback}()',
+    why='a timer keeps running until it is cancelled, so {callback}() is called more and more often',
+    do='create the timer once, in __init__, or cancel the old one first with self.timer.cancel()',
+    lesson='09_broadcaster_and_listener',
+    level='error',
+    hides=('messages.not-taken', 'time.slow-callback'),
+)
+def timers_pile_up(recording: Recording) -> Iterator[Finding]:
+    """Report a line that creates timers of one callback again and again."""
+    started = {node.name: node.started_s for node in recording.nodes}
+    for fact in recording.facts:
+        node = str(fact.data.get('node'))
+        if fact.kind == 'timers pile up' and fact.time_s > started.get(node, 0.0):  # a constructor may create several
+            file, line = fact_place(recording, fact)
+            facts = {'callback': fact.data['callback'] or 'the function', 'count': fact.data['count']}
+            yield found('node', node, file=file, line=line, time_s=fact.time_s, **facts)
+
+
+@rule(
     'time.sleep-in-callback',
     what=(
         '{callback}() in {node} sleeps ({seconds} s, {times} times), so the timer of {timers}() has to wait',

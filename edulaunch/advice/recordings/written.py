@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.run_sources import keyword_of, launch_scripts, name_of_call, program_scripts
+from edulaunch.advice.run_sources import keyword_of, launch_scripts, name_of_call, program_scripts, walked
 from edulaunch.advice.runs import end_place, ends_by_name, files_of, is_ros_own, node_place, own_nodes
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ def goal_unfinished(recording: Recording) -> Iterator[Finding]:
             node = next((one.name for one in recording.nodes if one.process == process), process)
             file, line = node_place(recording, node)
             for script, tree in program_scripts(recording):
-                for call in ast.walk(tree):
+                for call in walked(tree):
                     if name_of_call(call) == 'ActionServer':
                         file, line = script, call.lineno  # type: ignore[attr-defined]
             yield found('node', node, file=file, line=line, time_s=time_ns / 1e9)
@@ -60,8 +60,8 @@ def spun_once(recording: Recording) -> Iterator[Finding]:
         if node.process in ended and any(_goes_on(recording, node, topic) for topic, _ in node.subscriptions)
     ]
     for file, tree in program_scripts(recording) if nodes else ():
-        loops = {id(inner) for loop in ast.walk(tree) if isinstance(loop, (ast.While, ast.For)) for inner in ast.walk(loop)}
-        calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
+        loops = {id(inner) for loop in walked(tree) if isinstance(loop, (ast.While, ast.For)) for inner in ast.walk(loop)}
+        calls = [node for node in walked(tree) if isinstance(node, ast.Call)]
         spins = [call for call in calls if name_of_call(call) == 'spin_once' and id(call) not in loops]
         if spins and not any(name_of_call(call) in ('spin', 'spin_until_future_complete') for call in calls):
             for node in nodes:
@@ -88,7 +88,7 @@ def _goes_on(recording: Recording, node: NodeRecord, topic: str) -> bool:
 def method_twice(recording: Recording) -> Iterator[Finding]:
     """Report two definitions of one name in one class, without decorators, as `@property` and its setter have."""
     for file, tree in program_scripts(recording):
-        for klass in (node for node in ast.walk(tree) if isinstance(node, ast.ClassDef)):
+        for klass in (node for node in walked(tree) if isinstance(node, ast.ClassDef)):
             first: dict[str, ast.FunctionDef] = {}
             for method in klass.body:
                 if isinstance(method, ast.FunctionDef) and not method.decorator_list:
@@ -107,7 +107,7 @@ def method_twice(recording: Recording) -> Iterator[Finding]:
 def activated_without_super(recording: Recording) -> Iterator[Finding]:
     """Report a class with lifecycle publishers whose own on_activate() calls no other on_activate()."""
     for file, tree in program_scripts(recording):
-        for klass in (node for node in ast.walk(tree) if isinstance(node, ast.ClassDef)):
+        for klass in (node for node in walked(tree) if isinstance(node, ast.ClassDef)):
             text = ast.unparse(klass)
             for method in klass.body if 'create_lifecycle_publisher(' in text and '.on_activate(' not in text else ():
                 if isinstance(method, ast.FunctionDef) and method.name == 'on_activate':
@@ -124,7 +124,7 @@ def activated_without_super(recording: Recording) -> Iterator[Finding]:
 def spin_in_constructor(recording: Recording) -> Iterator[Finding]:
     """Report a call of rclpy.spin(self) in a constructor that is not its last line."""
     for file, tree in program_scripts(recording):
-        for klass in (node for node in ast.walk(tree) if isinstance(node, ast.ClassDef)):
+        for klass in (node for node in walked(tree) if isinstance(node, ast.ClassDef)):
             for method in klass.body:
                 for line in method.body[:-1] if isinstance(method, ast.FunctionDef) and method.name == '__init__' else ():
                     if ast.unparse(line) == 'rclpy.spin(self)':
@@ -143,7 +143,7 @@ def spin_in_constructor(recording: Recording) -> Iterator[Finding]:
 def equals_plus(recording: Recording) -> Iterator[Finding]:
     """Report `=+` with a space after it. The sign of a number has no space after it."""
     for file, tree in program_scripts(recording):
-        for node in ast.walk(tree):
+        for node in walked(tree):
             is_plus = isinstance(node, ast.Assign) and isinstance(node.value, ast.UnaryOp) and isinstance(node.value.op, ast.UAdd)
             if is_plus and isinstance(node, ast.Assign) and isinstance(node.value, ast.UnaryOp):
                 line = linecache.getline(file, node.lineno)
@@ -200,12 +200,12 @@ def waits_for_endless(recording: Recording) -> Iterator[Finding]:
     for file, tree in launch_scripts(recording):
         made = {
             node.targets[0].id: node.value
-            for node in ast.walk(tree)
+            for node in walked(tree)
             if isinstance(node, ast.Assign)
             and isinstance(node.targets[0], ast.Name)
             and name_of_call(node.value) in ('Node', 'LifecycleNode')
         }
-        for call in ast.walk(tree):
+        for call in walked(tree):
             if not isinstance(call, ast.Call) or name_of_call(call) != 'OnProcessExit':
                 continue
             target, then = keyword_of(call, 'target_action'), keyword_of(call, 'on_exit')

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.run_sources import Script, keyword_of, name_of_call
+from edulaunch.advice.run_sources import Script, keyword_of, name_of_call, walked
 
 SETTINGS = {
     'PushRosNamespace': 'the namespace',
@@ -52,7 +52,7 @@ LESSON_CONDITIONS = '04_conditions'
 def setting_after_nodes(scripts: list[Script]) -> Iterator[Finding]:
     """Report an action that changes later programs, if all programs of its literal list start before it."""
     for file, tree in scripts:
-        for items in (node for node in ast.walk(tree) if isinstance(node, ast.List)):
+        for items in (node for node in walked(tree) if isinstance(node, ast.List)):
             variables = _variables(tree)
             names = [name_of_call(variables.get(item.id, item) if isinstance(item, ast.Name) else item) for item in items.elts]
             for number, name in enumerate(names):
@@ -68,7 +68,7 @@ def setting_after_nodes(scripts: list[Script]) -> Iterator[Finding]:
 def _variables(tree: ast.Module) -> dict[str, ast.expr]:
     """Return the assigned value of each variable that is assigned once."""
     values: dict[str, list[ast.expr]] = {}
-    for node in ast.walk(tree):
+    for node in walked(tree):
         if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
             values.setdefault(node.targets[0].id, []).append(node.value)
     return {name: each[0] for name, each in values.items() if len(each) == 1}
@@ -88,12 +88,12 @@ def waits_for_unstarted(scripts: list[Script]) -> Iterator[Finding]:
     for file, tree in scripts:
         variables = _variables(tree)
         reads: dict[str, int] = {}
-        for node in ast.walk(tree):
+        for node in walked(tree):
             if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
                 reads[node.id] = reads.get(node.id, 0) + 1
         targets = [
             (name_of_call(call), target.id, call.lineno)
-            for call in ast.walk(tree)
+            for call in walked(tree)
             if isinstance(call, ast.Call) and isinstance(target := keyword_of(call, 'target_action'), ast.Name)
         ]
         for event, variable, line in targets:
@@ -116,7 +116,7 @@ LONG_S = 300.0
 def timer_in_milliseconds(scripts: list[Script]) -> Iterator[Finding]:
     """Report a literal timer period of 300 or more."""
     for file, tree in scripts:
-        for call in ast.walk(tree):
+        for call in walked(tree):
             if isinstance(call, ast.Call) and name_of_call(call) == 'TimerAction':
                 period = keyword_of(call, 'period')
                 if isinstance(period, ast.Constant) and isinstance(period.value, (int, float)) and period.value >= LONG_S:
@@ -138,7 +138,7 @@ def ends_at_once(scripts: list[Script]) -> Iterator[Finding]:
     """Report a Shutdown without a condition in the list of a launch description that also starts programs."""
     for file, tree in scripts:
         variables = _variables(tree)
-        for call in ast.walk(tree):
+        for call in walked(tree):
             if name_of_call(call) == 'LaunchDescription' and isinstance(call, ast.Call):
                 given = call.args[0] if call.args else keyword_of(call, 'initial_entities')
                 items = given.elts if isinstance(given, ast.List) else []
@@ -147,6 +147,66 @@ def ends_at_once(scripts: list[Script]) -> Iterator[Finding]:
                 for action in actions if starts else ():
                     if _ends_launch(action):
                         yield found('action', 'Shutdown', file=file, line=action.lineno, written=ast.unparse(action))
+
+
+@rule(
+    'launch.ends-on-start',
+    what='launch ends everything as soon as {target} starts, because {written} is in on_start',
+    why='OnProcessStart reacts to the start of a program, and OnProcessExit to its end',
+    do='write OnProcessExit(target_action={target}, on_exit=[{written}])',
+    lesson='05_events',
+    level='error',
+    hides=('messages.nobody-publishes', 'messages.nobody-listens', 'programs.interrupted', 'programs.ended-at-once'),
+)
+def ends_on_start(scripts: list[Script]) -> Iterator[Finding]:
+    """Report a Shutdown in the actions of OnProcessStart."""
+    for file, tree in scripts:
+        variables = _variables(tree)
+        for call in walked(tree):
+            if isinstance(call, ast.Call) and name_of_call(call) == 'OnProcessStart':
+                given, target = keyword_of(call, 'on_start'), keyword_of(call, 'target_action')
+                for item in given.elts if isinstance(given, ast.List) else [] if given is None else [given]:
+                    action = variables.get(item.id, item) if isinstance(item, ast.Name) else item
+                    if _ends_launch(action):
+                        name = ast.unparse(target)[:60] if target is not None else 'a program'
+                        yield found('action', 'Shutdown', file=file, line=call.lineno, written=ast.unparse(action), target=name)
+
+
+@rule(
+    'launch.namespace-twice',
+    what="{second} adds to the namespace '{first}' of line {at}, so the nodes after it are in '{joined}'",
+    why='PushRosNamespace applies to all following actions of its list, and a second one is added to the first one',
+    do='put each namespace and its nodes into a group of their own: GroupAction([PushRosNamespace(...), Node(...)])',
+    lesson=LESSON,
+    hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes'),
+)
+def namespace_twice(scripts: list[Script]) -> Iterator[Finding]:
+    """Report a second PushRosNamespace in one list, if there are nodes after the first one and after the second one."""
+    for file, tree in scripts:
+        variables = _variables(tree)
+        for items in _action_lists(tree):
+            actions = [variables.get(item.id, item) if isinstance(item, ast.Name) else item for item in items]
+            names = [name_of_call(action) for action in actions]
+            pushes = [number for number, name in enumerate(names) if name in ('PushRosNamespace', 'PushROSNamespace')]
+            for one, other in zip(pushes, pushes[1:], strict=False):
+                before, after = set(names[one + 1 : other]), set(names[other + 1 :])
+                first, second = actions[one], actions[other]
+                if before & STARTING and after & STARTING and isinstance(first, ast.Call) and isinstance(second, ast.Call):
+                    spaces = [_text(call, 0, 'namespace') for call in (first, second)]
+                    if all(spaces) and not str(spaces[1]).startswith('/') and keyword_of(second, 'condition') is None:
+                        joined = '/' + '/'.join(str(space).strip('/') for space in spaces)
+                        facts: dict[str, Any] = {'first': spaces[0], 'at': first.lineno, 'joined': joined}
+                        yield found('action', joined, file=file, line=second.lineno, second=ast.unparse(second), **facts)
+
+
+def _action_lists(tree: ast.Module) -> Iterator[list[ast.expr]]:
+    """Yield the literal lists of a launch file, and the actions that each function adds with add_action(), in order."""
+    for node in walked(tree):
+        if isinstance(node, ast.List):
+            yield node.elts
+        elif isinstance(node, ast.FunctionDef):
+            calls = [line.value for line in node.body if isinstance(line, ast.Expr) and isinstance(line.value, ast.Call)]
+            yield [call.args[0] for call in calls if name_of_call(call) == 'add_action' and call.args]
 
 
 def _ends_launch(action: ast.expr) -> bool:
@@ -171,11 +231,11 @@ def event_class(scripts: list[Script]) -> Iterator[Finding]:
     for file, tree in scripts:
         imported = {
             (name.asname or name.name): name.name
-            for node in ast.walk(tree)
+            for node in walked(tree)
             if isinstance(node, ast.ImportFrom) and 'events' in (node.module or '').split('.')
             for name in node.names
         }
-        for call in ast.walk(tree):
+        for call in walked(tree):
             event = keyword_of(call, 'event') if isinstance(call, ast.Call) and name_of_call(call) == 'EmitEvent' else None
             if isinstance(event, ast.Name) and imported.get(event.id, '')[:1].isupper():
                 yield found('event', event.id, file=file, line=event.lineno, event=event.id)
@@ -191,7 +251,7 @@ def event_class(scripts: list[Script]) -> Iterator[Finding]:
 )
 def equals_swapped(scripts: list[Script]) -> Iterator[Finding]:
     """Report swapped values of LaunchConfigurationEquals, if one of them is an argument that some script declares."""
-    calls = [(file, call) for file, tree in scripts for call in ast.walk(tree) if isinstance(call, ast.Call)]
+    calls = [(file, call) for file, tree in scripts for call in walked(tree) if isinstance(call, ast.Call)]
     declared = {
         _text(call, 0, 'name') for _, call in calls if name_of_call(call) in ('DeclareLaunchArgument', 'SetLaunchConfiguration')
     }

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.run_sources import Script
+from edulaunch.advice.run_sources import Script, walked
 
 LESSON = '04_conditions'
 ACTIONS = frozenset(
@@ -96,7 +96,7 @@ def _asked(test: ast.expr, known: dict[str, str | None], file: str) -> Iterator[
 
 
 def _functions(tree: ast.Module) -> Iterator[Function]:
-    yield from (node for node in ast.walk(tree) if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Module)))
+    yield from (node for node in walked(tree) if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Module)))
 
 
 def _own(function: Function) -> Iterator[ast.AST]:
@@ -160,7 +160,7 @@ def opaque_returns_nothing(scripts: list[Script]) -> Iterator[Finding]:
     for file, tree in scripts:
         named = {
             node.value.id
-            for node in ast.walk(tree)
+            for node in walked(tree)
             if isinstance(node, ast.keyword) and node.arg == 'function' and isinstance(node.value, ast.Name)
         }
         for function in _functions(tree):

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.run_sources import Script, keyword_of, name_of_call
+from edulaunch.advice.run_sources import Script, keyword_of, name_of_call, walked
 
 SHELL_WORDS = ('&&', '||', '|', '>', '>>', '<', ';', '&', '2>&1')
 
@@ -23,7 +23,7 @@ SHELL_WORDS = ('&&', '||', '|', '>', '>>', '<', ';', '&', '2>&1')
 def shell_word(scripts: list[Script]) -> Iterator[Finding]:
     """Report code such as `ExecuteProcess(cmd=['sleep', '1', '&&', 'ros2', ...])` without `shell=True`."""
     for file, tree in scripts:
-        for call in ast.walk(tree):
+        for call in walked(tree):
             if not isinstance(call, ast.Call) or name_of_call(call) not in ('ExecuteProcess', 'ExecuteLocal'):
                 continue
             words = keyword_of(call, 'cmd')

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import os
 import re
 from collections.abc import Iterator
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.nearest import nearest_spelling
 from edulaunch.engine.packages.reading import PackageWarning, find_packages, read_manifest
-from edulaunch.ros.sources.source_package import SourcePackage, install_facts, read_text
+from edulaunch.ros.sources.source_package import SourcePackage, install_facts, line_with, parsed, read_text
 
 if TYPE_CHECKING:
     from edulaunch.engine.packages import Index
@@ -123,6 +124,8 @@ def missing_launch_file(index: Index, package: str, file: str | None) -> Facts:
         return _built(index, package)
     if found.contents.broken is not None:
         return _broken(found.contents.broken)
+    if elsewhere := _installed_elsewhere(found):
+        return elsewhere
     installed = {os.path.realpath(path) for path in found.contents.files.values()}
     missing = [
         path
@@ -183,6 +186,8 @@ def _not_built(index: Index, package: str, executable: str) -> Facts:
     if found.contents.broken is not None:
         return _broken(found.contents.broken)
     manifest = read_manifest(found.folder, [])
+    if found.is_python and (group := _misspelt_group(found)):
+        return group
     if found.is_python and manifest is not None and manifest.build_type != 'ament_python':
         reason = f'names the build type {manifest.build_type}, but the package has only a setup.py; write ament_python'
         return _broken(PackageWarning(found.manifest_file, 0, reason))
@@ -202,6 +207,34 @@ def _not_built(index: Index, package: str, executable: str) -> Facts:
     return {}
 
 
+def _misspelt_group(package: SourcePackage) -> Facts:
+    """Return facts about a key of entry_points= that is nearly `console_scripts`. setuptools ignores an unknown group."""
+    tree = parsed(package.build_file())
+    for call in ast.walk(tree) if tree is not None else ():
+        value = call.value if isinstance(call, ast.keyword) and call.arg == 'entry_points' else None
+        for key in value.keys if isinstance(value, ast.Dict) else ():
+            if isinstance(key, ast.Constant) and isinstance(key.value, str) and key.value not in GROUPS:
+                near = nearest_spelling(key.value, GROUPS[:1])
+                if near is not None:
+                    place = {'written': os.path.basename(package.build_file()), 'at': key.lineno}
+                    return {'about': 'packages.entry-group', 'group': key.value, 'near': near, **place}
+    return {}
+
+
+GROUPS = ('console_scripts', 'gui_scripts')
+
+
+def _installed_elsewhere(package: SourcePackage) -> Facts:
+    """Return facts about a setup.py that installs launch files into the share folder of another name than the package's."""
+    folders = {path.split('/')[1] for path in package.contents.files if path.startswith('share/') and '/launch' in path}
+    others = sorted(folders - {'ament_index', package.name})
+    if not package.is_python or package.name in folders or not others:
+        return {}
+    line = line_with(package.build_file(), f"'{others[0]}'") or line_with(package.build_file(), f'"{others[0]}"')
+    place = {'written': os.path.basename(package.build_file()), 'at': line or 1}
+    return {'about': 'packages.installs-elsewhere', 'package': package.name, 'other': others[0], **place}
+
+
 def installed_file(index: Index, path: str) -> Facts:
     """Return facts about a missing file in a package's share folder, if the source contains the file but does not install it."""
     head, sign, tail = path.rpartition(f'{os.sep}share{os.sep}')
@@ -218,7 +251,7 @@ def installed_file(index: Index, path: str) -> Facts:
         return _broken(found.contents.broken)
     if found.contents.unread:
         return {'about': 'packages.made-by-build', 'template': f'{found.contents.unread} of CMakeLists.txt', 'made': name}
-    return _not_installed(found, source)
+    return _installed_elsewhere(found) or _not_installed(found, source)
 
 
 def _built(index: Index, package: str) -> Facts:

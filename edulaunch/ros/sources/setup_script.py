@@ -14,7 +14,7 @@ from typing import Any
 
 from edulaunch.engine.packages.reading import Contents, Manifest, PackageWarning
 from edulaunch.ros.sources.setup_tables import pyproject_options, read_setup_cfg, setup_cfg_options
-from edulaunch.ros.sources.source_package import read_text
+from edulaunch.ros.sources.source_package import line_with, read_text
 from edulaunch.ros.sources.static_values import Unknown, first_unknown
 
 _UNCERTAIN = frozenset(('exec', 'eval', 'globals', 'locals', 'vars', '__import__'))
@@ -265,7 +265,10 @@ class _SetupScript:
             match = _ENTRY.fullmatch(line)
             if joined := _JOINED.findall(line):
                 names = ', '.join([line.partition('=')[0].strip(), *joined])
-                self._stop(f'lists the console_scripts {names} without a comma between them, so Python joins them into one')
+                place = line_with(self.file, f'{line.partition("=")[0].strip()} =') or None
+                self._stop(
+                    f'lists the console_scripts {names} without a comma between them, so Python joins them into one', place
+                )
             elif match is None:
                 self._stop(f"console_scripts has {line.strip()!r}; 'executable = package.module:function' was expected")
             else:

@@ -179,7 +179,11 @@ def record_verb(arguments: argparse.Namespace) -> str | None:
     require_rosbags()
     folder = new_folder() if arguments.output is None else folder_of(arguments.output)
     if os.path.exists(folder):
-        return f"[ERROR] [ros2bag]: Output folder '{folder}' already exists."
+        name = os.path.basename(folder)
+        return with_help(
+            f"[ERROR] [ros2bag]: Output folder '{folder}' already exists.",
+            f'delete the folder {name}, or write another name, as in -o {name}_2; without -o, each bag gets its own name',
+        )
     with cli_node.cli_node(name=arguments.node_name, signals='SIGTERM') as node:
         recorder = BagRecorder(node, [graph_names.absolute(name) for name in wanted], arguments)
         with suppress(KeyboardInterrupt):  # Ctrl-C is the usual end of a recording

@@ -42,9 +42,22 @@ def parse_values(text: str) -> dict[str, Any]:
         raise ValuesError(f'The passed value is not valid YAML: {str(error).splitlines()[0]}\n  help: {_YAML_HELP}') from None
     if values is None:
         return {}
+    if isinstance(values, str) and isinstance(parse_or_none(values), dict):
+        inside = f'leave out the quotes inside the string, which only a shell removes: "{values}"'
+        raise ValuesError(f'The passed value needs to be a dictionary in YAML format\n  help: {inside}')
     if not isinstance(values, dict):
         raise ValuesError(f'The passed value needs to be a dictionary in YAML format\n  help: {_YAML_HELP}')
     return values
+
+
+def parse_or_none(text: str) -> Any:
+    """Return the value of a YAML string, or None if it is not valid YAML."""
+    import yaml
+
+    try:
+        return yaml.safe_load(text)
+    except (yaml.YAMLError, ValueError, RecursionError):
+        return None
 
 
 class ValuesError(FillError):

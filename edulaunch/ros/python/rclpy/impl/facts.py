@@ -93,6 +93,14 @@ def note_no_result(callback: Callable[..., Any]) -> None:
     _keep('no parameter result', {'callback': getattr(callback, '__name__', 'it'), **place})
 
 
+def note_no_goal_response(node: NodeProtocol, callback: Callable[..., Any], returned: Any) -> None:
+    """Record a callback for new goals that returned something else than a GoalResponse."""
+    code = getattr(callback, '__code__', None)
+    place = {} if code is None else {'file': code.co_filename, 'line': code.co_firstlineno}
+    name = getattr(callback, '__name__', 'it')
+    _keep('no goal response', {'node': core_of(node).full_name, 'callback': name, 'returned': repr(returned)[:40], **place})
+
+
 def _keep(kind: str, data: dict[str, Any]) -> None:
     current_process().fact(kind, (data.get('file'), data.get('line')), data)
 

@@ -357,7 +357,24 @@ def _new_timer(
     core.timers.append(timer)
     if not SHORT_NS <= period_ns <= LONG_NS:
         _note_period(core, timer)
+    if len(core.timers) % MANY_TIMERS == 0:
+        _note_many(core, timer)
     return timer
+
+
+MANY_TIMERS = 12
+"""The number of timers at which a node checks whether one line creates them again and again."""
+
+
+def _note_many(core: NodeCore, timer: Timer) -> None:
+    """Record that most timers of a node call the function of the newest one, and that all of them are running."""
+    from rclpy.impl.facts import callback_name
+
+    name = callback_name(timer)
+    same = sum(callback_name(one) == name and not one.is_canceled() for one in core.timers)
+    if same > MANY_TIMERS // 2:
+        data = {'node': core.full_name, 'callback': name, 'count': same}
+        core.process.fact('timers pile up', (core.entry.index, name), {**data, **student_line()})
 
 
 def _note_period(core: NodeCore, timer: Timer) -> None:

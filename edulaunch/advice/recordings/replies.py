@@ -1,0 +1,68 @@
+"""Rules about replies that a program reads before they arrive."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from edulaunch.advice.rule import Finding, found, rule
+from edulaunch.advice.run_sources import name_of_call, program_scripts, walked
+
+if TYPE_CHECKING:
+    from edulaunch.engine.recording import Recording
+
+FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
+SENDING = ('call_async', 'send_goal_async', 'get_result_async')
+WAITING = ('done', 'sleep', 'wait', 'is_set', 'add_done_callback', 'result_timeout')
+
+
+@rule(
+    'programs.result-before-reply',
+    what='{future}.result() is None here, because {sent}() in line {at} only sends the request',
+    why='the reply arrives later, while the node spins, and this function does not wait for it',
+    do=(
+        'in main(), call rclpy.spin_until_future_complete(node, {future}) before this line; in a callback, write '
+        '{future}.add_done_callback(self.on_answer), and read the result there'
+    ),
+    lesson='14_services',
+    level='error',
+    hides=('messages.reply-not-taken',),
+)
+def result_before_reply(recording: Recording) -> Iterator[Finding]:
+    """Report a future that a function gets from an asynchronous call, and reads in the same function without waiting for it."""
+    for file, tree in program_scripts(recording):
+        for function in walked(tree):
+            if not isinstance(function, FUNCTIONS):
+                continue
+            nodes = list(_own(function))
+            calls = [node for node in nodes if isinstance(node, ast.Call)]
+            names = {name_of_call(call) for call in calls}
+            if not names & {*SENDING} or names & {*WAITING} or any(name.startswith('spin') for name in names):
+                continue
+            if any(isinstance(node, (ast.Await, ast.Yield)) for node in nodes):
+                continue
+            futures = {
+                ast.unparse(node.targets[0]): node
+                for node in nodes
+                if isinstance(node, ast.Assign) and name_of_call(node.value) in SENDING
+            }
+            for call in calls:
+                holder = (
+                    ast.unparse(call.func.value) if isinstance(call.func, ast.Attribute) and call.func.attr == 'result' else ''
+                )
+                made = futures.get(holder)
+                if made is not None and call.lineno > made.lineno:
+                    sent = name_of_call(made.value)
+                    yield found('variable', holder, file=file, line=call.lineno, future=holder, sent=sent, at=made.lineno)
+                    return
+
+
+def _own(function: ast.FunctionDef | ast.AsyncFunctionDef) -> Iterator[ast.AST]:
+    """Yield the nodes of a function without the functions inside it, which run later."""
+    todo: list[ast.AST] = list(function.body)
+    while todo:
+        node = todo.pop(0)
+        yield node
+        if not isinstance(node, (*FUNCTIONS, ast.Lambda)):
+            todo += ast.iter_child_nodes(node)

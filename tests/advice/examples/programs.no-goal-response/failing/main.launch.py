@@ -1,0 +1,12 @@
+import os
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    here = os.path.dirname(os.path.abspath(__file__))
+    return LaunchDescription([
+        ExecuteProcess(cmd=['ros2', 'action', 'send_goal', '/fib', 'example_interfaces/action/Fibonacci', '{order: 5}'], output='screen'),
+        ExecuteProcess(cmd=['python3', os.path.join(here, 's.py')], output='screen'),
+    ])
