@@ -18,7 +18,7 @@ from tests.house import ROOT
 from tests.kinds import ALL_TESTS, KINDS, has_none_of, kinds_of
 
 RUN = (ROOT / '.ci' / 'run').read_text(encoding='utf-8')
-UNIT_TESTS = '<!-- tests -->'
+UNIT_TESTS = 'of_the_readme tests'
 """How `.ci/run` finds the README's command, which leaves out every kind."""
 
 

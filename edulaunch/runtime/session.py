@@ -33,6 +33,7 @@ from edulaunch.runtime.keeping import advice_or_why_not, run_kept
 from edulaunch.runtime.launch_process import LaunchRun, describe
 from edulaunch.runtime.launching import find_launch_file
 from edulaunch.runtime.plugins import package_folders
+from edulaunch.runtime.set_order import set_lines
 from edulaunch.runtime.still_busy import StillBusy
 
 PathLike = str | os.PathLike[str]
@@ -98,6 +99,7 @@ class Session:
         self.steps_launches = False
         self.recorder.beside['launches'] = self.traces
         self.host.make_launch_observer = self._trace_of
+        self.host.lines_in_set_order = set_lines
         self.follow: Callable[[int | None, Callable[[], bool]], object] | None = None
         self._name_roots([os.path.abspath(os.fspath(path)) for path in workspaces])
 

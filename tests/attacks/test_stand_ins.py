@@ -11,7 +11,8 @@ from edugrade.grading import grade, plan_work
 from edugrade.results import Report
 from edugrade.submission import Submission
 
-from tests.attacks.stand_ins import PACKAGES, STAND_INS
+from tests.attacks.package_stand_ins import PACKAGES
+from tests.attacks.stand_ins import STAND_INS
 from tests.house import ROOT
 
 pytestmark = pytest.mark.attacks

@@ -70,7 +70,7 @@ def _write_bag(recording: Recording, folder: str, storage: str, names: list[str]
     from edulaunch.desk.cli.ros2.bag import require_rosbags
 
     require_rosbags()
-    from edulaunch.desk.cli.ros2.bag_record import write_bag
+    from edulaunch.desk.cli.ros2.bag_write import write_bag
 
     topics = [
         SimpleNamespace(name=name, cls=type(recording.messages(name)[0][1]), offered=recording.offered(name)) for name in names

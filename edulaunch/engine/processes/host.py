@@ -58,6 +58,7 @@ class Host:
         join's options, and a function that reports joining and leaving. It returns a function that leaves the network.
     :ivar where_on_network: describes the real network that it has joined and the library for it; None without one.
     :ivar make_launch_observer: makes the observer for the launch service of a process, if there is one.
+    :ivar lines_in_set_order: returns the lines of a source text that use the order of a set; the recording names the first one.
     :ivar unread_stdin: the names of `stdin` whose programs have not been started yet.
     """
 
@@ -91,6 +92,7 @@ class Host:
         self.join_network: JoinNetwork | None = None
         self.where_on_network: Callable[[], str | None] = lambda: None
         self.make_launch_observer: Callable[[Any], Any] | None = None
+        self.lines_in_set_order: Callable[[bytes], Sequence[int]] = lambda source: ()
         self.compiled: dict[str, tuple[tuple[int, int], CodeType]] = {}
         self.generated_files: dict[str, GeneratedFile] = {}
         """By path: the files that launch has generated for programs. They are on the disk only for real programs."""

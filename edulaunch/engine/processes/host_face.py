@@ -50,6 +50,7 @@ class HostFace(Protocol):
     join_network: JoinNetwork | None
     where_on_network: Callable[[], str | None]
     make_launch_observer: Callable[[Any], Any] | None
+    lines_in_set_order: Callable[[bytes], Sequence[int]]
 
     @property
     def real_look(self) -> Any: ...

@@ -47,13 +47,15 @@ class Loader:
     """Finds and executes modules for one process.
 
     :param compiled: code that programs of one machine share.
+    :param find_lines: returns the lines of a source text that use the order of a set.
     :ivar finder: searches private modules; `roots` are the folders that come first.
     :ivar modules: the privately loaded modules by name (the process's `sys.modules` shows these first).
     :ivar shared: the packages that this program imported and that all programs share.
     """
 
-    def __init__(self, process: Owner, compiled: Compiled) -> None:
+    def __init__(self, process: Owner, compiled: Compiled, find_lines: real_machine.FindLines) -> None:
         self.process = process
+        self._find_lines = find_lines
         self.modules: dict[str, ModuleType] = {}
         self.shared: set[str] = set()
         self.finder = Finder(lambda: process.overlay.modules, self.modules)
@@ -318,7 +320,7 @@ class Loader:
         """
         module.__dict__['__builtins__'] = self.builtins
         self.modules[module.__name__] = module
-        real_machine.note_set_order(self.process, code.co_filename)
+        real_machine.note_set_order(self.process, code.co_filename, self._find_lines)
         visible = sys.modules.setdefault(module.__name__, module) is module
         try:
             exec(code, module.__dict__)

@@ -93,7 +93,7 @@ class Process:
         if self._loader is None:
             from edulaunch.engine.processes.loader import Loader
 
-            self._loader = Loader(self, self.host.compiled)
+            self._loader = Loader(self, self.host.compiled, self.host.lines_in_set_order)
         return self._loader
 
     def has_imported(self, package: str) -> bool:

@@ -13,13 +13,12 @@ import os
 import site
 import sys
 import sysconfig
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from types import FrameType
 from typing import Any, Protocol
 
 from edulaunch.engine.processes.frame_owner import is_library, is_own
-from edulaunch.engine.processes.set_order import set_lines
 from edulaunch.engine.sim.task import AmbientTask, running_task
 
 KIND = 'real machine'
@@ -36,6 +35,7 @@ PROGRAMS = frozenset({'subprocess.Popen', 'os.system', 'os.posix_spawn', 'os.for
 VIEWS = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'module_views', '')
 TEMPORARY = frozenset({'tempfile.mkdtemp', 'tempfile.mkstemp'})
 EVENTS = frozenset({*SOCKETS, *FILES, *PROGRAMS, *TEMPORARY, 'builtins.id'})
+FindLines = Callable[[bytes], Sequence[int]]
 _listening = False
 
 
@@ -126,12 +126,15 @@ def private_hash(process: Noting) -> Callable[[object], int]:
     return call
 
 
-def note_set_order(process: Noting, file: str) -> None:
-    """Record the first line of a student's file that uses the order of a set, where that order differs from run to run."""
+def note_set_order(process: Noting, file: str, find_lines: FindLines) -> None:
+    """Record the first line of a student's file that uses the order of a set, where that order differs from run to run.
+
+    :param find_lines: returns the lines of a source text that use such an order.
+    """
     if file.endswith('.py') and has_random_hashes() and is_own(file):
-        lines: tuple[int, ...] = ()
+        lines: Sequence[int] = ()
         with suppress(OSError, SyntaxError), open(file, 'rb') as source:  # the file may have changed in the meantime
-            lines = set_lines(source.read())
+            lines = find_lines(source.read())
         if lines:
             note_use(process, f'the order of a set (PYTHONHASHSEED is not set) in {os.path.basename(file)}:{lines[0]}')
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from edulaunch.desk.cli.ros2.bag_record import definition
+from edulaunch.desk.cli.ros2.bag_write import definition
 from edulaunch.errors import InterfaceError
 from edulaunch.extras.foxglove import protocol, server_messages
 from edulaunch.extras.foxglove.feed import Feed, Key, Refused, Topic

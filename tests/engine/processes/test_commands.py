@@ -60,3 +60,18 @@ def test_a_line_is_followed_by_the_shell_that_was_handed_in(world: Any) -> None:
 def test_a_tool_behind_another_word_is_an_argument(world: Any) -> None:
     world.host.command_set = CommandSet({'tool': tool})
     assert not world.host.knows(ProcessSpec(argv=('ls', 'tool'), name=''))
+
+
+@pytest.mark.parametrize(
+    'words',
+    [('python3', '{file}', 'a'), ('/usr/bin/python3.12', '{file}', 'a'), ('{file}', 'a'), ('nice', 'python3', '{file}', 'a')],
+)
+def test_python_and_a_file_of_python_run_here(world: Any, words: tuple[str, ...]) -> None:
+    file = world.write('says.py', 'import sys\nprint(*sys.argv[1:])\nsys.exit(3)')
+    *wrote, code = output(world, *(word.format(file=file) for word in words))
+    assert (''.join(wrote), code) == ('a\n', '3')
+
+
+@pytest.mark.parametrize('words', [(), ('cat', 'says.py'), ('python3',), ('pythonic', 'x'), ('python3', '-m', 'nobody_has_it')])
+def test_what_is_neither_python_nor_known_is_left_to_this_computer(world: Any, words: tuple[str, ...]) -> None:
+    assert not world.host.knows(ProcessSpec(argv=words, name=''))

@@ -8,7 +8,6 @@ from typing import Any
 import pytest
 
 import edulaunch
-from edulaunch.engine.processes.set_order import set_lines
 from edulaunch.engine.recording import Recorder, Recording
 
 
@@ -65,31 +64,6 @@ def test_what_was_used_is_named(world: Any, text: str, used: list[str]) -> None:
 )
 def test_what_is_simulated_is_nobodys_business(world: Any, text: str) -> None:
     assert notes(world, text) == []
-
-
-SETS = """names = {'a', 'b'}
-numbers = {1, 2}
-later = set()
-later = sorted(names)
-for name in sorted(names): pass
-if 'a' in names: print(len(names), *numbers, later, sum(1 for name in names))
-"""
-
-
-@pytest.mark.parametrize(
-    'line',
-    [
-        'for name in names: pass',
-        'print([name for name in names | {"c"}])',
-        'print(", ".join(set("ab")))',
-        'list(names)',
-        'print(f"{names}")',
-        'names.pop()',
-        'print(*{name for name in "ab"})',
-    ],
-)
-def test_a_line_that_uses_the_order_of_a_set(line: str) -> None:
-    assert set_lines(SETS) == () and set_lines(SETS + line) == (7,)
 
 
 def test_hashes_and_sets_of_strings_are_named_where_the_hash_seed_is_not_fixed(

@@ -108,3 +108,18 @@ def test_a_printed_object_looks_the_same_in_every_run(world: Any) -> None:
 def test_a_logged_object_too(world: Any) -> None:
     world.write('p.py', "import rclpy\nrclpy.init()\nnode = rclpy.create_node('n')\nnode.get_logger().info(str(object()))")
     assert '[n]: <object object at 0x7f0000000010>\n' in world.run((world.folder / 'p.py').read_text())
+
+
+def test_the_streams_of_a_program_answer_as_those_of_a_pipe_do(world: Any) -> None:
+    text = """
+        import sys
+        for each in (sys.stdout, sys.stderr):
+            assert (each.name, each.isatty(), each.readable(), each.writable(), each.closed) == (each.name, False, False, True, False)
+            print(each.name, each.fileno(), each.write('four'), each.buffer.write(b'five5'))
+        try:
+            sys.stdout.write(b'bytes')
+        except TypeError as error:
+            print(error)
+        """
+    told = world.run(text)
+    assert '<stdout> 1 4 5' in told and '<stderr> 2 4 5' in told and 'must be str, not bytes' in told

@@ -15,14 +15,22 @@ from edulaunch.engine.sim.task import current_task
 
 if TYPE_CHECKING:
     from edulaunch.engine.processes.process import Process
+    from edulaunch.engine.sim.simulation import Simulation
 
 
 def make_time(view: ModuleType, process: Process) -> ModuleType:
     """Make clocks read simulated time, and `sleep` let it pass. Each reading counts as a poll, so that a loop that only reads
     the clock does not run forever.
     """
-    sim = process.sim
+    functions = {**_clocks(process.sim), **_conversions(process.sim), 'sleep': _sleep_of(process)}
+    # like the functions of the real module, these do not become methods when a class stores them
+    view.__dict__.update({name: staticmethod(function) for name, function in functions.items()})
+    view.__dict__.update(timezone=0, altzone=0, daylight=0, tzname=('UTC', 'UTC'))
+    copy_names(view, time)
+    return view
 
+
+def _clocks(sim: Simulation) -> dict[str, Any]:
     def time_ns() -> int:
         current_task().poll()
         return sim.now_ns
@@ -31,18 +39,7 @@ def make_time(view: ModuleType, process: Process) -> ModuleType:
         current_task().poll()
         return sim.now_ns - sim.start_ns
 
-    def seconds(convert: Any) -> Any:
-        """Return the real function with the simulated time as its default argument."""
-
-        def converted(when: float | None = None) -> Any:
-            return convert(sim.now_ns / 1e9 if when is None else when)
-
-        return converted
-
-    def strftime(form: str, when: Any = None) -> str:
-        return time.strftime(form, time.gmtime(sim.now_ns // 10**9) if when is None else when)
-
-    functions: dict[str, Any] = {
+    return {
         'time': lambda: time_ns() / 1e9,
         'time_ns': time_ns,
         'monotonic': lambda: monotonic_ns() / 1e9,
@@ -55,19 +52,34 @@ def make_time(view: ModuleType, process: Process) -> ModuleType:
         'thread_time_ns': monotonic_ns,
         'clock_gettime_ns': lambda clock, /: time_ns() if clock == time.CLOCK_REALTIME else monotonic_ns(),
         'clock_gettime': lambda clock, /: (time_ns() if clock == time.CLOCK_REALTIME else monotonic_ns()) / 1e9,
-        'sleep': _sleep_of(process),
+    }
+
+
+def _conversions(sim: Simulation) -> dict[str, Any]:
+    """Return the functions that write a time in another form. The default is the simulated time, and the time zone is UTC."""
+
+    def seconds(convert: Any) -> Any:
+        """Return the real function with the simulated time as its default argument."""
+
+        def converted(when: float | None = None) -> Any:
+            return convert(sim.now_ns / 1e9 if when is None else when)
+
+        return converted
+
+    def now() -> time.struct_time:
+        return time.gmtime(sim.now_ns // 10**9)
+
+    def strftime(form: str, when: Any = None) -> str:
+        return time.strftime(form, now() if when is None else when)
+
+    return {
         'mktime': lambda when, /: float(timegm(when)),
         'strftime': strftime,
         'gmtime': seconds(time.gmtime),
         'localtime': seconds(time.gmtime),
         'ctime': seconds(lambda when: time.asctime(time.gmtime(when))),
-        'asctime': lambda when=None: time.asctime(time.gmtime(sim.now_ns // 10**9) if when is None else when),
+        'asctime': lambda when=None: time.asctime(now() if when is None else when),
     }
-    # like the functions of the real module, these do not become methods when a class stores them
-    view.__dict__.update({name: staticmethod(function) for name, function in functions.items()})
-    view.__dict__.update(timezone=0, altzone=0, daylight=0, tzname=('UTC', 'UTC'))
-    copy_names(view, time)
-    return view
 
 
 def _sleep_of(process: Process) -> Any:

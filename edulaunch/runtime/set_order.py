@@ -13,7 +13,7 @@ _SAME_IN_ANY_ORDER = frozenset({'all', 'any', 'len', 'max', 'min', 'sorted', 'su
 
 
 @lru_cache(maxsize=64)
-def set_lines(source: str | bytes) -> tuple[int, ...]:
+def set_lines(source: bytes) -> tuple[int, ...]:
     """Return the lines on which a loop, a function such as `print`, or an f-string uses the order of a set.
 
     A name counts as a set if every assignment to it in the file makes one. A set of numbers alone does not count.
