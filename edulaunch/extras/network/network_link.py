@@ -22,6 +22,11 @@ ENCLAVE = f'/{MARK}'
 """The enclave of a machine's participant, by which machines recognise each other. Only SROS 2 uses enclaves."""
 PUBLISHER, SUBSCRIPTION, SERVICE, CLIENT = 'publisher', 'subscription', 'service', 'client'
 """The kinds of endpoints, with the same names as in `graph`."""
+KEPT = 1000
+"""On this computer, a reliable publisher keeps at least this many messages until all have arrived. A subscriber on a busy
+computer may not run for a while. At 200 messages per second, that may be 5 s. DDS does not announce the number."""
+WAITING = 1000
+"""At most this many messages wait for their subscription, or as many as its depth; other nodes do not see that."""
 
 
 class Interface:

@@ -24,13 +24,14 @@ import rclpy
 from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.parameter import Parameter
-from rclpy.qos import QoSProfile
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import deserialize_message, serialize_message
 
+from edulaunch.extras.native.loopback import is_alone
 from edulaunch.extras.native.qos import from_rclpy, to_rclpy
 from edulaunch.extras.native.typesupport.classes import ITS_OWN, SupportedClasses, layered
 from edulaunch.extras.network import rclpy_wire as wire
-from edulaunch.extras.network.network_link import ENCLAVE, MARK
+from edulaunch.extras.network.network_link import ENCLAVE, KEPT, MARK, WAITING
 from edulaunch.runtime.framing import Frames
 
 LOOK_EVERY_S = 0.1
@@ -41,8 +42,6 @@ PAUSE = 9
 """A check is repeated only after this many times its own duration, so that thousands of topics do not take all the time."""
 SETTLED_S = 2.0
 """For this time after a change of names, each check includes all endpoints, because a node creates them one after the other."""
-WAITING = 1000
-"""At most this many messages wait for their subscription, or as many as its depth; other nodes do not see that."""
 AT_ONCE = 100
 """The number of messages of one subscription that are taken in one turn."""
 _NOT_YET = object()
@@ -142,7 +141,11 @@ class Side:
         return self.registries[key].get(type_name)
 
     def _add_publisher(self, handle: int, node: Any, name: str, cls: Any, qos: QoSProfile) -> Any:
+        """A slow network could not resend many images in time, so more than the depth is kept on this computer only."""
         silent = PublisherEventCallbacks(use_default_callbacks=False)
+        is_kept = qos.reliability == ReliabilityPolicy.RELIABLE and qos.durability == DurabilityPolicy.VOLATILE
+        if is_kept and is_alone(os.environ):
+            qos.depth = max(qos.depth, KEPT)
         return node.create_publisher(cls, name, qos, event_callbacks=silent)
 
     def _add_subscription(self, handle: int, node: Any, name: str, cls: Any, qos: QoSProfile) -> Any:

@@ -18,14 +18,11 @@ from edulaunch.engine.graph.qos import (
     VOLATILE,
     QoS,
 )
+from edulaunch.extras.network.network_link import KEPT, WAITING
 
 LONGEST_BLOCK_NS = 10_000_000
 """A reliable publisher waits this long for slow readers before it drops a message; everything else waits meanwhile."""
 NEVER_NS = (1 << 63) - 1
-KEPT = 100
-"""A reliable publisher keeps at least this many messages until all have arrived. At 200 per second, that is half a second."""
-WAITING = 1000
-"""At most this many messages wait for their subscription, or as many as its depth."""
 PLAIN = Policy.DataRepresentation(use_cdrv0_representation=True, use_xcdrv2_representation=False)
 _ENCLAVE = re.compile(r'(?:^|;)enclave=([^;]*);')
 HASH = re.compile(r'(?:^|;)typehash=(RIHS01_[0-9a-f]{64});')
