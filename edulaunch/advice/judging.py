@@ -57,7 +57,13 @@ def of_scripts(scripts: tuple[Script, ...]) -> tuple[Finding, ...]:
 
 
 ABSENT = frozenset(
-    ('messages.unknown-package', 'packages.absent-module', 'packages.absent-package', 'programs.compiled-module')
+    (
+        'messages.other-package',
+        'messages.unknown-package',
+        'packages.absent-module',
+        'packages.absent-package',
+        'programs.compiled-module',
+    )
     + ('programs.library', 'programs.native', 'programs.native-component', 'programs.unknown-module', 'programs.window')
 )
 """Rules about a program that cannot run here, whose endpoints are therefore unknown."""

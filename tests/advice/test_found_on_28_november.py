@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+import edulaunch
 from edulaunch.desk.cli.main import main
 from tests.advice.test_found_in_draws import CONFIG, MANIFEST, program, write
 
@@ -134,8 +135,8 @@ def test_a_missing_cmakelists_is_created_and_no_line_of_it_corrected(tmp_path: P
     [
         ('geographic_msgs', 'note: the module geographic_msgs (interfaces of other packages of ROS) is not part of edulaunch', 0),
         ('rqt_gui', 'note: the module rqt_gui (windows) is not part of edulaunch', 0),
-        ('crane_msgs', 'the interface package crane_msgs is not in this workspace, and it is not part of edulaunch', 1),
-        ('geometri_msgs', 'the interface package geometri_msgs does not exist; the nearest name is geometry_msgs', 1),
+        ('crane_msgs', 'note: the interface package crane_msgs is not in this workspace, and it is not part of edulaunch', 0),
+        ('geometri_msgs', 'the interface package geometri_msgs does not exist', 1),
     ],
 )
 def test_a_package_of_ros_that_is_absent_here_is_a_note(
@@ -162,3 +163,23 @@ def test_a_launch_file_of_a_folder_that_needs_others_gets_one_line(tmp_path: Pat
     assert 'launch/a.launch.py did not run: package nav2_bringup_of_mine is not installed' in printed
     assert 'launch/b.launch.py did not run: module nav2_common is not installed' in printed
     assert 'this launch file needs' not in printed
+
+
+def test_a_program_with_respawn_that_dies_at_once_does_not_stop_the_clock(tmp_path: Path) -> None:
+    dying = write(tmp_path, walker_py='import a_module_that_is_not_here\n') / 'walker.py'
+    action = f"ExecuteProcess(cmd=['python3', {str(dying)!r}], respawn=True, respawn_max_retries=3)"
+    (tmp_path / 'a.launch.py').write_text(
+        launch_file(action).replace('DeclareLaunchArgument', 'DeclareLaunchArgument, ExecuteProcess')
+    )
+    recording = edulaunch.run(tmp_path / 'a.launch.py', duration_s=5.0, console=lambda *_: None)
+    assert [one.started_s for one in recording.processes if one.name.startswith('python3')] == [0.0, 0.25, 0.5, 0.75]
+
+
+def test_the_last_output_of_a_program_shows_no_folder_of_a_simulated_build(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    package = workspace(tmp_path, program(), launch__a_launch_py=launch_file(NODE_OF_WALKER.format(more='')))
+    (package / 'walker').write_text('#!/bin/sh\nno_program_of_this_name\n')
+    (package / 'walker').chmod(0o755)
+    printed = report(capsys, package / 'launch' / 'a.launch.py')
+    assert 'do:    check the last output of the program: lib/robo/walker: ' in printed and 'edulaunch-' not in printed

@@ -27,8 +27,8 @@ def about(
 
 
 def in_share(text: str) -> str:
-    """Return a path, or a command with paths, that begins at `share` in place of the folder of a simulated build."""
-    return re.sub(r'\S*/edulaunch-[^/\s]+/[^/]+/(?=share/)', '', text)
+    """Return a path, or a text with paths, that begins at `share` or `lib` in place of the folder of a simulated build."""
+    return re.sub(r'\S*/edulaunch-[^/\s]+/[^/]+/(?=(?:share|lib)/)', '', text)
 
 
 def report(failure: Failure, **facts: Any) -> Finding:

@@ -56,18 +56,30 @@ def unknown_module(failure: Failure) -> Iterator[Finding]:
     'messages.unknown-package',
     what=(
         'only versions of ROS 2 after Jazzy have the package {newer}; in Jazzy its interfaces are in {home}',
-        'the interface package {module} does not exist; the nearest name is {near}',
-        'the interface package {module} is not in this workspace, and it is not part of edulaunch',
+        'the interface package {module} does not exist',
     ),
-    do=('write {home} in place of {newer}', 'write {near}', 'add the package with these interfaces to the workspace'),
+    do=('write {home} in place of {newer}', 'write {near}'),
     level='error',
     edits=(('{newer}', '{home}', 'near'), ('{module}', '{near}', 'near')),
 )
 def unknown_package(failure: Failure) -> Iterator[Finding]:
     """Report an import from a package of messages that does not exist, such as `turtlesim_msgs`."""
-    if failure.facts.get('about') == 'messages.unknown-package':
-        module = str(failure.facts.get('module'))
+    module = str(failure.facts.get('module'))
+    if failure.facts.get('about') == 'messages.unknown-package' and (module in NEWER or failure.facts.get('near')):
         yield report(failure, newer=module if module in NEWER else None, home=NEWER.get(module))
+
+
+@rule(
+    'messages.other-package',
+    what='the interface package {module} is not in this workspace, and it is not part of edulaunch',
+    do='add the package with these interfaces to the workspace, or run this program where it is installed',
+    level='info',
+)
+def other_package(failure: Failure) -> Iterator[Finding]:
+    """Report an import from a package of messages that is not here, and whose name is not nearly the name of one that is."""
+    module, near = str(failure.facts.get('module')), failure.facts.get('near')
+    if failure.facts.get('about') == 'messages.unknown-package' and module not in NEWER and not near:
+        yield report(failure)
 
 
 @rule(

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.advice.errors.about import in_share
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import fact_place
 
@@ -101,7 +102,8 @@ def _last_words(printed: list[str]) -> dict[str, Any]:
     if printed[-1].startswith(HELP):
         message = {'error': _short(printed[-2])} if printed[:-1] else {}
         return {'help': printed[-1].removeprefix(HELP), **message}
-    return {'said': _short(next((line for line in reversed(printed) if '[ERROR]' in line or '[FATAL]' in line), printed[-1]))}
+    told = next((line for line in reversed(printed) if '[ERROR]' in line or '[FATAL]' in line), printed[-1])
+    return {'said': _short(in_share(told))}
 
 
 def _short(text: str) -> str:

@@ -186,7 +186,10 @@ def opaque_returns_nothing(scripts: list[Script]) -> Iterator[Finding]:
     'launch.not-added',
     what='the {action} {variable} is never added to the launch description, so launch does not run it',
     why='launch runs only the actions in the list of LaunchDescription([...]), or that add_action() adds',
-    do=('write {description}.add_action({variable})', 'add {variable} to the list of LaunchDescription([...])'),
+    do=(
+        'write {description}.add_action({variable}), or remove {variable} if it should not run',
+        'add {variable} to the list of LaunchDescription([...]), or remove {variable} if it should not run',
+    ),
     lesson='01_first_launch',
     level='error',
 )

@@ -69,7 +69,7 @@ def doctor_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def doctor_verb(arguments: argparse.Namespace) -> int:
-    """Report mistakes. Return 0 without mistakes (notes are none), 1 with mistakes, 2 if there is nothing to examine."""
+    """Report mistakes. Return 0 without mistakes (a note is not a mistake), 1 with mistakes, 2 if there is nothing to examine."""
     notes: list[str] = []
     findings, reader = _findings(arguments, notes), reader_here()
     if arguments.fix:

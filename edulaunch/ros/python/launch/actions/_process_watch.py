@@ -39,6 +39,10 @@ if TYPE_CHECKING:
 
 Entities = list[LaunchDescriptionEntity]
 PATIENCE = 1000
+SHORTEST_LIFE_S = 0.25
+"""Simulated seconds until the next start of a program that ended at the time of its start. On a real computer, Python needs about
+as long. Without it, a program with `respawn` and a missing module would start forever at one simulated time.
+"""
 
 
 class ProcessWatch(BaseEventHandler):
@@ -62,6 +66,7 @@ class ProcessWatch(BaseEventHandler):
         self._loop = loop
         self._is_asked_to_end = self._is_wanted_again = False
         self._respawn: asyncio.TimerHandle | None = None
+        self._began_s = 0.0
         self._ends_on_start: bool | None = None
         self._timers: list[Any] = []
         self.completed: asyncio.Future[None] = loop.create_future()
@@ -105,6 +110,7 @@ class ProcessWatch(BaseEventHandler):
         An error here ends the action, and the launch service reports it.
         """
         self._respawn = None
+        self._began_s = self._loop.time()
         if context.starts_are_abandoned:
             self._finish()
             return
@@ -178,6 +184,8 @@ class ProcessWatch(BaseEventHandler):
         self._retries += 1
         if options.has_delay:
             self._respawn = self._loop.call_later(options.respawn_delay, self.begin, context)
+        elif self._loop.time() == self._began_s:
+            self._respawn = self._loop.call_later(SHORTEST_LIFE_S, self.begin, context)
         else:
             self.begin(context)
 

@@ -1,0 +1,1 @@
+from crane_msgs.msg import Twist
