@@ -149,7 +149,7 @@ def test_a_missing_comma_between_entry_points_is_the_cause(
     file = package(tmp_path / 'src', 'robo', "['stop = robo.go:main' 'go = robo.go:main']")
     assert main(['doctor', str(file), '--for', '1']) == 1
     out = capsys.readouterr().out
-    assert 'src/robo/setup.py:3: lists the console_scripts stop, go without a comma' in out
+    assert 'src/robo/setup.py:5: lists the console_scripts stop, go without a comma' in out
     assert str(tmp_path) not in out and 'does not install it' not in out
 
 

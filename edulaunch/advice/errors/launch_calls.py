@@ -6,6 +6,7 @@ import ast
 import linecache
 import re
 from collections.abc import Iterator
+from typing import Any
 
 from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.launch_names import class_named, keywords_of
@@ -54,30 +55,6 @@ def keyword(failure: Failure) -> Iterator[Finding]:
         old = OLD_KEYWORDS.get(match[2])
         near = old if old in known else nearest(match[2], known)
         yield report(failure, action=action, keyword=match[2], near=near, known=[f'{name}=' for name in known])
-
-
-@rule(
-    'launch.other-node',
-    what=(
-        'Node in this launch file is the class of {of_program}, which creates a node inside a program',
-        'Node in this program is the action of {of_launch}, with which a launch file starts a program',
-    ),
-    why='rclpy.node and launch_ros.actions both have a class with the name Node',
-    do='write: {line}',
-    lesson='01_first_launch',
-    level='error',
-    hides=('launch.fails', 'launch.keyword', 'launch.positional', 'programs.wrong-call', 'programs.died'),
-)
-def other_node(failure: Failure) -> Iterator[Finding]:
-    """Report a launch file that imports the Node of rclpy, and a program that imports the Node of launch_ros."""
-    wrong, right = ('rclpy', 'launch_ros.actions') if failure.process is None else ('launch_ros', 'rclpy.node')
-    tree = script_of(failure.file) if failure.type == 'TypeError' and 'Node.__init__()' in failure.message else None
-    for node in [] if tree is None else ast.walk(tree):
-        is_node = isinstance(node, ast.ImportFrom) and any(name.name == 'Node' and not name.asname for name in node.names)
-        if is_node and isinstance(node, ast.ImportFrom) and (node.module or '').partition('.')[0] == wrong:
-            of = {'of_program' if failure.process is None else 'of_launch': node.module}
-            yield report(failure._replace(line=node.lineno), line=f'from {right} import Node', **of)
-            return
 
 
 @rule(
@@ -158,11 +135,13 @@ def missing_keyword(failure: Failure) -> Iterator[Finding]:
     'launch.not-a-text',
     what=(
         '{set_of} is a set of values, because it has a comma instead of a colon',
+        '"{compared}" compares the substitution object itself in Python, and not its value',
         '{keyword}={value} is of type {given}, but launch expects strings and substitutions here',
         'launch expects a string here, and this value is of type {given}',
     ),
     do=(
         'write a dictionary, with a colon between name and value: {as_dict}',
+        'write {comparison}({asked}, {other}), and import {comparison} from launch.substitutions',
         "write {keyword}='{as_text}'",
         "write '{as_text}'",
         'write {keyword}=str(...) to convert the path to a string',
@@ -187,7 +166,19 @@ def not_a_text(failure: Failure) -> Iterator[Finding]:
                 name, value = map(ast.unparse, item.elts)
                 yield report(failure._replace(line=item.lineno), set_of=ast.unparse(item), as_dict=f'{{{name}: {value}}}')
                 return
-    yield report(failure)
+    yield report(failure, **_compared(failure))
+
+
+def _compared(failure: Failure) -> dict[str, Any]:
+    """Return facts about a comparison with == or != in the line that failed, whose result is a boolean of Python."""
+    tree = script_of(failure.file) if failure.facts.get('given') == 'bool' else None
+    for node in [] if tree is None else ast.walk(tree):
+        is_there = isinstance(node, ast.Compare) and node.lineno == failure.line
+        if is_there and isinstance(node, ast.Compare) and isinstance(node.ops[0], (ast.Eq, ast.NotEq)):
+            name = 'EqualsSubstitution' if isinstance(node.ops[0], ast.Eq) else 'NotEqualsSubstitution'
+            asked, other = ast.unparse(node.left), ast.unparse(node.comparators[0])
+            return {'compared': ast.unparse(node), 'comparison': name, 'asked': asked, 'other': other}
+    return {}
 
 
 @rule(

@@ -33,7 +33,9 @@ def field(failure: Failure) -> Iterator[Finding]:
     """
     if failure.facts.get('about') == 'messages.field':
         called = re.search(r'\b(do_transform_\w+)\(', linecache.getline(failure.file or '', failure.line or 0))
-        yield report(failure, transform=called[1] if called else None)
+        is_feedback = str(failure.facts.get('type')).endswith('_FeedbackMessage')
+        inner = {'near': f'feedback.{failure.facts.get("field")}'} if is_feedback else {}
+        yield report(failure, transform=called[1] if called else None, **inner)
 
 
 FIELD_VALUE = about(

@@ -113,7 +113,10 @@ def condition_word(failure: Failure) -> Iterator[Finding]:
     'launch.declared-after-use',
     what="the launch argument '{configuration}' is used before its declaration on line {declared}",
     why='launch executes the actions of a list in order, so the argument has no value before its declaration',
-    do="move DeclareLaunchArgument('{configuration}', ...) to the beginning of the list",
+    do=(
+        'move <{element} name="{configuration}" .../> before this line',
+        "move DeclareLaunchArgument('{configuration}', ...) to the beginning of the list",
+    ),
     lesson='01_first_launch',
     level='error',
     hides=('launch.no-configuration',),
@@ -121,6 +124,8 @@ def condition_word(failure: Failure) -> Iterator[Finding]:
 def declared_after_use(failure: Failure) -> Iterator[Finding]:
     """Report an argument that the same file declares only after its first use."""
     match = re.fullmatch(r"launch configuration '(.*)' does not exist", failure.message)
+    if match is not None and (failure.file or '').endswith('.xml'):
+        yield from _declared_below(failure, match[1])
     tree = script_of(failure.file) if match is not None else None
     if match is None or tree is None:
         return
@@ -130,6 +135,15 @@ def declared_after_use(failure: Failure) -> Iterator[Finding]:
             if isinstance(name, ast.Constant) and name.value == match[1] and _comes_later(tree, call.lineno, failure.line or 0):
                 yield report(failure, configuration=match[1], declared=call.lineno)
                 return
+
+
+def _declared_below(failure: Failure, name: str) -> Iterator[Finding]:
+    """Report an <arg> or <let> of an XML launch file that comes after the use of its name."""
+    for number, line in enumerate(linecache.getlines(failure.file or ''), 1):
+        element = re.search(rf'<(arg|let)\b[^>]*\bname=["\']{re.escape(name)}["\']', line)
+        if element is not None and number > (failure.line or 0):
+            yield report(failure, configuration=name, declared=number, element=element[1])
+            return
 
 
 def _comes_later(tree: ast.Module, declared: int, used: int) -> bool:

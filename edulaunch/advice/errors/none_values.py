@@ -1,4 +1,4 @@
-"""Rules about values that are None: data of a callback that has not run yet, and functions without a return value."""
+"""Rules about missing values: data of a callback that has not run yet, and functions without a return value."""
 
 from __future__ import annotations
 
@@ -59,9 +59,9 @@ def _stores(tree: ast.AST, written: str) -> list[ast.Assign | ast.AnnAssign]:
 
 @rule(
     'programs.not-yet-stored',
-    what='{value} is still None in this line, because {method}() has not stored a value in it yet',
+    what='{value} has no value in this line yet, only None, because {method}() has not stored one',
     why='this line runs before the first call of {method}(), for example before the first message arrives',
-    do='check it first: if {value} is None: return',
+    do='write `if {value} is None: return` before this line',
     lesson='09_broadcaster_and_listener',
     level='error',
 )
@@ -88,7 +88,7 @@ def not_yet_stored(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.no-return-value',
-    what='{function}() in line {made} returns no value, so its result is None here',
+    what='{function}() in line {made} returns no value, so this line gets None from it',
     why='without a return statement, a function in Python returns None',
     do='end {function}() with a line such as `return {value}`',
     lesson='00_python',
@@ -109,6 +109,34 @@ def no_return_value(failure: Failure) -> Iterator[Finding]:
             if isinstance(function, FUNCTIONS) and function.name == name and not _returns(function):
                 yield report(failure, function=name, made=function.lineno, value=_last_value(function))
                 return
+
+
+@rule(
+    'programs.loop-in-callback',
+    what='this loop in {callback}() never ends, because no other callback runs before {callback}() returns',
+    why='the node runs one callback at a time, so nothing changes the values that the loop checks',
+    do='write `if` in place of `while`: each call of {callback}() does one step, and rclpy calls it again',
+    lesson='09_broadcaster_and_listener',
+    level='error',
+    hides=('programs.runaway', 'programs.callback-goes-on'),
+)
+def loop_in_callback(failure: Failure) -> Iterator[Finding]:
+    """Report a `while` loop without a wait in a method that the program passes as a callback."""
+    tree = script_of(failure.file) if failure.type == 'RunawayProgramError' and failure.process is not None else None
+    line = failure.line or 0
+    nodes = [] if tree is None else list(ast.walk(tree))
+    loops = [one for one in nodes if isinstance(one, ast.While) and one.lineno <= line <= (one.end_lineno or 0)]
+    methods = [one for one in nodes if isinstance(one, FUNCTIONS) and loops and one.lineno < line <= (one.end_lineno or 0)]
+    passed = {
+        word.attr
+        for call in nodes
+        if isinstance(call, ast.Call) and name_of_call(call).startswith('create_')
+        for word in [*call.args, *(keyword.value for keyword in call.keywords)]
+        if isinstance(word, ast.Attribute)
+    }
+    for method in methods[-1:]:
+        if method.name in passed:
+            yield report(failure._replace(line=loops[-1].lineno), callback=method.name)
 
 
 def _returns(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:

@@ -78,6 +78,29 @@ def made_after_spin(recording: Recording) -> Iterator[Finding]:
                 yield found('function', name_of_call(late), file=file, line=late.lineno, **facts)
 
 
+@rule(
+    'programs.spun-in-turn',
+    what='rclpy.spin({second}) in line {at} begins only after the end of rclpy.spin({first}) in line {spun}',
+    why='rclpy.spin() returns only when rclpy shuts down',
+    do='spin both nodes in one executor: executor = SingleThreadedExecutor(), executor.add_node({first}), '
+    'executor.add_node({second}), executor.spin()',
+    lesson='13_large_project',
+    level='error',
+    hides=('programs.never-spun', 'messages.not-taken', 'programs.after-shutdown'),
+)
+def spun_in_turn(recording: Recording) -> Iterator[Finding]:
+    """Report two calls of rclpy.spin() in one block, for two nodes."""
+    for file, tree in program_scripts(recording):
+        for body in (getattr(node, 'body', None) for node in walked(tree)):
+            calls = [call for line in body for call in _calls(line)] if isinstance(body, list) else []
+            spins = [call for call in calls if ast.unparse(call.func) in ('rclpy.spin', 'spin') and call.args]
+            for one, other in zip(spins[:1], spins[1:2], strict=False):
+                first, second = ast.unparse(one.args[0]), ast.unparse(other.args[0])
+                if first != second:
+                    facts: dict[str, Any] = {'first': first, 'second': second, 'at': other.lineno, 'spun': one.lineno}
+                    yield found('function', 'spin', file=file, line=other.lineno, **facts)
+
+
 MADE = frozenset(('create_timer', 'create_publisher', 'create_subscription', 'create_service', 'create_client', 'ActionServer'))
 
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 LESSON = '09_broadcaster_and_listener'
 ENOUGH = 5
-"""The number of transforms after which two equal series are no coincidence."""
+"""The number of transforms from which two equal series have one cause."""
 
 
 @rule(

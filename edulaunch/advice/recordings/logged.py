@@ -138,7 +138,10 @@ def no_goal_response(recording: Recording) -> Iterator[Finding]:
     'programs.goal-failed',
     what='the execute callback of {node} ended with an exception: {said}',
     why='rclpy logs the exception, ends the goal as aborted, and the node continues',
-    do='correct this line, or catch the exception and call goal_handle.abort()',
+    do=(
+        'read the goal from its request: write .request.{field} in place of .{field}',
+        'correct this line, or catch the exception and call goal_handle.abort()',
+    ),
     lesson='14_services',
     level='error',
     hides=('programs.goal-unfinished',),
@@ -148,4 +151,6 @@ def goal_failed(recording: Recording) -> Iterator[Finding]:
     for fact in recording.facts:
         if fact.kind == 'goal failed':
             file, line = fact_place(recording, fact)
-            yield found('node', fact.data['node'], file=file, line=line, time_s=fact.time_s, said=fact.data['said'])
+            of_handle = re.search(r"'ServerGoalHandle' object has no attribute '(\w+)'", fact.data['said'])
+            facts = {'said': fact.data['said'], 'field': of_handle and of_handle[1]}
+            yield found('node', fact.data['node'], file=file, line=line, time_s=fact.time_s, **facts)

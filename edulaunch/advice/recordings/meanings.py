@@ -202,6 +202,28 @@ def quaternion_order(recording: Recording) -> Iterator[Finding]:
 
 
 @rule(
+    'tf.other-axis',
+    what="{node} turns '{frame}' about its {axis} axis by the heading of {turtle}, but a turtle turns about the z axis",
+    why='the three angles are roll, pitch and yaw, and only yaw, the last one, turns a frame in the plane',
+    do='write quaternion_from_euler(0, 0, theta), or set rotation.z = sin(theta / 2) and rotation.w = cos(theta / 2)',
+    lesson=LESSON,
+    level='error',
+    hides=('turtlesim.wall', 'tf.quaternion-order'),
+)
+def other_axis(recording: Recording) -> Iterator[Finding]:
+    """Report a turtle's frame whose rotation has the sine of half the heading in x or y, and nothing in z."""
+    for one, turtle, known in _turned(recording):
+        for at, axis in ((0, 'x'), (1, 'y')):
+            exact = [
+                abs(abs(q[at]) - abs(s)) < CLOSE and abs(abs(q[3]) - abs(c)) < CLOSE and abs(q[2]) < CLOSE for s, c, q in known
+            ]
+            if known and all(exact) and any(abs(s) > MOVES for s, _, _ in known):
+                file, line = broadcast_place(recording, one.node, '/tf')
+                facts = {'node': one.node, 'turtle': turtle, 'axis': axis}
+                yield found('frame', one.child, file=file, line=line, time_s=one.first_s, **facts)
+
+
+@rule(
     'launch.remapping-reversed',
     what="the remapping of '{old}' to '{new}' disconnects {node} from {old}, which another node uses",
     why='the first name of a remapping is the name in the code of the node, and the second name replaces it',

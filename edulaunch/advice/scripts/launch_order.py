@@ -242,6 +242,47 @@ def event_class(scripts: list[Script]) -> Iterator[Finding]:
 
 
 @rule(
+    'launch.event-for-action',
+    what='{event} of {module} is an event, but {place} needs an action',
+    why='launch executes actions; an event only says what has happened or should happen',
+    do=('write: from launch.actions import {action}', 'write EmitEvent(event={event}(...))'),
+    lesson='05_events',
+    level='error',
+    hides=('launch.fails', 'launch.output-hidden', 'launch.not-an-action'),
+)
+def event_for_action(scripts: list[Script]) -> Iterator[Finding]:
+    """Report an event where launch expects an action, as in `on_exit=Shutdown()` with the Shutdown of launch.events."""
+    for file, tree in scripts:
+        events = {
+            (name.asname or name.name): (node.module or '', node.lineno)
+            for node in walked(tree)
+            if isinstance(node, ast.ImportFrom) and (node.module or '').startswith('launch.events')
+            for name in node.names
+        }
+        for place, values in _action_places(tree) if events else ():
+            for value in values:
+                name = name_of_call(value)
+                if name in events:
+                    module, line = events[name]
+                    action = name if name == 'Shutdown' else None
+                    line = line if action else value.lineno
+                    yield found('event', name, file=file, line=line, event=name, module=module, place=place, action=action)
+
+
+HANDLING = ('on_exit', 'on_start', 'on_completion', 'on_shutdown', 'entities', 'actions')
+
+
+def _action_places(tree: ast.Module) -> Iterator[tuple[str, list[ast.expr]]]:
+    """Yield the places of a launch file that contain actions, each with its values."""
+    for node in walked(tree):
+        value = node.value if isinstance(node, ast.keyword) and node.arg in HANDLING else None
+        if isinstance(node, ast.keyword) and value is not None:
+            yield f'{node.arg}=', value.elts if isinstance(value, ast.List) else [value]
+        elif isinstance(node, ast.Call) and name_of_call(node) == 'LaunchDescription' and node.args:
+            yield 'LaunchDescription', node.args[0].elts if isinstance(node.args[0], ast.List) else []
+
+
+@rule(
     'launch.equals-swapped',
     what="the arguments of {condition} are swapped: '{second}' is a launch argument, and '{first}' is not",
     why='the first value must be the name of the launch argument, and the second must be the expected value',

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.run_sources import Script, walked
+from edulaunch.advice.run_sources import Script, name_of_call, walked
 
 LESSON = '04_conditions'
 ACTIONS = frozenset(
@@ -55,6 +55,29 @@ def python_if(scripts: list[Script]) -> Iterator[Finding]:
             known = _configurations(function)
             for test in _tests(function):
                 yield from (_in_function(finding, function) for finding in _asked(test, known, file))
+
+
+@rule(
+    'launch.condition-compared',
+    what='{condition} gets {outcome}, because "{text}" compares the substitution object itself, and not its value',
+    why='Python runs this line before launch knows the arguments',
+    do='write {condition}({comparison}({asked}, {value})), and import {comparison} from launch.substitutions',
+    lesson=LESSON,
+    level='error',
+    hides=('launch.not-a-text', 'launch.fails', 'launch.condition-value', 'launch.condition-object', 'launch.python-if'),
+)
+def condition_compared(scripts: list[Script]) -> Iterator[Finding]:
+    """Report a condition such as `IfCondition(LaunchConfiguration('mode') == 'sim')`."""
+    for file, tree in scripts:
+        for function in _functions(tree):
+            known = _configurations(function)
+            for call in _own(function):
+                if isinstance(call, ast.Call) and name_of_call(call) in ('IfCondition', 'UnlessCondition') and call.args:
+                    for finding in _asked(call.args[0], known, file) if isinstance(call.args[0], ast.Compare) else ():
+                        is_equal = finding.facts['outcome'] == 'False'
+                        comparison = 'EqualsSubstitution' if is_equal else 'NotEqualsSubstitution'
+                        facts = {**finding.facts, 'condition': name_of_call(call), 'comparison': comparison}
+                        yield finding._replace(facts=facts)
 
 
 def _in_function(finding: Finding, function: Function) -> Finding:

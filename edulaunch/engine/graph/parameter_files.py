@@ -134,6 +134,8 @@ def _too_early(event: Any, path: str) -> ParameterFileError:
     """Return the error for a value that is not deep enough; `path` is the place of the value."""
     error = ParameterFileError(f'Cannot have a value before {PARAMETERS_KEY} at line {line_of(event)}')
     name, colon, value = str(getattr(event, 'value', '')).partition(':')
+    if name.split()[:1] == [PARAMETERS_KEY]:
+        return with_facts(error, 'launch.parameter-no-space', at=line_of(event), words=name, spaced=f'{PARAMETERS_KEY}:')
     if colon and name and value and ' ' not in name + value:
         return with_facts(
             error, 'launch.parameter-no-space', at=line_of(event), squeezed=f'{name}:{value}', spaced=f'{name}: {value}'

@@ -71,8 +71,9 @@ def entry_function(process: Process, program: Program) -> Callable[[], object]:
         try:
             found = getattr(found, name)
         except AttributeError as error:
-            names = [own for own, value in vars(module).items() if getattr(value, '__module__', None) == program.module]
-            _add_facts(program, error, 'function', program.function, names, near=name if name in names else None)
+            own = {key: value for key, value in vars(module).items() if getattr(value, '__module__', None) == program.module}
+            functions = [key for key, value in own.items() if not isinstance(value, type)]
+            _add_facts(program, error, 'function', program.function, functions, near=name if name in own else None)
             raise
     return found  # type: ignore[no-any-return]
 

@@ -132,6 +132,9 @@ def _about_file(path: str) -> dict[str, Any]:
     beside = os.listdir(folder)
     longer = next((f'{name}{end}' for end in ('.py', '.xml', '.yaml') if f'{name}{end}' in beside), None)
     near = longer or nearest_file(name, [other for other in beside if other.endswith(ending)])
+    if near is None and '.launch.' in name:  # a launch file of the same name in another format
+        stem = name.removesuffix(ending)
+        near = next((f'{stem}{end}' for end in ('.py', '.xml', '.yaml') if f'{stem}{end}' in beside), None)
     return {'wanted': path, 'near': near, 'below': None if near else _below(folder, name)}
 
 

@@ -14,7 +14,6 @@ from edulaunch.ros.passed_on import passed_on
 from edulaunch.ros.read_only import ReadOnly
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.action.server_goal_handle import GoalEvent, GoalState, ServerGoalHandle, goal_info, has_ended_until, stamp_of
-from rclpy.impl.facts import note_no_goal_response
 from rclpy.impl.new_end_checks import checked_action_name
 from rclpy.impl.refusals import after_shutdown
 from rclpy.node_parts.core import core_of
@@ -181,6 +180,8 @@ class ActionServer(Waitable):
             verdict = await await_or_execute(self._goal_callback, request.goal)
             if not isinstance(verdict, GoalResponse):
                 self._logger.warning('Goal request callback did not return a GoalResponse type. Rejecting goal.')
+                from rclpy.impl.facts import note_no_goal_response
+
                 note_no_goal_response(self._node, self._goal_callback, verdict)
             response.accepted = verdict == GoalResponse.ACCEPT
         if not response.accepted:
