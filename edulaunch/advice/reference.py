@@ -1,7 +1,7 @@
 """The page of `docs/advice/` and the anchor where the documentation describes each rule of advice.
 
-The pages are fixed here, by the group of a rule, what it looks at, and the first letter of its name. The address of a rule
-therefore changes only when the rule is renamed.
+The pages are fixed here, by the group of a rule, what it looks at, and how its name begins. The address of a rule
+therefore changes only when the rule is renamed, or when a page has become too long and is split.
 """
 
 from __future__ import annotations
@@ -16,37 +16,42 @@ class ReferencePage(NamedTuple):
 
     :ivar name: its file in `docs/advice/`, without the suffix.
     :ivar kinds: the kinds of things that its rules look at.
-    :ivar letters: the first and the last letter with which the names of its rules begin, after the group, or one letter.
+    :ivar first: the beginning of the first rule's name, after the group, such as 'a' or 'no-l'.
+    :ivar last: the beginning of the last rule's name.
     """
 
     name: str
     group: str
     kinds: tuple[str, ...]
-    letters: str = 'az'
+    first: str = 'a'
+    last: str = 'z'
 
     def has(self, rule: Rule, kind: str) -> bool:
         """Return whether a rule that looks at `kind` is on this page."""
-        first = rule.name.partition('.')[2][0]
-        return rule.group == self.group and kind in self.kinds and self.letters[0] <= first <= self.letters[-1]
+        name = rule.name.partition('.')[2]
+        return rule.group == self.group and kind in self.kinds and self.first <= name and name[: len(self.last)] <= self.last
 
 
 def _pages(name: str, group: str, kinds: tuple[str, ...], *ranges: str) -> tuple[ReferencePage, ...]:
-    """Return a page for each range of first letters, such as 'ae' or 'n'."""
-    return tuple(ReferencePage(f'{name}-{"-".join(letters)}', group, kinds, letters) for letters in ranges)
+    """Return a page for each range of beginnings, such as 'a e', or 'n' for a single letter."""
+    return tuple(
+        ReferencePage(f'{name}-{letters.replace(" ", "-")}', group, kinds, letters.split()[0], letters.split()[-1])
+        for letters in ranges
+    )
 
 
 PAGES = (
-    *_pages('launch-errors', 'launch', ('errors',), 'ae', 'fi', 'jm', 'n', 'ot', 'uz'),
-    *_pages('launch-files', 'launch', ('plans',), 'am', 'nz'),
-    *_pages('launch-runs', 'launch', ('recordings', 'scripts'), 'ao', 'pz'),
-    *_pages('programs-errors', 'programs', ('errors',), 'ac', 'di', 'jm', 'n', 'or', 'sz'),
-    *_pages('programs-runs', 'programs', ('recordings', 'plans', 'sources'), 'ad', 'em', 'np', 'qz'),
+    *_pages('launch-errors', 'launch', ('errors',), 'a e', 'f i', 'j m', 'n', 'o p', 'q t', 'u z'),
+    *_pages('launch-files', 'launch', ('plans',), 'a m', 'n z'),
+    *_pages('launch-runs', 'launch', ('recordings', 'scripts'), 'a d', 'e m', 'n r', 's z'),
+    *_pages('programs-errors', 'programs', ('errors',), 'a c', 'd i', 'j m', 'n no-k', 'no-l n', 'o r', 's z'),
+    *_pages('programs-runs', 'programs', ('recordings', 'plans', 'sources'), 'a d', 'e f', 'g m', 'n', 'o p', 'q z'),
     ReferencePage('messages-errors', 'messages', ('errors',)),
-    *_pages('messages-runs', 'messages', ('recordings',), 'an', 'oz'),
-    ReferencePage('packages-errors', 'packages', ('errors',)),
-    *_pages('packages-files', 'packages', ('sources',), 'am', 'nz'),
+    *_pages('messages-runs', 'messages', ('recordings',), 'a n', 'o z'),
+    *_pages('packages-errors', 'packages', ('errors',), 'a m', 'n z'),
+    *_pages('packages-files', 'packages', ('sources',), 'a m', 'n z'),
     ReferencePage('packages-workspaces', 'packages', ('workspaces',)),
-    *_pages('tf', 'tf', KINDS, 'al', 'mr', 'sz'),
+    *_pages('tf', 'tf', KINDS, 'a l', 'm r', 's z'),
     ReferencePage('time', 'time', KINDS),
     ReferencePage('turtlesim', 'turtlesim', KINDS),
     ReferencePage('grader', 'grader', KINDS),

@@ -84,8 +84,11 @@ def _index() -> str:
 
 def _title(page: ReferencePage) -> str:
     """Return the title of a page, such as 'errors of launch files: a to e'."""
-    letters = '' if page.letters == 'az' else f': {" to ".join(page.letters)}'
-    return TOPICS[page.name if page.letters == 'az' else page.name.removesuffix(f'-{"-".join(page.letters)}')] + letters
+    topic = max((name for name in TOPICS if page.name.startswith(name)), key=len)
+    if page.name == topic:
+        return TOPICS[topic]
+    ends = [page.first] if page.first == page.last else [page.first, page.last]
+    return f'{TOPICS[topic]}: {" to ".join(ends)}'
 
 
 def _page(page: ReferencePage) -> str:
