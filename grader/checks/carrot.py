@@ -157,8 +157,8 @@ def moving_carrot_is_chased(run: Evidence) -> None:
     if not length(track) >= RESTLESS_M:
         raise Failure(
             'turtle2 does not follow the moving carrot',
-            expected=f'it drives at least {RESTLESS_M:g} m in 5 s',
-            seen=f'it drives {length(track):.2f} m',
+            expected=f'a distance of at least {RESTLESS_M:g} m in 5 s',
+            seen=f'a distance of {length(track):.2f} m',
             where=run.source.place,
             try_='set target_frame of the listener to carrot1',
         )

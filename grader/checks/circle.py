@@ -128,18 +128,18 @@ def _radius_parameter(run: Evidence, scenario: str) -> object:
 
 def _measured_radius(run: Evidence, scenario: str) -> float:
     track = since(odometry_track(run[scenario]), SETTLED_S)
-    expected = f'it drives a circle in the run with {run.scenario(scenario).words}'
+    expected = f'a circle in the run with {run.scenario(scenario).words}'
     if not length(track) >= SHORTEST_TRACK_M:
         raise Failure(
             'the robot does not move',
             expected=expected,
             where=run.source.place,
-            seen=f'it drives {length(track):.2f} m in {run[scenario].duration_s:g} s',
+            seen=f'a distance of {length(track):.2f} m in {run[scenario].duration_s:g} s',
             try_=f'compare the topic that {EXECUTABLE} publishes with the topic of the robot, /cmd_vel',
         )
     circle = fit_circle([(x, y) for _, x, y in track])
     if not (circle is not None and circle.residual <= TOLERANCE * circle.radius):
-        seen = 'it drives a straight line' if circle is None else f'its track is {circle.residual:.2f} m off the best circle'
+        seen = 'a straight line' if circle is None else f'a track that is {circle.residual:.2f} m off the best circle'
         raise Failure(
             'the robot does not drive a circle',
             expected=expected,

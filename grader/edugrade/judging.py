@@ -93,7 +93,7 @@ def _which(bad: Sequence[Outcome], outcomes: Sequence[Outcome]) -> str | None:
     """Return a sentence that names the launches that failed, or None when all launches failed."""
     if len(bad) == len(outcomes):
         return None
-    return 'it fails only when launched with ' + ' and with '.join(outcome.scenario.words for outcome in bad)
+    return 'a failure only with ' + ' and with '.join(outcome.scenario.words for outcome in bad)
 
 
 def _blocker(check: Check, results: Mapping[str, CheckResult]) -> CheckResult | None:

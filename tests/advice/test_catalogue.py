@@ -94,7 +94,9 @@ def test_a_place_that_has_moved_is_an_error_and_no_loss(monkeypatch: pytest.Monk
 
 def test_the_sentences_of_checks_in_yaml_are_in_it_and_names_of_their_fields_are_not() -> None:
     known = messages()
-    assert {'The parameter {name} of {node} has the right value', 'it continues until the end of the run', 'A black box'} <= set(
-        known
-    )
+    assert {
+        'The parameter {name} of {node} has the right value',
+        'the launch continues until the end of the run',
+        'A black box',
+    } <= set(known)
     assert not {'node package name value', 'tolerance near share', 'package executable'} & set(known)

@@ -86,7 +86,7 @@ def test_without_a_recording_no_check_is_run() -> None:
 
 def test_a_run_that_fails_with_one_argument_only_says_so() -> None:
     results = judged([good], Outcome(ONE, 'recorded', recording=RECORDING), Outcome(TWO, 'stopped', text='too slow'))
-    assert results['launches'].seen == 'it fails only when launched with radius:=1.0'
+    assert results['launches'].seen == 'a failure only with radius:=1.0'
     assert results['good'].status == 'not_run'
 
 

@@ -43,7 +43,7 @@ def test_all_of_it_belongs_together(course: Path, capsys: pytest.CaptureFixture[
 def test_the_command_and_the_cell_find_the_rubrics(course: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(['solutions/spin.launch.py', 'solutions/mast.launch.py']) == 0
     assert main(['exercises/spin.launch.py']) == 1
-    assert 'try:      check a command that the launch file starts' in capsys.readouterr().out
+    assert 'try:      check the command that the launch file starts' in capsys.readouterr().out
     assert main(['exercises/spin.launch.py', '--advice', '3']) == 1
     assert 'start ros2 topic pub with -r 10' in capsys.readouterr().out
     assert main(['exercises/mast.launch.py', '--hint', '2']) == 0

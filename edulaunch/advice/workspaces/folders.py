@@ -119,8 +119,8 @@ def build_file(workspace: Workspace) -> Iterator[Finding]:
         if not warning.about:
             name, line = os.path.basename(warning.file), warning.line or None
             absent = None if os.path.exists(warning.file) else name
-            facts = {'script': absent if absent == 'setup.py' else None, 'absent': absent, 'at': line}
-            yield found('file', name, file=warning.file, line=line, said=warning.sentence, **facts)
+            script = absent if absent == 'setup.py' else None
+            yield found('file', name, file=warning.file, line=line, said=warning.sentence, script=script, absent=absent, at=line)
 
 
 @rule(

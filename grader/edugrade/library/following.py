@@ -44,8 +44,8 @@ def require_arrival(run: Evidence, scenario: str, follower: str, try_: str) -> N
     if not length(track) >= LEAST_WAY_M:
         raise Failure(
             f'{follower.strip("/")} does not drive to its goal in the run with {run.scenario(scenario).words}',
-            expected=f'it drives at least {LEAST_WAY_M:g} m',
-            seen=f'it drives {length(track):.2f} m: it was at the goal from the beginning',
+            expected=f'a distance of at least {LEAST_WAY_M:g} m',
+            seen=f'a distance of {length(track):.2f} m, because the turtle was at the goal from the beginning',
             where=run.source.place,
             try_=try_,
         )
@@ -90,8 +90,8 @@ def require_pursuit(run: Evidence, scenario: str, goal: str, follower: str, sinc
     if not towards >= LEAST_SHARE * way > 0.0:
         raise Failure(
             f'{follower.strip("/")} does not follow {goal.strip("/")} in the run with {run.scenario(scenario).words}',
-            expected=f'it drives towards {goal.strip("/")}, which drives {way:.2f} m after {since_s:g} s',
-            seen=f'it drives {towards:.2f} m towards {goal.strip("/")}',
+            expected=f'a movement towards {goal.strip("/")}, which drives {way:.2f} m after {since_s:g} s',
+            seen=f'a movement of {towards:.2f} m towards {goal.strip("/")}',
             where=run.source.place,
             try_=try_,
         )
@@ -122,8 +122,8 @@ def driven_track(run: Evidence, scenario: str, turtle: str) -> Track:
     if not fastest(track) <= FASTEST_M_S:
         raise Failure(
             f'{turtle.strip("/")} jumps in the run with {run.scenario(scenario).words}',
-            expected=f'it drives at {FASTEST_M_S:g} m/s or less',
-            seen=f'it moves at {fastest(track):.0f} m/s between two poses',
+            expected=f'a speed of {FASTEST_M_S:g} m/s or less',
+            seen=f'a speed of {fastest(track):.0f} m/s between two poses',
             where=run.source.place,
             try_='move it with velocities on its topic cmd_vel, not with the services teleport_absolute or teleport_relative',
         )
@@ -131,8 +131,8 @@ def driven_track(run: Evidence, scenario: str, turtle: str) -> Track:
     if not away <= MOST_PUSHED_M:
         raise Failure(
             f'{turtle.strip("/")} does not drive by itself in the run with {run.scenario(scenario).words}',
-            expected='it moves only with the velocities on its topic cmd_vel',
-            seen=f'it moves {away:.2f} m without a velocity',
+            expected='movement only with the velocities on the topic cmd_vel',
+            seen=f'a movement of {away:.2f} m without a velocity',
             where=run.source.place,
             try_='move it with velocities on its topic cmd_vel, not with the services teleport_absolute or teleport_relative',
         )

@@ -119,8 +119,8 @@ def _require_all_the_time(run: Evidence, scenario: str, child: str, sent: Sequen
     if not (first_s <= duration_s / 2 and stays):
         raise Failure(
             f'the frame {child} is not published all the time in the run with {run.scenario(scenario).words}',
-            expected=f'it is published from {duration_s / 2:g} s at the latest until the end',
-            seen=f'it is first published at {first_s:.2f} s, and last at {last_s:.2f} s',
+            expected=f'the frame is published from {duration_s / 2:g} s at the latest until the end',
+            seen=f'the frame is first published at {first_s:.2f} s, and last at {last_s:.2f} s',
             where=run.source.place,
             try_=try_,
         )

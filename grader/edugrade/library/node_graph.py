@@ -141,8 +141,8 @@ def require_ended(
     if ended_s is None:
         raise Failure(
             f'{node} does not end in the run with {run.scenario(scenario).words}',
-            expected='it ends before the end of the run',
-            seen=f'it still runs after {recording.duration_s:.1f} s',
+            expected=f'{node} ends before the end of the run',
+            seen=f'{node} still runs after {recording.duration_s:.1f} s',
             where=run.source.place,
             try_=try_,
         )

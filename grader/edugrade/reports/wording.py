@@ -41,13 +41,16 @@ KINDS = {
     'check the conditions of the actions': ('condition',),
     'check the command that the launch file starts': ('ExecuteProcess', 'ros2 topic pub'),
     'check the names of the frames': ('view_frames',),
+    'check the position and the rotation of the frame': ('the rotation of the frame',),
     'check the name, the parent and the position of the frame': ('the frame ',),
     'check the parameters and the remappings of the broadcaster': ('broadcaster',),
+    'check the links and the joints of the robot description': ('the joint ', 'a joint '),
+    'check the names and the namespaces of the nodes': ('the list of nodes',),
     'check which files the package installs': ('data_files',),
     'check the path and the content of the parameter file': ('create this file', 'this parameter file'),
     'check what the node prints and logs': (' log ', ' logs ', ' print ', ' prints '),
     'check where the launch argument is declared and used': ('argument',),
-    'check to which topic the node subscribes': ('subscri', 'listen'),
+    'check to which topic the node subscribes': ('subscri', ' listens'),
     'check which node publishes on this topic, and whether this node starts': ('publish',),
     'check the package, the executable and the name of the node': ('the node /', 'Node', '<node ', 'node: '),
 }
@@ -118,7 +121,7 @@ def kind_of(result: CheckResult) -> str:
             return 'write the missing parameter into the parameters of this Node, or correct its name there'
         added = ADDED.get(advice, advice)
         return added if added == advice or not result.seen else f'{added}, or {advice}'
-    return without_code(result.try_) if result.try_ else 'compare the expected value with the seen value'
+    return without_code(result.try_) if result.try_ else 'compare the line "expected" with the line "seen"'
 
 
 def without_code(advice: str) -> str:

@@ -186,7 +186,7 @@ def described(run: Evidence, wanted: Wanted) -> None:
         require_derived(one.run, one.scenario, child, known, wanted.try_)
 
 
-@kind('A bag contains the messages of {topic}', 'topic', 'package')
+@kind('A bag contains the messages on {topic}', 'topic', 'package')
 def bag(run: Evidence, wanted: Wanted) -> None:
     """Require a bag with the messages of a topic, from a package, after launch has received Ctrl-C."""
     for one in wanted.of_each(run):
@@ -194,7 +194,7 @@ def bag(run: Evidence, wanted: Wanted) -> None:
         require_topic(one.run, one.scenario, topic, None, wanted['package'] or None, wanted.try_)
         times = [time_s for time_s, _ in one.recording.messages(topic)]
         late = [time_s for time_s in times if time_s >= times[0] + FOUND_AFTER_S]
-        thing = f'a bag with the messages of {topic} in the run with {one.words}'
+        thing = f'a bag with the messages on {topic} in the run with {one.words}'
         if not bags:
             raise Missing(thing, seen='no bag after Ctrl-C', **one.advice)
         counts = [each['topics'][topic] for each in bags if topic in each['topics']]
@@ -203,7 +203,7 @@ def bag(run: Evidence, wanted: Wanted) -> None:
             raise Missing(thing, name=topic, among=known, seen=', '.join(known) or 'bags without messages', **one.advice)
         count, known = max(counts, key=lambda each: each[1])
         if not len(late) <= known == count:
-            seen = f'{count} messages, {known} of them are published ones'
+            seen = f'{count} messages, of which {known} were published'
             raise Mismatch(f'the content of the bag for {topic}', f'the {len(times)} published messages', seen, **one.advice)
 
 

@@ -135,8 +135,8 @@ def shuts_down(run: Evidence, wanted: Wanted) -> None:
         if not ended:
             raise Failure(
                 f'the launch does not shut down in the run with {one.words}',
-                expected=f'it shuts down after {one.number("at"):g} s',
-                seen='it continues until the end of the run',
+                expected=f'the launch shuts down after {one.number("at"):g} s',
+                seen='the launch continues until the end of the run',
                 **one.advice,
             )
         one.require_close('the end of the launch (in s)', ended[0], one.number('at'), 0.3)
@@ -278,7 +278,7 @@ def logs(run: Evidence, wanted: Wanted) -> None:
         rows = range(len(logs)) if package is None else rows_of(one.recording, 'logs', package, executable)
         lines = [logs[row].message for row in rows if logs[row].logger.replace('/', '.') == logger]
         if not _fits(wanted, lines):
-            seen = last_lines([f'{text}\n' for text in lines]) or 'it logs nothing'
+            seen = last_lines([f'{text}\n' for text in lines]) or 'no log lines'
             asked = wanted['example'] or readable(str(wanted['pattern']))
             thing = f'{one.text("node")} does not log the expected line in the run with {one.words}'
             raise Failure(thing, expected=asked, seen=seen, **one.advice)
@@ -331,6 +331,7 @@ def frame(run: Evidence, wanted: Wanted) -> None:
     """Require a frame with its parent, position and yaw."""
     child, advice = wanted['child'], wanted.try_ or 'check the tree of frames with ros2 run tf2_tools view_frames'
     require_frame(run, child, wanted['parent'], advice)
+    place_advice = wanted.try_ or f'check the position and the rotation of the frame {child}'
     for one in wanted.of_each(run):
         for topic in ('/tf', '/tf_static') if wanted['by'] else ():
             refuse_strangers(one.recording, topic, wanted['by'])
@@ -339,11 +340,11 @@ def frame(run: Evidence, wanted: Wanted) -> None:
             for axis, key in enumerate(('x', 'y', 'z')):
                 if key in wanted:
                     thing = f'{key} of {child} in {sent.frame.parent} (its position is {numbers(place)})'
-                    one.require_close(thing, place[axis], one.number(key), 0.01, advice)
+                    one.require_close(thing, place[axis], one.number(key), 0.01, place_advice)
             if 'yaw' in wanted:
                 asked = one.number('yaw')
                 turns = round((asked - yaw(sent.frame)) / tau)  # half a turn is the same to the left and to the right
-                one.require_close(f'the yaw of {child}', yaw(sent.frame) + turns * tau, asked, 0.01, advice)
+                one.require_close(f'the yaw of {child}', yaw(sent.frame) + turns * tau, asked, 0.01, place_advice)
 
 
 @kind('{turtle} drives at least {at_least} m', 'at_least', 'turtle odometry share driver')
@@ -372,7 +373,7 @@ def circle(run: Evidence, wanted: Wanted) -> None:
             raise Failure(
                 f'{who} does not drive a circle in the run with {one.words}',
                 expected=f'a circle with a radius of {radius:g} m',
-                seen=f'it drives {length(track):.2f} m, but not on a circle',
+                seen=f'a distance of {length(track):.2f} m, but no circle',
                 **one.advice,
             )
         one.require_close(f'the radius of the circle of {who}', found.radius, radius, 0.02 * radius)

@@ -160,3 +160,10 @@ def test_an_entry_point_may_name_a_module_of_another_package(workspace: Any, nod
     workspace.write('arm/arm/move.py', node)
     workspace.python('robo', 'move = arm.move:main')
     assert [line for line in said(workspace.folder) if 'entry point ' in line] == []
+
+
+def test_a_file_that_is_missing_is_to_be_created_not_corrected(robo: Any) -> None:
+    (robo.folder / 'robo' / 'setup.py').unlink()
+    first = rendered(judge_sources(str(robo.folder))[0], Reader(folder=str(robo.folder)))
+    assert first.what == 'setup.py is missing, so this ament_python package cannot be built'
+    assert first.do.startswith('create setup.py: with metadata in setup.cfg or pyproject.toml, ')

@@ -18,7 +18,7 @@ def test_a_launch_file_is_run_and_looked_at(capsys: pytest.CaptureFixture[str], 
     monkeypatch.chdir(EXAMPLES / 'programs.same-name')
     assert main(['doctor', 'failing.launch.py', '--for', '1']) == 1
     assert capsys.readouterr().out == (
-        '1. two nodes have the name /talker: one in talker-1, and one in talker-2\n'
+        '1. two nodes have the name /talker: one in talker-1 and one in talker-2\n'
         '   where: failing.launch.py:9, at 0.00 s\n'
         '   why:   parameters and services of /talker have the same names in both, so it is not defined which node answers\n'
         "   do:    rename one of them, for example with name='talker_2' in the launch file, or use another namespace\n"

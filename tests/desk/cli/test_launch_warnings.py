@@ -82,7 +82,7 @@ def test_endpoints_that_cannot_talk_because_of_their_types_are_told(run, tmp_pat
     )
     assert err == (
         'warning: /turtlesim publishes turtlesim/msg/Pose on /turtle1/pose, but /hears expects geometry_msgs/msg/Pose, '
-        'so it receives nothing (@/hears.py:5, at 0.00 s)\n  help: use the same message type on both sides, or two topics\n'
+        'so /hears receives nothing (@/hears.py:5, at 0.00 s)\n  help: use the same message type on both sides, or two topics\n'
     )
 
 

@@ -91,7 +91,7 @@ def test_mistakes_are_told_behind_the_end_in_the_language_of_the_terminal(desk: 
     launch.type('\x03')
     assert launch.end() == 0
     told = launch.output.replace('\r', '').partition('warning: ')[2]
-    assert told.startswith('two nodes have the name /talker: one in talker-1, and one in talker-2 (two.launch.py:6, at ')
+    assert told.startswith('two nodes have the name /talker: one in talker-1 and one in talker-2 (two.launch.py:6, at ')
     silent = desk.ros2('launch --quiet two.launch.py')
     silent.until('Publishing')
     silent.type('\x03')

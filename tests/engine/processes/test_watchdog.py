@@ -207,4 +207,4 @@ def test_a_call_of_the_system_that_waits_for_the_outside_is_interrupted(watched:
     )
     assert watched.codes == {'program-1': 1}
     assert 'program-1 waited for too long for something outside the simulation; it was stopped at ' in wrote
-    assert wrote.splitlines()[-1].startswith('  help: program-1 waits here for something outside the simulation')
+    assert wrote.splitlines()[-1].startswith('  help: program-1 waits for something outside the simulation')

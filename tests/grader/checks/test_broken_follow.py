@@ -53,7 +53,7 @@ def test_a_mimic_whom_nobody_hears_is_pointed_at() -> None:
 
     results = graded('broken_follow', deaf)
     assert statuses(results) == {'turtle1_copies': 'failed', 'turtle2_follows': 'not_run'}
-    assert results['turtle1_copies'].seen.endswith('/mimic publishes /output/cmd_vel, which has no subscriber')
+    assert results['turtle1_copies'].seen.endswith('/mimic publishes on /output/cmd_vel, which has no subscriber')
     assert results['turtle1_copies'].where == (FILE, 11)
 
 

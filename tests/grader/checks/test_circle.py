@@ -163,7 +163,9 @@ def test_odometry_of_ones_own_is_no_robot() -> None:
 
     results = graded('circle', claimed)
     assert statuses(results) == {'world_is_there': 'failed', 'circle_is_driven': 'not_run'}
-    assert results['world_is_there'].reason == '/fake publishes /odom, which only a program of turtlebot3_gazebo may publish'
+    assert results['world_is_there'].reason == (
+        '/fake publishes on /odom, but only a program of turtlebot3_gazebo may publish there'
+    )
     assert results['world_is_there'].where == ('/student/a.launch.py', 9)
 
 

@@ -108,7 +108,7 @@ def test_a_turtle_in_the_middle_of_the_square_does_not_follow() -> None:
 
     results = graded('follow', middle)
     assert statuses(results) == {'moving_leader_is_followed': 'failed'}
-    assert results['moving_leader_is_followed'].seen == 'it drives 0.00 m towards turtle1'
+    assert results['moving_leader_is_followed'].seen == 'a movement of 0.00 m towards turtle1'
 
 
 def test_a_turtle_that_was_spawned_at_its_goal_does_not_come_to_it() -> None:

@@ -80,7 +80,7 @@ def sent_from(time_s: float, scenario: Scenario, **wrong: Any) -> FakeRun:
 
 def test_a_frame_that_is_right_in_the_last_instant_only_comes_too_late() -> None:
     results = graded('static_frame', lambda scenario: sent_from(4.5, scenario, laser=None))
-    assert results['laser_is_on_tf'].seen.startswith('it is first published at 4.50 s')
+    assert results['laser_is_on_tf'].seen.startswith('the frame is first published at 4.50 s')
 
 
 def test_a_frame_that_was_elsewhere_first_is_not_in_its_place() -> None:
@@ -119,4 +119,4 @@ def test_a_moving_frame_that_stops_coming_is_not_there_to_the_end() -> None:
             frames=lambda now: moving.frames(now) if now < 2.0 else gone.frames(now),
         )
 
-    assert graded('static_frame', stops)['camera_is_on_tf'].seen == 'it is first published at 0.00 s, and last at 1.50 s'
+    assert graded('static_frame', stops)['camera_is_on_tf'].seen == 'the frame is first published at 0.00 s, and last at 1.50 s'

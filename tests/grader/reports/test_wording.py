@@ -25,6 +25,7 @@ from edugrade.submission import Submission
 from fake_recording import FakeRecording
 
 import edulaunch
+from edulaunch.advice.rule import Finding
 
 ENGINE = str(Path(edulaunch.__file__).parent)
 IMAGE = '/tmp/x/edulaunch-0/robot-0123abcd/share/'
@@ -177,3 +178,11 @@ def test_no_report_on_a_stub_has_a_line_of_its_solution(capsys: pytest.CaptureFi
     assert [text for text in advice if LINE.search(text)] == []
     causes = re.findall(r'cause:((?:.*\n)(?: {19}.*\n)*)', told)
     assert [text for text in causes if LINE.search(text)] == [], 'what Python says of a program that ended is no answer'
+
+
+def test_a_cause_that_ended_a_program_replaces_the_general_advice_on_its_death() -> None:
+    cause = Finding('process', 'go-1', {'entry': 'go = robo.go:mian'}, None, None, None, 'packages.entry-function', 'go-1')
+    died = replace(failed('check the arguments', reason='go-1 died after 0.0 s with exit code 1'), cause=cause)
+    assert [at_level(died, level).try_ for level in (KIND, THING, ALL)] == ['correct the mistake that the cause names'] * 2 + [
+        None
+    ]
