@@ -35,4 +35,4 @@ def with_facts_of(error: Error, other: BaseException) -> Error:
 
 def kind_of(value: object) -> str:
     """Return the kind of a value for the facts: the name of its class, or 'None'."""
-    return 'None' if value is None else type(value).__name__
+    return 'None' if value is None else f'the class {value.__name__}' if isinstance(value, type) else type(value).__name__

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 
 from edulaunch.advice.errors.about import report
@@ -53,3 +54,28 @@ def set_for_dictionary(failure: Failure) -> Iterator[Finding]:
             words = list(map(ast.unparse, value.elts))
             pairs = ', '.join(f'{name}: {one}' for name, one in zip(words[::2], words[1::2], strict=True))
             yield report(failure._replace(line=value.lineno), given=ast.unparse(value), meant=f'{{{pairs}}}')
+
+
+@rule(
+    'launch.opaque-no-context',
+    what='{function}() has no parameter, but OpaqueFunction calls it with the context of the launch',
+    why='the context has the values of the launch arguments',
+    do='write def {function}(context):',
+    lesson='13_large_project',
+    level='error',
+    hides=('launch.fails',),
+)
+def opaque_no_context(failure: Failure) -> Iterator[Finding]:
+    """Report a function without a parameter that is passed to OpaqueFunction."""
+    match = re.match(r'(\w+)\(\) takes 0 positional arguments but 1 was given', failure.message)
+    tree = script_of(failure.file) if match is not None and failure.process is None else None
+    nodes = [] if tree is None else list(ast.walk(tree))
+    passed = {
+        word.value.id
+        for word in nodes
+        if isinstance(word, ast.keyword) and word.arg == 'function' and isinstance(word.value, ast.Name)
+    }
+    for node in nodes:
+        if match is not None and isinstance(node, ast.FunctionDef) and node.name == match[1] and node.name in passed:
+            yield report(failure._replace(line=node.lineno), function=node.name)
+            return

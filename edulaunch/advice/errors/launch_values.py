@@ -236,6 +236,7 @@ _JOINED = re.compile(
     what='Python converts {given} to a string before it has a value',
     do="pass a list such as ['carrot_', {given}(...)]; launch joins the parts when it runs",
     level='error',
+    hides=('programs.sign-in-name',),
 )
 def joined_too_early(failure: Failure) -> Iterator[Finding]:
     """Report code such as `'carrot_' + LaunchConfiguration('leader')`, an f-string around it, or a minus in front."""

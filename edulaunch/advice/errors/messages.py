@@ -8,6 +8,7 @@ import ast
 import linecache
 import re
 from collections.abc import Iterator
+from typing import Any
 
 from edulaunch.advice.errors.about import about, report
 from edulaunch.advice.rule import Failure, Finding, found, rule
@@ -20,6 +21,7 @@ from edulaunch.engine.nearest import nearest_spelling
     what=('{type} has no field {field}; its fields are {fields}', '{type} has no field {field}, because it has no fields at all'),
     do=(
         'pass the whole stamped message, which has a header, to {transform}()',
+        'write {clock}.now().to_msg(), because this message has no time of its own',
         'write {near}',
         'use one of its fields; `ros2 interface show` prints them',
         'remove this field',
@@ -35,7 +37,11 @@ def field(failure: Failure) -> Iterator[Finding]:
         called = re.search(r'\b(do_transform_\w+)\(', linecache.getline(failure.file or '', failure.line or 0))
         is_feedback = str(failure.facts.get('type')).endswith('_FeedbackMessage')
         inner = {'near': f'feedback.{failure.facts.get("field")}'} if is_feedback else {}
-        yield report(failure, transform=called[1] if called else None, **inner)
+        is_stamp = failure.facts.get('field') == 'header' and '.header.stamp' in linecache.getline(
+            failure.file or '', failure.line or 0
+        )
+        clock = 'self.get_clock()' if is_stamp else None
+        yield report(failure, transform=called[1] if called else None, clock=clock, **inner)
 
 
 FIELD_VALUE = about(
@@ -95,18 +101,25 @@ _SAID = re.compile(r"Expected <class '(?P<module>[\w.]+)\.(?P<wanted>\w+)'>, got
 
 @rule(
     'messages.published-no-message',
-    what='publish() was called with a {got}, but this publisher sends {wanted} messages',
+    what=(
+        'publish() was called with the class {klass}, because the parentheses after {klass} are missing',
+        'publish() was called with a {got}, but this publisher sends {wanted} messages',
+    ),
     why='all messages of a topic have the same type, and Python does not convert a {got} to a message',
-    do='create a message with msg = {wanted}(), set its fields, and call publisher.publish(msg)',
+    do=(
+        'write {klass}() with parentheses, which creates a message',
+        'create a message with msg = {wanted}(), set its fields, and call publisher.publish(msg)',
+    ),
     level='error',
 )
 def published_no_message(failure: Failure) -> Iterator[Finding]:
     """Report an object of another class in publish(). The TypeError of rclpy names both classes."""
     match = _SAID.search(failure.message) if failure.type == 'TypeError' else None
     if match is not None:
-        yield found(
-            'process', failure.process or '', file=failure.file, line=failure.line, time_s=failure.time_s, **match.groupdict()
-        )
+        place: dict[str, Any] = {'file': failure.file, 'line': failure.line, 'time_s': failure.time_s}
+        groups: dict[str, Any] = match.groupdict()
+        klass = match['wanted'] if match['got'] == 'ConstantsStay' else None  # the class of every message class
+        yield found('process', failure.process or '', **place, klass=klass, **groups)
 
 
 HOMES = {

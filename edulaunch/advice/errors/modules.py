@@ -86,12 +86,16 @@ def other_package(failure: Failure) -> Iterator[Finding]:
     'programs.module-part',
     what=(
         'a build makes the module {generated}, but edulaunch does not run setup.py',
+        'Python imports your file {own_file} in place of the package {parent}, because it is in the folder of the program',
+        '{leaf} is a class in {parent}, not a module',
         'the module {module} does not exist; the nearest name is {parent}.{near}',
         'the module {module} does not exist; {parent} contains {known}',
         'the module {module} does not exist, because {parent} contains no modules',
     ),
     do=(
         'run this program where its package is built: {generated} comes from generate_parameter_library',
+        'rename {own_file}, because no program may have the name of a package that it imports',
+        'write: from {parent} import {leaf}',
         'write {parent}.{near}',
         'look into the folder of {parent}, and write the name of the file without .py',
     ),
@@ -105,7 +109,13 @@ def module_part(failure: Failure) -> Iterator[Finding]:
         setup = os.path.join(os.path.dirname(os.path.dirname(failure.file or '')), 'setup.py')
         text = read_text(setup) if os.path.isfile(setup) else ''
         is_made = 'generate_parameter_module(' in text and module.rpartition('.')[2] in text
-        yield report(failure, generated=module if is_made else None)
+        own = f'{str(failure.facts.get("parent")).partition(".")[0]}.py'
+        is_hidden = os.path.isfile(os.path.join(os.path.dirname(failure.file or ''), own))
+        home, _, leaf = module.rpartition('.')
+        is_class = home.endswith(('.msg', '.srv', '.action')) and leaf[:1].isupper()
+        yield report(
+            failure, generated=module if is_made else None, own_file=own if is_hidden else None, leaf=leaf if is_class else None
+        )
 
 
 COMPILED = about(

@@ -120,7 +120,8 @@ def local_not_attribute(failure: Failure) -> Iterator[Finding]:
         return
     for owner in ast.walk(tree):
         if isinstance(owner, ast.ClassDef) and owner.name == match[1]:
-            stores = [node for node in ast.walk(owner) if isinstance(node, (ast.Name, ast.Attribute))]
+            added = {id(node.target) for node in ast.walk(owner) if isinstance(node, ast.AugAssign)}  # needs a value before
+            stores = [node for node in ast.walk(owner) if isinstance(node, (ast.Name, ast.Attribute)) and id(node) not in added]
             local = [node for node in stores if isinstance(node, ast.Name) and node.id == match[2] and _is_stored(node)]
             attributes = [
                 node for node in stores if isinstance(node, ast.Attribute) and node.attr == match[2] and _is_stored(node)

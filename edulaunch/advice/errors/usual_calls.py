@@ -136,6 +136,20 @@ def future_no_answer(failure: Failure) -> Iterator[Finding]:
 
 
 @rule(
+    'programs.goal-handle-no-result',
+    what='this future has the goal handle of an accepted goal, and not the result of the goal',
+    why='the server first accepts a goal, and sends the result when the goal has ended',
+    do='write future.result().get_result_async().add_done_callback(self.on_result), and read the result in on_result()',
+    lesson='14_services',
+    level='error',
+)
+def goal_handle_no_result(failure: Failure) -> Iterator[Finding]:
+    """Report `future.result().result` for the future of send_goal_async()."""
+    if failure.process is not None and failure.message.startswith("'ClientGoalHandle' object has no attribute 'result'"):
+        yield report(failure)
+
+
+@rule(
     'programs.init-misspelt',
     what=(
         'Python never calls {method}() of {klass}, because the constructor must be called __init__',

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.recordings.turtles import turtles
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.runs import TF_TYPE, broadcast_place, broadcasts, frame_names, node_of, node_place
+from edulaunch.advice.runs import TF_TYPE, broadcast_place, broadcasts, ends_by_name, frame_names, node_of, node_place
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -28,6 +28,9 @@ ENOUGH = 5
 )
 def other_topic(recording: Recording) -> Iterator[Finding]:
     """Report a lookup of a frame that is broadcast on another topic than the one on which the node listens."""
+    failed = [fact for fact in recording.facts if fact.kind == 'lookup failed' and fact.data['unknown']]
+    if not failed:
+        return
     sent: dict[str, tuple[str, str]] = {}
     topics = [end.name for end in recording.ends if end.kind == 'publisher' and end.type == TF_TYPE]
     for topic in dict.fromkeys(topics):
@@ -35,8 +38,8 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
             for _, _, parent, child, *_ in wire[0]:
                 for name in (parent, child):
                     sent.setdefault(name.removeprefix('/'), (topic, node))
-    for fact in recording.facts:
-        if fact.kind == 'lookup failed' and fact.data['unknown'] and sent:
+    for fact in failed:
+        if sent:
             node = node_of(recording, fact.process)
             heard = {end.name for end in recording.ends if (end.kind, end.node, end.type) == ('subscription', node, TF_TYPE)}
             missing = [name for name in fact.data['unknown'] if name and sent.get(name, ('', ''))[0] not in {'', *heard}]
@@ -88,9 +91,12 @@ def frame_prefix(recording: Recording) -> Iterator[Finding]:
 def swapped(recording: Recording) -> Iterator[Finding]:
     """Report a broadcaster that sends the pose of a turtle in a transform whose parent is that turtle."""
     poses = {turtle.rpartition('/')[2]: turtle for turtle in turtles(recording)}
+    ends = ends_by_name(recording)
     for one in broadcasts(recording):
         turtle = poses.get(one.parent.removeprefix('/'))
         if turtle is None or one.is_static or one.count < ENOUGH or one.child in poses:
+            continue
+        if all(end.node != one.node for end in ends.get(('subscription', f'{turtle}/pose'), ())):
             continue
         at = {(round(wire[0], 3), round(wire[1], 3)) for _, wire in recording.wires(f'{turtle}/pose', 'turtlesim/msg/Pose')}
         sent = [

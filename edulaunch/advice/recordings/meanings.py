@@ -7,6 +7,7 @@ import math
 import re
 from bisect import bisect_right
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.recordings.topics import lone_ends
@@ -132,11 +133,13 @@ def _is_one_number(ratios: list[float]) -> bool:
     return bool(middle) and near >= 0.9 * len(ratios)
 
 
-def _turned(recording: Recording) -> Iterator[tuple[Broadcasts, str, list[tuple[float, float, Any]]]]:
-    """Yield each moving frame of a turtle with the turtle and its transforms: sine and cosine of half the heading, and the
+@lru_cache(maxsize=1)
+def _turned(recording: Recording) -> list[tuple[Broadcasts, str, list[tuple[float, float, Any]]]]:
+    """Return each moving frame of a turtle with the turtle and its transforms: sine and cosine of half the heading, and the
     rotation.
     """
     frames = {turtle[1:]: turtle for turtle in turtles(recording)}
+    turned = []
     for one in broadcasts(recording):
         turtle = frames.get(one.child.removeprefix('/'))
         if turtle is None or one.is_static:
@@ -149,7 +152,8 @@ def _turned(recording: Recording) -> Iterator[tuple[Broadcasts, str, list[tuple[
             for row in wire[0]
             if row[3] == one.child
         ]
-        yield one, turtle, [(math.sin(pose[2] / 2), math.cos(pose[2] / 2), q) for pose, q in rows if pose is not None]
+        turned.append((one, turtle, [(math.sin(pose[2] / 2), math.cos(pose[2] / 2), q) for pose, q in rows if pose is not None]))
+    return turned
 
 
 @rule(
