@@ -86,8 +86,9 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
 
 
 def _is_outdone(recording: Recording, end: EndRecord, other: EndRecord) -> bool:
-    """Return whether another topic of this type that has a publisher shares more of its last words with the subscription: for
-    `/b/turtle1/pose`, `/a/turtle1/pose` is meant rather than `/a/turtle2/pose`.
+    """Return whether another published topic of this type shares more of its last words with the subscription.
+
+    A subscription to `/b/turtle1/pose` resembles `/a/turtle1/pose` more than `/a/turtle2/pose`.
     """
     shared = _shared_words(end.name, other.name)
     published = (
