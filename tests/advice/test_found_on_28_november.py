@@ -183,3 +183,60 @@ def test_the_last_output_of_a_program_shows_no_folder_of_a_simulated_build(
     (package / 'walker').chmod(0o755)
     printed = report(capsys, package / 'launch' / 'a.launch.py')
     assert 'do:    check the last output of the program: lib/robo/walker: ' in printed and 'edulaunch-' not in printed
+
+
+def test_a_function_that_adds_its_node_to_the_launch_description_needs_no_return(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / 'a.launch.py').write_text(
+        'from launch import LaunchDescription\nfrom launch.actions import OpaqueFunction\nfrom launch_ros.actions import Node\n\n\n'
+        "def add(context, description):\n    node = Node(package='turtlesim', executable='turtlesim_node')\n"
+        '    description.add_action(node)\n\n\n'
+        'def generate_launch_description():\n    description = LaunchDescription()\n'
+        '    description.add_action(OpaqueFunction(function=add, args=[description]))\n    return description\n'
+    )
+    assert report(capsys, tmp_path / 'a.launch.py', code=0) == 'no problems found\n'
+    recording = edulaunch.run(tmp_path / 'a.launch.py', duration_s=1.0, console=lambda *_: None)
+    assert [node.name for node in recording.nodes if 'turtlesim' in node.name] == ['/turtlesim']
+
+
+def test_a_topic_is_not_paired_with_one_that_another_topic_resembles_more(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    mimic = "Node(package='turtlesim', executable='mimic', remappings=[('/input/pose', '/far/{turtle}/pose'), ('/output/cmd_vel', '/far/cmd_vel')])"
+    sim = "Node(package='turtlesim', executable='turtlesim_node', namespace='near')"
+    spawn = "ExecuteProcess(cmd=['ros2', 'service', 'call', '/near/spawn', 'turtlesim/srv/Spawn', '{{x: 2.0, y: 2.0, name: second}}'])"
+    text = launch_file(sim, mimic.format(turtle='turtle1'), spawn.format()).replace('LogInfo', 'ExecuteProcess, LogInfo')
+    (tmp_path / 'a.launch.py').write_text(text)
+    assert '/near/second/pose' not in report(capsys, tmp_path / 'a.launch.py', code=0)
+
+
+@pytest.mark.parametrize(
+    ('calls', 'headline', 'cure'),
+    [
+        (
+            "self.timer = self.create_timer(1.0, lambda: self.kill.call_async(Kill.Request(name='turtle1')))",
+            "1. the turtle 'turtle1' cannot be killed a second time, because it does not exist any more",
+            "do:    kill 'turtle1' once only",
+        ),
+        (
+            "self.timer = self.create_timer(1.0, lambda: self.kill.call_async(Kill.Request(name='turtl1')))",
+            "1. the turtle 'turtl1' cannot be killed, because it does not exist",
+            "do:    write 'turtle1' if you mean that one",
+        ),
+    ],
+)
+def test_a_turtle_that_is_killed_twice_is_no_misspelling_of_itself(
+    calls: str, headline: str, cure: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    walker = program(
+        imports='from turtlesim.srv import Kill',
+        constructor=f"super().__init__('killer'); self.kill = self.create_client(Kill, '/kill'); {calls}",
+    )
+    package = workspace(
+        tmp_path,
+        walker,
+        launch__a_launch_py=launch_file("Node(package='turtlesim', executable='turtlesim_node')", NODE_OF_WALKER.format(more='')),
+    )
+    printed = report(capsys, package / 'launch' / 'a.launch.py')
+    assert headline in printed and cure in printed

@@ -27,7 +27,7 @@ def about(
 
 
 def in_share(text: str) -> str:
-    """Return a path, or a string with paths, that begins at `share` or `lib` in place of the folder of a simulated build."""
+    """Return a path, or a message with paths, that begins at `share` or `lib` in place of the folder of a simulated build."""
     return re.sub(r'\S*/edulaunch-[^/\s]+/[^/]+/(?=(?:share|lib)/)', '', text)
 
 

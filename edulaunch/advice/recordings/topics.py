@@ -68,7 +68,7 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
     for end in lone_ends(recording, 'publisher'):
         other = meant(end, subscriptions)
         is_moved = other is not None and _moved(recording, end.name)[1] not in (None, other.name)
-        if other is None or is_moved or _part_of_a_larger_launch(recording, end, other):
+        if other is None or is_moved or _is_outdone(recording, end, other) or _part_of_a_larger_launch(recording, end, other):
             continue
         if (end.node in own or other.node in own) and _sent(recording, end):
             mine = end if end.node in own else other
@@ -83,6 +83,24 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
                 other=speaker(recording, other.node),
                 near=other.name,
             )
+
+
+def _is_outdone(recording: Recording, end: EndRecord, other: EndRecord) -> bool:
+    """Return whether another published topic of this type shares more of its last words with the subscription.
+
+    A subscription to `/b/turtle1/pose` resembles `/a/turtle1/pose` more than `/a/turtle2/pose`.
+    """
+    shared = _shared_words(end.name, other.name)
+    published = (
+        name for (kind, name), ends in ends_by_name(recording).items() if kind == 'publisher' and ends[0].type == end.type
+    )
+    return any(_shared_words(name, other.name) > shared for name in published if name != other.name)
+
+
+def _shared_words(one: str, other: str) -> int:
+    """Return the number of equal words at the end of two names: 2 for `/a/turtle1/pose` and `/b/turtle1/pose`."""
+    pairs = zip(reversed(one.split('/')), reversed(other.split('/')), strict=False)
+    return next((number for number, (first, second) in enumerate(pairs) if first != second), 0)
 
 
 def _moved(recording: Recording, topic: str) -> tuple[str, str] | tuple[None, None]:

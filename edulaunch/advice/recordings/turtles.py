@@ -172,8 +172,17 @@ def pen_off(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'turtlesim.kill-unknown',
-    what="the turtle '{turtle}' cannot be killed, because it does not exist",
-    do=("write '{near}' if you mean this name", 'use the name of an existing turtle: {names}', 'spawn the turtle first'),
+    what=(
+        "the turtle '{again}' cannot be killed a second time, because it does not exist any more",
+        "the turtle '{turtle}' cannot be killed, because it does not exist",
+    ),
+    do=(
+        "kill '{again}' once only: keep in your node which turtles it has killed",
+        "spawn '{later}' before you kill it",
+        "write '{near}' if you mean this name",
+        'use the name of an existing turtle: {names}',
+        'spawn the turtle first',
+    ),
     lesson=LESSON,
     level='error',
 )
@@ -185,8 +194,15 @@ def kill_unknown(recording: Recording) -> Iterator[Finding]:
         if match is not None:
             asker = next((row[2] for row in _calls(recording, 'Kill') if row[3][0] == match[1]), '')
             file, line = node_place(recording, asker)
-            near = nearest(match[1], names)
-            yield found('turtle', match[1], file=file, line=line, time_s=time_ns / 1e9, near=near, names=names, process=process)
+            time_s, kills = time_ns / 1e9, [row for row in _calls(recording, 'Kill') if row[3][0] == match[1]]
+            was_killed = match[1] in names and sum(row[0] <= time_s for row in kills) > 1
+            facts = {
+                'again': match[1] if was_killed else None,
+                'later': match[1] if match[1] in names else None,
+                'near': nearest(match[1], names),
+                'names': names,
+            }
+            yield found('turtle', match[1], file=file, line=line, time_s=time_s, process=process, **facts)
 
 
 @rule(

@@ -170,6 +170,12 @@ def _argument(node: ast.AST, known: dict[str, str | None]) -> str | None:
     return known[node.id] if isinstance(node, ast.Name) else _first_text(node)
 
 
+EXECUTES = ('add_action', 'emit_event_sync', 'execute', 'visit')
+"""Methods with which a function runs an action that it does not return. Launch also runs an action that is added to the list of a
+launch description while it goes through that list.
+"""
+
+
 @rule(
     'launch.opaque-returns-nothing',
     what='{function}() creates a {action} but returns nothing, so launch does not run it',
@@ -192,9 +198,7 @@ def opaque_returns_nothing(scripts: list[Script]) -> Iterator[Finding]:
             own = list(_own(function))
             made = [node.func.id for node in own if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)]
             has_value = any(isinstance(node, ast.Return) and node.value is not None for node in own)
-            is_executed = any(
-                isinstance(node, ast.Attribute) and node.attr in ('execute', 'visit', 'emit_event_sync') for node in own
-            )
+            is_executed = any(isinstance(node, ast.Attribute) and node.attr in EXECUTES for node in own)
             actions = [name for name in made if name in ('Node', 'ExecuteProcess', 'IncludeLaunchDescription', 'GroupAction')]
             if (
                 actions
