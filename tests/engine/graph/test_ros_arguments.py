@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import random
 import re
+from pathlib import Path
 from typing import Any
 
 import pytest
 
+from edulaunch.engine.facts import facts_of
 from edulaunch.engine.graph import ros_arguments
 from edulaunch.engine.graph.names import RemapRule
 from edulaunch.engine.graph.parameter_files import read_parameter_file
@@ -126,6 +128,20 @@ def test_a_missing_parameter_file_is_refused() -> None:
         RosArgumentsError, match="Couldn't parse params file: '--params-file /no'. Error: Error opening YAML file"
     ):
         parse_ros_arguments(['--ros-args', '--params-file', '/no'])
+
+
+@pytest.mark.parametrize(('name', 'near'), [('sea.yml', 'sea.yaml'), ('zebra.txt', None), ('nowhere/sea.yaml', None)])
+@pytest.mark.parametrize('is_absolute', [True, False])
+def test_the_file_of_the_nearest_name_in_its_folder_is_a_fact(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, near: str | None, is_absolute: bool
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / 'sea.yaml').write_text('')
+    path = str(tmp_path / name) if is_absolute else name
+    with pytest.raises(RosArgumentsError) as refused:
+        parse_ros_arguments(['--ros-args', '--params-file', path])
+    facts = facts_of(refused.value)
+    assert (facts['wanted'], facts['near']) == (path, near)
 
 
 def test_unknown_tokens_are_kept_in_order() -> None:

@@ -70,6 +70,21 @@ def test_late_transient_local_subscriptions_get_the_last_samples_and_volatile_on
     assert bench.log == ['late']
 
 
+@pytest.mark.parametrize(('after_ns', 'kept'), [(0, [1]), (999, [1]), (1000, []), (1001, [])])
+def test_a_late_subscription_gets_no_message_whose_lifespan_is_over(after_ns: int, kept: list[int]) -> None:
+    bench = Bench()
+    bench.publisher(QoS(durability=TRANSIENT_LOCAL, lifespan_ns=1000)).publish(1)
+    bench.graph.sim.run(bench.graph.sim.now_ns + after_ns)
+    assert texts(bench.subscription('late', QoS(durability=TRANSIENT_LOCAL))) == kept
+
+
+def test_without_a_lifespan_a_message_never_ends() -> None:
+    bench = Bench()
+    bench.publisher(QoS(durability=TRANSIENT_LOCAL)).publish(1)
+    bench.graph.sim.run(bench.graph.sim.now_ns + 10**15)
+    assert texts(bench.subscription('late', QoS(durability=TRANSIENT_LOCAL))) == [1]
+
+
 def test_incompatible_ends_do_not_talk_and_both_are_told() -> None:
     bench = Bench()
     publisher = bench.publisher(QoS(reliability=BEST_EFFORT))

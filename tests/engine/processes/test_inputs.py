@@ -158,3 +158,8 @@ def test_after_a_launch_one_is_told_what_waits_for_input(tmp_path: Path) -> None
     assert [line.partition(' (')[0] for line in recording.warnings] == [
         'game-1 waits for keyboard input, which it cannot receive'
     ]
+
+
+def test_stdin_answers_as_a_pipe_does(world: Any) -> None:
+    text = 'import sys\nprint(*(getattr(sys.stdin, name)() for name in ("fileno", "readable", "writable", "isatty")))'
+    assert world.run(text) == '0 True False False\n'

@@ -9,6 +9,7 @@ import pytest
 
 import edulaunch
 from edulaunch.engine.recording import Recording
+from edulaunch.engine.recording.frames import FrameLink
 
 from .conftest import turtle_run
 
@@ -95,3 +96,19 @@ def broadcast(*rows: tuple[str, float, float, float]) -> Recording:
 )
 def test_which_of_two_transforms_counts(rows: list[Any], time_s: float, x: float) -> None:
     assert broadcast(*rows).frames_at(time_s)['box'].translation[0] == x
+
+
+@pytest.mark.parametrize(
+    ('is_static', 'messages', 'first_s', 'last_s', 'rate_hz'),
+    [
+        (False, 5, 1.0, 3.0, 2.0),
+        (False, 2, 0.0, 0.5, 2.0),
+        (False, 1, 1.0, 1.0, None),
+        (False, 3, 1.0, 1.0, None),
+        (True, 5, 1.0, 3.0, None),
+    ],
+)
+def test_the_rate_counts_the_spaces_between_broadcasts(
+    is_static: bool, messages: int, first_s: float, last_s: float, rate_hz: float | None
+) -> None:
+    assert FrameLink('box', ['world'], is_static, ['/node'], messages, first_s, last_s).rate_hz == rate_hz

@@ -53,3 +53,19 @@ def test_even_the_machines_own_randomness_repeats(make_world: Callable[[int], An
 
 def test_identifiers_are_random_and_of_their_version(world: Any) -> None:
     assert world.run('import uuid\nprint(uuid.uuid4().version, uuid.uuid4() == uuid.uuid4())') == '4 False\n'
+
+
+@pytest.mark.parametrize('made', ['random.Random(5)', 'random.Random("five")'])
+def test_a_generator_with_a_seed_gives_the_numbers_that_it_gives_everywhere(world: Any, made: str) -> None:
+    import random
+
+    generator = eval(made, {'random': random})
+    text = f'import random\none = {made}\nprint(one.random(), one.randint(1, 9))\none.seed(7)\nprint(one.random())'
+    expected = f'{generator.random()} {generator.randint(1, 9)}\n{random.Random(7).random()}\n'
+    assert world.run(text) == expected
+
+
+def test_a_generator_that_is_seeded_anew_without_a_seed_repeats_with_the_run(make_world: Callable[[int], Any]) -> None:
+    text = 'import random\none = random.Random(5)\none.seed()\nprint(one.random())'
+    first, again, other_seed = (make_world(seed).run(text) for seed in (1, 1, 2))
+    assert first == again != other_seed

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
+
+import pytest
+
+from edulaunch.engine.processes.spec import ProcessSpec
 
 
 def test_logging_is_private_and_its_stamps_are_simulated(world: Any) -> None:
@@ -59,3 +64,25 @@ def test_data_of_a_module_that_is_given_itself_is_found(world: Any) -> None:
         world.run('import robot\nfrom importlib import resources\nprint(resources.files(robot).joinpath("a.txt").read_text())')
         == 'of the robot\n'
     )
+
+
+@pytest.mark.parametrize(
+    'name', ["'file.txt'", "b'file.txt'", "pathlib.Path('file.txt')", "os.open('{folder}/file.txt', os.O_RDONLY)"]
+)
+@pytest.mark.parametrize('has_folder', [True, False])
+def test_a_file_is_opened_in_the_folder_of_the_program(
+    world: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, has_folder: bool
+) -> None:
+    folder = tmp_path / 'here'
+    folder.mkdir()
+    (folder / 'file.txt').write_text('found')
+    if not has_folder:
+        monkeypatch.chdir(folder)
+    script = world.write(
+        'reads.py', f'import os, pathlib\nwith open({name.format(folder=folder)}) as file:\n    print(file.read())'
+    )
+    wrote: list[str] = []
+    spec = ProcessSpec(argv=('python3', script), name='reads-1', cwd=str(folder) if has_folder else None)
+    world.host.start(spec, lambda stream, text: wrote.append(text))
+    world.sim.run()
+    assert ''.join(wrote) == 'found\n'

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -44,3 +45,27 @@ def test_functions_of_atexit_are_called_when_the_program_ends_and_are_its_own(wo
     lines = ['import atexit', 'atexit.register(print, "last")', 'atexit.register(print, "first")']
     lines.append('atexit.unregister(atexit.register(lambda: print("never")))')
     assert world.run('\n'.join(lines)) == 'first\nlast\n'
+
+
+@pytest.mark.parametrize(
+    ('expression', 'value'),
+    [
+        ('os.system("exit 3")', str(3 << 8)),
+        ('os.system("true")', '0'),
+        ('os.system("kill -9 $$") & 127', '9'),
+        ('os.popen("echo one two").read()', "'one two\\n'"),
+        ('os.popen("exit 2").close()', str(2 << 8)),
+        ('os.popen("true").close()', 'None'),
+        ('[os.isatty(fd) for fd in (0, 1, 2)]', '[False, False, False]'),
+        ('(len(os.urandom(5)), os.urandom(8) != os.urandom(8))', '(5, True)'),
+    ],
+)
+def test_shell_lines_end_with_the_status_that_the_system_gives(world: Any, expression: str, value: str) -> None:
+    assert world.run(f'import os\nprint(repr({expression}))') == f'{value}\n'
+
+
+def test_numbers_of_files_that_are_no_streams_are_real_files(world: Any, tmp_path: Path) -> None:
+    file = tmp_path / 'file'
+    lines = [f'fd = os.open({str(file)!r}, os.O_RDWR | os.O_CREAT)', 'os.write(fd, b"text")', 'os.lseek(fd, 1, 0)']
+    assert world.run('\n'.join(['import os', *lines, 'print(os.read(fd, 2), os.isatty(fd))'])) == "b'ex' False\n"
+    assert file.read_text() == 'text'
