@@ -1,5 +1,5 @@
 """A stranger on another computer, run by `unshare -rnm`: he names us in ROS_STATIC_PEERS, listens to /chatter and speaks on it. Prints a
-line of JSON: what he saw of us, and what we heard of him.
+line of JSON: what he saw of us, what we heard of him, and at how many of our ports his packets arrived.
 
 The arguments: who we are (cyclonedds, rclpy, real or compare), and a discovery range.
 """
@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from pathlib import Path
 from typing import Any
 
 from edulaunch.engine.graph.qos import QoS
@@ -30,6 +31,8 @@ LAUNCH = ('demo_nodes_cpp', 'talker_listener_launch.py')
 LASTS_S, LONGEST_S = 10.0, 60.0
 DOMAIN = DOMAINS[0]
 STRANGE, OURS = 'strange', 'ours'
+END = b'end'
+TRIES, ANSWERS_S = 4, 1.0
 
 
 class Voice:
@@ -72,17 +75,43 @@ def far(kind: str) -> None:
         voice = Voice(joined(kind, {'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST', 'ROS_STATIC_PEERS': ADDRESSES[0]}), STRANGE)
         while not select.select([near], [], [], 0.0)[0]:
             voice.turn()
+        while (asked := near.recv(1 << 16)) != END:
+            near.send(json.dumps(sum(is_open(port) for port in json.loads(asked))).encode())
         near.send(json.dumps({'heard': voice.heard, 'nodes': sorted(voice.nodes - {STRANGE})}).encode())
 
 
-def of_link(kind: str, wide: str) -> dict[str, Any]:
+def is_open(port: int) -> bool:
+    """Whether a packet arrives there: otherwise the kernel answers that nobody listens. It limits the number of its answers."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as mouth:
+        mouth.connect((ADDRESSES[0], port))
+        for _ in range(TRIES):
+            try:
+                mouth.send(b'')
+                if select.select([mouth], [], [], ANSWERS_S)[0]:
+                    mouth.recv(1)
+            except ConnectionRefusedError:
+                return False
+    return True
+
+
+def own_ports() -> list[int]:
+    """The ports of all sockets in this namespace of the network that receive packets."""
+    rows = [line.split() for line in Path('/proc/net/udp').read_text().splitlines()[1:]]
+    return sorted({int(row[1].rpartition(':')[2], 16) for row in rows})
+
+
+def of_link(kind: str, wide: str, other: socket.socket) -> dict[str, Any]:
     """We are a machine on a link."""
     link = joined(kind, {'ROS_AUTOMATIC_DISCOVERY_RANGE': wide})
     voice, end_s = Voice(link, OURS), time.monotonic() + (LONGEST_S if wide == 'SUBNET' else LASTS_S)
     while time.monotonic() < end_s and not (wide == 'SUBNET' and voice.heard > 5):
         voice.turn()
+    ports = own_ports()
+    assert len(ports) > 1, ports
+    other.send(json.dumps(ports).encode())
+    count = json.loads(other.recv(1 << 16))
     link.close()
-    return {'driven': voice.heard > 0, 'code': 0}
+    return {'driven': voice.heard > 0, 'code': 0, 'open': count}
 
 
 def of_program(kind: str, wide: str) -> dict[str, Any]:
@@ -116,8 +145,8 @@ def main(kind: str, wide: str) -> None:
         _, [far_end], _, _ = socket.recv_fds(ours, 1, 1)
         Cable((card('near', ADDRESSES[0]), far_end), 0, 0).start()
         ours.send(b'.')
-        found = (of_program if kind in ('real', 'compare') else of_link)(kind, wide)
-        ours.send(b'?')
+        found = of_program(kind, wide) if kind in ('real', 'compare') else of_link(kind, wide, ours)
+        ours.send(END)
         print(json.dumps({**found, **json.loads(ours.recv(1 << 16))}))
     finally:
         other.kill()

@@ -57,11 +57,19 @@ def join(settings: Settings) -> None:
 
 
 def _open_files() -> set[int]:
-    """Return the numbers of this program's open files, if the system reports them."""
+    """Return the numbers of this program's open files, if the system reports them, without that of the list itself."""
     try:
-        return set(map(int, os.listdir('/proc/self/fd')))
+        return {number for number in map(int, os.listdir('/proc/self/fd')) if _is_open(number)}
     except OSError:
         return set()
+
+
+def _is_open(number: int) -> bool:
+    try:
+        os.fstat(number)
+    except OSError:
+        return False
+    return True
 
 
 def _keep_on_loopback(files: set[int]) -> None:
