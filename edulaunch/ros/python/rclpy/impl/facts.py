@@ -12,6 +12,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.graph.parameters import pattern_matches
+from edulaunch.engine.interfaces.message import Message, Notices
 from edulaunch.engine.processes.current import current_process
 from edulaunch.engine.processes.frame_owner import student_line, waiting_line
 from edulaunch.engine.sim.task import current_task, running_task
@@ -91,6 +92,20 @@ def note_no_result(callback: Callable[..., Any]) -> None:
     code = getattr(callback, '__code__', None)
     place = {} if code is None else {'file': code.co_filename, 'line': code.co_firstlineno}
     _keep('no parameter result', {'callback': getattr(callback, '__name__', 'it'), **place})
+
+
+def note_ignored_argument(message_class: type[Message], name: str, near: str | None) -> None:
+    """Record an unknown keyword argument of a message, which the message ignores as in Jazzy."""
+    data = {
+        'type': message_class.__name__,
+        'field': name,
+        'near': near,
+        'fields': list(message_class.get_fields_and_field_types()),
+    }
+    _keep('argument ignored', {**data, **student_line()})
+
+
+Notices.ignored = note_ignored_argument
 
 
 def _keep(kind: str, data: dict[str, Any]) -> None:
