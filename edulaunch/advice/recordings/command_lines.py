@@ -124,3 +124,25 @@ def parameter_callback(recording: Recording) -> Iterator[Finding]:
         if fact.kind == 'no parameter result':
             file, line = fact_place(recording, fact)
             yield found('process', fact.process or '', file=file, line=line, callback=fact.data['callback'])
+
+
+@rule(
+    'messages.argument-ignored',
+    what=(
+        '{type}() ignored {field}=..., because {type} has no field {field}',
+        '{type}() ignored {field}=..., because {type} has no fields',
+    ),
+    why='in ROS 2 Jazzy, the constructor of a message ignores unknown names, so the message keeps its default value',
+    do=('write {near}', 'use one of its fields ({fields})', 'remove {field}=...'),
+    lesson='09_broadcaster_and_listener',
+    level='error',
+    edits=(('{field}=', '{near}=', 'near'),),
+)
+def argument_ignored(recording: Recording) -> Iterator[Finding]:
+    """Report a keyword argument of a message, a request or a goal that is not one of its fields."""
+    for fact in recording.facts:
+        if fact.kind == 'argument ignored':
+            file, line = fact_place(recording, fact)
+            names = ('type', 'near', 'fields')
+            facts = {name: fact.data[name] or None for name in names}
+            yield found('field', fact.data['field'], file=file, line=line, time_s=fact.time_s, **facts)

@@ -59,6 +59,7 @@ class FieldRule:
         """Return the value as the slot stores it.
 
         :raises AssertionError: in rclpy's words, when the value has a wrong type, length or range.
+        :raises TypeError, ValueError, OverflowError: those of `array.array`, for values that a sequence of numbers cannot have.
         """
         if not self.type.array:
             return self._accept_one(value)
@@ -122,7 +123,7 @@ class FieldRule:
             if isinstance(numbers, array):
                 return self._accept_array(numbers)
             if not self._are_right(numbers):
-                self._refuse(f'must be {self._several_words()}', value)
+                return self._array_of(value)
         return array(self.kind.code, numbers)
 
     def _are_right(self, value: Any) -> bool:
@@ -158,18 +159,28 @@ class FieldRule:
     def _accept_array(self, value: array[Any]) -> array[Any]:
         assert self.kind is not None
         if value.typecode != self.kind.code:
-            numbers = python_values(value, self.kind)
-            if not self._are_right(numbers):
-                self._refuse_array(
-                    f"array.array() must have the type code of '{self.kind.code}'",
-                    given=f'array({value.typecode!r})',
-                    write=f"array.array('{self.kind.code}', values)",
-                )
-            return array(self.kind.code, numbers)
+            facts = {'given': f'array({value.typecode!r})', 'write': f"array.array('{self.kind.code}', values)"}
+            return self._array_of(value, **facts)
         if not self._is_right_length(len(value)):
             words = f'array.array() must have a size <= {self.type.size}'
             self._refuse_array(words, count=len(value), size=self.type.size)
         return value
+
+    def _array_of(self, value: Any, **facts: Any) -> array[Any]:
+        """Return the array that Python itself makes of unusual values, because Jazzy assigns this one.
+
+        :param facts: facts that replace the usual ones of the error.
+        """
+        from edulaunch.engine.interfaces.mistakes import value_facts
+
+        assert self.kind is not None
+        try:
+            made = array(self.kind.code, value)
+        except (TypeError, ValueError, OverflowError) as error:
+            raise with_facts(error, **{**value_facts(self.type, self.message, self.name, value), **facts}) from None
+        if not self._is_right_length(len(made)):
+            self._refuse(f'must be {self._several_words()}', value)
+        return made
 
     def _accept_fixed_numbers(self, value: Any) -> Any:
         """Return the value to store: a numpy array itself, or the wire value of a list. It becomes a numpy array when it is

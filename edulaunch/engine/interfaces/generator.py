@@ -24,7 +24,7 @@ from edulaunch.engine.interfaces.layout import (
     is_number_sequence,
     layout_of,
 )
-from edulaunch.engine.interfaces.message import Lazy, Message, set_fields
+from edulaunch.engine.interfaces.message import ConstantsStay, Lazy, Message, set_fields
 from edulaunch.engine.interfaces.spec import KINDS, Field, FieldType, MessageSpec, module_name
 
 
@@ -50,7 +50,13 @@ class ClassSource:
     def text(self) -> str:
         """Return the source of the whole class."""
         slots = ', '.join(f"'_{field.name}'" for field in self._spec.fields)
-        lines = [f'class {self._name}(_Message):', f' __slots__ = ({slots}{"," if slots else ""})']
+        lines = [
+            f'class Metaclass_{self._name}(_Metaclass):',
+            f' "Metaclass of message {self._name!r}."',
+            f'class {self._name}(_Message, metaclass=Metaclass_{self._name}):',
+            f' "Message class {self._name!r}."',
+            f' __slots__ = ({slots}{"," if slots else ""})',
+        ]
         for part in (self._init(), self._to_wire(), self._from_wire(), self._eq(), *map(self._field, self._spec.fields)):
             lines += [f' {line}' for line in part]
         return '\n'.join(lines) + '\n'
@@ -235,6 +241,7 @@ def _globals(spec: MessageSpec, float32s: int) -> dict[str, Any]:
     return {
         '__name__': module_of(spec.type),
         '_Message': Message,
+        '_Metaclass': ConstantsStay,
         '_new': object.__new__,
         '_array': array,
         '_get': attrgetter,

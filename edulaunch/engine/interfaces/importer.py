@@ -151,6 +151,8 @@ class PartModule(ModuleType):
 
     def __getattr__(self, name: str) -> Any:
         own = self._interface.rpartition('/')[2]
+        if name.startswith('Metaclass_') and name != 'Metaclass_':
+            return type(getattr(self, name.removeprefix('Metaclass_')))
         if name == own or name.startswith(f'{own}_'):
             try:
                 cls = self._registry.get(f'{self._interface.rpartition("/")[0]}/{name}')

@@ -29,8 +29,9 @@ class Lazy:
 
 
 class ConstantsStay(type):
-    """The metaclass of messages: the constants of a message type cannot be assigned to, as in rclpy."""
+    """The base of the metaclasses of messages: the constants of a message type cannot be assigned to, as in rclpy."""
 
+    _TYPE_SUPPORT: Any = None
     _constants: frozenset[str] = frozenset()
 
     def __setattr__(cls, name: str, value: object) -> None:
@@ -38,6 +39,10 @@ class ConstantsStay(type):
             error = AttributeError(f"property {name!r} of 'Metaclass_{cls.__name__}' object has no setter")
             raise with_facts(error, 'messages.constant', constant=name, type=cls.__name__)
         super().__setattr__(name, value)
+
+    @classmethod
+    def __import_type_support__(mcs) -> None:
+        """Do nothing, because type support in C is needed by the real rclpy only."""
 
 
 class Message(metaclass=ConstantsStay):
@@ -98,21 +103,35 @@ def rules_of(message: Message | type[Message]) -> dict[str, Any]:
     return message._RULES
 
 
-def set_fields(message: Message, values: dict[str, Any]) -> None:
-    """Set the keyword arguments of a constructor. It accepts `check_fields`, as Jazzy does; see `Message._check_fields`.
-    :raises AssertionError: with rclpy's message, for unknown names or for the first value of a wrong type.
+class Notices:
+    """The functions to call for mistakes that a message accepts silently.
+
+    :ivar ignored: called with the class, the ignored name, and the nearest field or None.
     """
-    if not values.keys() <= message._FIELDS.keys():
-        values = {name: value for name, value in values.items() if name != 'check_fields'}
-        if not values.keys() <= message._FIELDS.keys():
-            _refuse_arguments(message, values)
+
+    ignored: ClassVar[Callable[[type[Message], str, str | None], None] | None] = None
+
+
+def set_fields(message: Message, values: dict[str, Any]) -> None:
+    """Set the keyword arguments of a constructor.
+
+    As in Jazzy, unknown names are ignored, unless `check_fields` is true.
+    :raises AssertionError: with rclpy's message, for the first value of a wrong type; with `check_fields`, for unknown names.
+    """
+    fields = message._FIELDS
+    if not values.keys() <= fields.keys():
+        unknown = sorted(values.keys() - fields.keys() - {'check_fields'})
+        if unknown and values.get('check_fields'):
+            _refuse_arguments(message, unknown)
+        if unknown and Notices.ignored is not None:
+            Notices.ignored(type(message), unknown[0], nearest(unknown[0], fields))
+        values = {name: value for name, value in values.items() if name in fields}
     for name, value in values.items():
         setattr(message, name, value)
 
 
-def _refuse_arguments(message: Message, values: dict[str, Any]) -> NoReturn:
+def _refuse_arguments(message: Message, unknown: list[str]) -> NoReturn:
     fields = message._FIELDS
-    unknown = sorted(values.keys() - fields.keys() - {'check_fields'})
     error = AssertionError(f'Invalid arguments passed to constructor: {", ".join(unknown)}')
     near, name = nearest(unknown[0], fields), type(message).__name__
     raise with_facts(error, 'messages.field', type=name, field=unknown[0], near=near, fields=list(fields))

@@ -77,7 +77,17 @@ def parts_of(spec: MessageSpec | ServiceSpec | ActionSpec) -> dict[str, MessageS
 ClassOf = Callable[[str], type[Any]]
 
 
-class Service:
+class InterfaceMeta(type):
+    """The base of the metaclasses of services and actions."""
+
+    _TYPE_SUPPORT: Any = None
+
+    @classmethod
+    def __import_type_support__(mcs) -> None:
+        """Do nothing, because type support in C is needed by the real rclpy only."""
+
+
+class Service(metaclass=InterfaceMeta):
     """Base of service classes such as `turtlesim.srv.Spawn`."""
 
     TYPE: ClassVar[str]
@@ -85,11 +95,8 @@ class Service:
     Response: ClassVar[type[Message]]
     Event: ClassVar[type[Message]]
 
-    def __init__(self) -> None:
-        raise NotImplementedError('Service classes can not be instantiated')
 
-
-class Action:
+class Action(metaclass=InterfaceMeta):
     """Base of action classes such as `turtlesim.action.RotateAbsolute`."""
 
     TYPE: ClassVar[str]
@@ -98,21 +105,24 @@ class Action:
     Feedback: ClassVar[type[Message]]
     Impl: ClassVar[type[Any]]
 
-    def __init__(self) -> None:
-        raise NotImplementedError('Action classes can not be instantiated')
+
+def _make(kind: str, base: type[Any], type_name: str, attributes: dict[str, Any]) -> type[Any]:
+    """Return a class without instances, and give it a metaclass of its own."""
+    name, module = _name(type_name), module_of(type_name)
+
+    def refuse(self: object) -> None:
+        raise NotImplementedError(f'{kind} classes can not be instantiated')
+
+    refuse.__name__, refuse.__qualname__ = '__init__', f'{name}.__init__'
+    metaclass = type(f'Metaclass_{name}', (InterfaceMeta,), {'__module__': module})
+    made: type[Any] = metaclass(name, (base,), {'__module__': module, '__init__': refuse, 'TYPE': type_name, **attributes})
+    return made
 
 
 def make_service(spec: ServiceSpec, class_of: ClassOf) -> type[Service]:
     """Return the class of a service; its parts are created when first read."""
-    return type(
-        _name(spec.type),
-        (Service,),
-        {
-            '__module__': module_of(spec.type),
-            'TYPE': spec.type,
-            **_lazy(class_of, {part: f'{spec.type}_{part}' for part in ('Request', 'Response', 'Event')}),
-        },
-    )
+    parts = {part: f'{spec.type}_{part}' for part in ('Request', 'Response', 'Event')}
+    return _make('Service', Service, spec.type, _lazy(class_of, parts))
 
 
 def make_action(spec: ActionSpec, class_of: ClassOf) -> type[Action]:
@@ -135,16 +145,8 @@ def make_action(spec: ActionSpec, class_of: ClassOf) -> type[Action]:
             ),
         },
     )
-    return type(
-        _name(spec.type),
-        (Action,),
-        {
-            '__module__': module_of(spec.type),
-            'TYPE': spec.type,
-            'Impl': impl,
-            **_lazy(class_of, {part: f'{spec.type}_{part}' for part in ('Goal', 'Result', 'Feedback')}),
-        },
-    )
+    parts = {part: f'{spec.type}_{part}' for part in ('Goal', 'Result', 'Feedback')}
+    return _make('Action', Action, spec.type, {'Impl': impl, **_lazy(class_of, parts)})
 
 
 def _name(type_name: str) -> str:

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 import rclpy
-from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from rclpy.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.task import Future
@@ -89,3 +89,42 @@ def test_an_executor_tells_by_the_group_whether_a_callback_could_begin(ros: Ros,
         world.say([executor.can_execute(timer) for timer in timers])
 
     assert ros(body) == [[False, False, True], [True, True, True]]
+
+
+def test_a_group_asserts_that_an_entity_is_its_own(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node, group = Node('n'), MutuallyExclusiveCallbackGroup()
+        own, other = node.create_timer(1, print, group), node.create_timer(1, print)
+        for call in (group.can_execute, group.beginning_execution):
+            with pytest.raises(AssertionError):
+                call(other)
+        world.say(str([group.beginning_execution(own), group.beginning_execution(own)]))
+        for entity in (other, own, own):
+            try:
+                group.ending_execution(entity)
+                world.say('ended')
+            except AssertionError:
+                world.say('not running')
+
+    world.start(program)
+    assert [text for _, _, text in world.run(0.1)] == ['[True, False]', 'not running', 'ended', 'not running']
+
+
+def test_a_group_does_not_keep_its_entities(world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        node, group = Node('n'), ReentrantCallbackGroup()
+        timer = node.create_timer(1, print, group)
+        world.say(f'{group.has_entity(timer)} {len(group.entities)}')
+        node.destroy_timer(timer)
+        del timer
+        world.say(str(len(group.entities)))
+        for call in (CallbackGroup().can_execute, CallbackGroup().ending_execution):
+            with pytest.raises(NotImplementedError):
+                call(node)
+        with pytest.raises(TypeError, match="cannot create weak reference to 'int' object"):
+            group.add_entity(3)
+
+    world.start(program)
+    assert [text for _, _, text in world.run(0.1)] == ['True 1', '0']

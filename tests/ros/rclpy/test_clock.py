@@ -185,6 +185,23 @@ def test_jump_callbacks_are_told_what_they_asked_for(ros: Ros, world: World) -> 
     ]
 
 
+def test_a_callback_is_given_the_change_as_cpp_prints_it(ros: Ros, world: World) -> None:
+    def program() -> None:
+        rclpy.init()
+        clock = ROSClock()
+        clock._set_ros_time_is_active(True)
+        threshold = JumpThreshold(min_forward=Duration(seconds=1), min_backward=None)
+        handle = clock.create_jump_callback(threshold, post_callback=lambda jump: world.say(str(jump.clock_change)))
+        clock.set_ros_time_override(Time(seconds=5, clock_type=ClockType.ROS_TIME))
+        handle.unregister()
+        with pytest.raises(AttributeError, match="'int' object has no attribute 'min_forward'"):
+            clock.create_jump_callback(3, post_callback=print)
+        world.say(str(ClockChange.ROS_TIME_NO_CHANGE))
+
+    world.start(program)
+    assert [text for _, _, text in world.run(0.1)] == ['ClockChange.ROS_TIME_NO_CHANGE', '1']
+
+
 def test_jump_thresholds_have_a_sign() -> None:
     with pytest.raises(ValueError, match='min_forward must be a positive non-zero duration'):
         JumpThreshold(min_forward=Duration(), min_backward=None)

@@ -122,3 +122,13 @@ def test_system_defaults_are_those_of_fast_dds() -> None:
     writer, reader = (qos.engine_qos(qos.qos_profile_system_default, side) for side in ('publisher', 'subscription'))
     assert writer[:3] == (1, 'reliable', 'transient_local')
     assert reader[:3] == (1, 'best_effort', 'volatile')
+
+
+def test_a_profile_of_the_c_layer_gives_its_values_as_numbers() -> None:
+    profile = qos.QoSProfile(depth=7, reliability=qos.ReliabilityPolicy.BEST_EFFORT)
+    inner = profile.get_c_qos_profile()
+    profile.depth = 3
+    values = inner.to_dict()
+    assert str(type(inner)) == "<class 'rclpy._rclpy_pybind11.rmw_qos_profile_t'>"
+    assert list(values.items())[:4] == [('depth', 7), ('history', 1), ('reliability', 2), ('durability', 2)]
+    assert (type(values['history']), qos.QoSProfile(**values).depth) == (int, 7)

@@ -112,6 +112,17 @@ def test_the_newest_set_callback_is_asked_first_and_the_first_refusal_counts(ros
     assert ros(body) == [('newer', 2), ['no'], ('older', 3), ['']]
 
 
+def test_a_callback_has_to_be_callable(ros: Ros) -> None:
+    def body() -> None:
+        node = Node('n')
+        for add in (node.add_on_set_parameters_callback, node.add_post_set_parameters_callback):
+            with pytest.raises(TypeError) as caught:
+                add(3)  # type: ignore[arg-type]
+            assert caught.value.args == ('Callback must be callable, got {}', int)
+
+    ros(body)
+
+
 def test_pre_and_post_callbacks(ros: Ros, world: World) -> None:
     def body() -> None:
         node = Node('n')

@@ -215,3 +215,15 @@ def test_a_simple_part_works_only_while_it_is_active() -> None:
     part.plain('e')
     assert done == ['not now', 'c', 'd']
     assert Part.plain.__name__ == 'plain'
+
+
+def test_programs_can_read_the_state_machine() -> None:
+    life = Life(SimpleNamespace())  # type: ignore[arg-type]
+    life.state = STATES['inactive']
+    seen = machine.StateMachineView(life)
+    assert (seen.current_state, seen.available_states[-1]) == ((2, 'inactive'), (15, 'errorprocessing'))
+    assert seen.transition_graph[:2] == [
+        (1, 'configure', 1, 'unconfigured', 10, 'configuring'),
+        (10, 'transition_success', 10, 'configuring', 2, 'inactive'),
+    ]
+    assert [one[1] for one in seen.available_transitions] == ['cleanup', 'activate', 'shutdown']

@@ -62,6 +62,16 @@ def test_an_exception_that_nobody_asked_for_is_printed(capsys: pytest.CaptureFix
     assert capsys.readouterr().err == 'The following exception was never retrieved: lost\n'
 
 
+def test_an_exception_is_printed_where_its_process_printed(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    future = Future()
+    future.set_exception(ValueError('lost'))
+    monkeypatch.delattr('rclpy.task.current_process')  # as when Python ends
+    del future
+    assert capsys.readouterr().err == 'The following exception was never retrieved: lost\n'
+
+
 @pytest.mark.parametrize('ask', [Future.exception, Future.result])
 def test_an_exception_that_was_asked_for_is_not_printed(
     ask: Callable[[Future], object], capsys: pytest.CaptureFixture[str]

@@ -31,7 +31,7 @@ def support_service(cls: type[Service], registry: Registry) -> type[Service]:
 
     def make_support() -> abi.ServiceSupport:
         for part in (cls.Request, cls.Response):
-            type(part).__import_type_support__()  # type: ignore[attr-defined]  # rclpy expects the type support of both parts
+            type(part).__import_type_support__()  # rclpy expects the type support of both parts
         return service_support(cls, registry)
 
     return _with_metaclass(cls, make_support)

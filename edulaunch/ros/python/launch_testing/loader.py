@@ -71,6 +71,11 @@ def runs_of(module: ModuleType, name: str) -> list[TestRun]:
     return [TestRun(name, module, describe, parameters) for describe, parameters in each]
 
 
+def LoadTestsFromPythonModule(module: ModuleType, *, name: str = 'launch_tests') -> list[TestRun]:  # noqa: N802
+    """Return the launches that a module describes, under the name that launch_testing has for it."""
+    return runs_of(module, name)
+
+
 def _flat(suite: Any) -> Iterator[Any]:
     if isinstance(suite, unittest.TestSuite):
         for part in suite:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from typing import Any
+from weakref import ref
 
 
 class CallbackGroup:
@@ -12,27 +13,28 @@ class CallbackGroup:
     """
 
     def __init__(self) -> None:
-        self.entities: list[Any] = []
+        self.entities: set[ref[Any]] = set()
         self.busy_with: Any = None
 
     def add_entity(self, entity: Any) -> None:
         """Add an entity to the group."""
-        self.entities.append(entity)
+        self.entities.add(ref(entity, self.entities.discard))
 
     def has_entity(self, entity: Any) -> bool:
         """Return whether an entity belongs to the group."""
-        return entity in self.entities
+        return ref(entity) in self.entities
 
     def can_execute(self, entity: Any) -> bool:
-        """Return whether the entity's callback could start now."""
-        raise TypeError('CallbackGroup is abstract; use MutuallyExclusiveCallbackGroup or ReentrantCallbackGroup')
+        """Return whether the entity's callback could start now. Subclasses have to do it."""
+        raise NotImplementedError()
 
     def beginning_execution(self, entity: Any) -> bool:
         """Start the entity's callback. Return False if it may not start."""
         return self.can_execute(entity)
 
     def ending_execution(self, entity: Any) -> None:
-        """Record that the entity's callback has ended."""
+        """Record that the entity's callback has ended. Subclasses have to do it."""
+        raise NotImplementedError()
 
 
 class ReentrantCallbackGroup(CallbackGroup):
@@ -42,21 +44,27 @@ class ReentrantCallbackGroup(CallbackGroup):
         """Return True, because the callbacks may run at the same time."""
         return True
 
+    def ending_execution(self, entity: Any) -> None:
+        """Record that the entity's callback has ended, which has no effect here."""
+
 
 class MutuallyExclusiveCallbackGroup(CallbackGroup):
     """A group in which only one callback runs at a time. The default group of a node is such a group."""
 
     def can_execute(self, entity: Any) -> bool:
-        """Return whether no other callback of the group is running."""
+        """Return whether no other callback of the group is running. Raise AssertionError for an entity of another group."""
+        assert ref(entity) in self.entities
         return self.busy_with is None
 
     def beginning_execution(self, entity: Any) -> bool:
-        """Reserve the group for one callback, if it is free."""
+        """Reserve the group for one callback, if it is free. Raise AssertionError for an entity of another group."""
+        assert ref(entity) in self.entities
         if self.busy_with is not None:
             return False
         self.busy_with = entity
         return True
 
     def ending_execution(self, entity: Any) -> None:
-        """Free the group for the next callback."""
+        """Free the group for the next callback. Raise AssertionError unless this entity's callback was running."""
+        assert self.busy_with is entity
         self.busy_with = None

@@ -13,6 +13,7 @@ from rclpy._rclpy_pybind11 import RCLError
 from rclpy.clock_type import ClockType, TypeOfTime
 from rclpy.duration import Duration
 from rclpy.exceptions import NotInitializedException
+from rclpy.impl.c_enum import CEnum
 from rclpy.impl.entity import Handle
 from rclpy.time import Time, time_of_clock
 from rclpy.utilities import get_default_context
@@ -35,6 +36,18 @@ class ClockChange(IntEnum):
     __str__ = int.__repr__
 
 
+class _ReportedChange(CEnum):
+    """The change as callbacks get it from ROS 2's C++, which prints as `ClockChange.MEMBER`."""
+
+    ROS_TIME_NO_CHANGE = 1
+    ROS_TIME_ACTIVATED = 2
+    ROS_TIME_DEACTIVATED = 3
+    SYSTEM_TIME_NO_CHANGE = 4
+
+
+_ReportedChange.__name__ = 'ClockChange'
+
+
 class JumpThreshold:
     """The time jumps for which a callback is called.
 
@@ -55,16 +68,6 @@ class JumpThreshold:
         if min_backward is not None and min_backward.nanoseconds >= 0:
             raise ValueError('min_backward must be a negative non-zero duration')
 
-    def _reached(self, change: ClockChange, delta_ns: int) -> bool:
-        """Return whether a jump of `delta_ns` reaches the threshold."""
-        if change in (ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED):
-            return self.on_clock_change
-        forward, backward = self.min_forward, self.min_backward
-        return bool(
-            (forward is not None and delta_ns >= forward.nanoseconds)
-            or (backward is not None and delta_ns <= backward.nanoseconds)
-        )
-
 
 class TimeJump:
     """A time jump in the form that callbacks receive."""
@@ -72,10 +75,10 @@ class TimeJump:
     def __init__(self, clock_change: ClockChange, delta: Duration) -> None:
         if not isinstance(clock_change, ClockChange):
             raise TypeError('clock_change must be an instance of rclpy.clock.ClockChange')
-        self._clock_change = clock_change
+        self._clock_change: IntEnum = clock_change
         self._delta = delta
 
-    clock_change: ReadOnly[ClockChange] = ReadOnly('How the time source changed.', '_clock_change')
+    clock_change: ReadOnly[IntEnum] = ReadOnly('How the time source changed.', '_clock_change')
 
     delta: ReadOnly[Duration] = ReadOnly('How far time jumped.', '_delta')
 
@@ -97,11 +100,21 @@ class JumpHandle:
             raise ValueError('pre_callback must be callable if given')
         if post_callback is not None and not callable(post_callback):
             raise ValueError('One of pre_callback or post_callback must be callable')  # ROS 2 prints the same message
-        self.threshold = threshold
+        self._limits = (threshold.min_forward, threshold.min_backward, threshold.on_clock_change)
         self.pre_callback = pre_callback
         self.post_callback = post_callback
         self._clock: Clock | None = clock
         clock.jump_handles.append(self)
+
+    def _is_reached(self, change: ClockChange, delta_ns: int) -> bool:
+        """Return whether a jump of `delta_ns` reaches the threshold."""
+        forward, backward, on_clock_change = self._limits
+        if change in (ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED):
+            return on_clock_change
+        return bool(
+            (forward is not None and delta_ns >= forward.nanoseconds)
+            or (backward is not None and delta_ns <= backward.nanoseconds)
+        )
 
     def unregister(self) -> None:
         """Unregister the callbacks."""
@@ -248,7 +261,7 @@ class ROSClock(Clock):
         before = self.rcl_now_ns()
         # As in rcl, a change of the source is reported without the size of the time jump.
         delta = override_ns - before if change is ClockChange.ROS_TIME_NO_CHANGE and override_ns is not None else 0
-        handles = [handle for handle in self.jump_handles if handle.threshold._reached(change, delta)]
+        handles = [handle for handle in self.jump_handles if handle._is_reached(change, delta)]
         for handle in handles:
             if handle.pre_callback is not None:
                 handle.pre_callback()
@@ -257,7 +270,9 @@ class ROSClock(Clock):
             timer.rcl_clock_jumped(before, change is not ClockChange.ROS_TIME_NO_CHANGE)
         for handle in handles:
             if handle.post_callback is not None:
-                handle.post_callback(TimeJump(change, Duration(nanoseconds=delta)))
+                jump = TimeJump(change, Duration(nanoseconds=delta))
+                jump._clock_change = _ReportedChange(change)
+                handle.post_callback(jump)
 
 
 __getattr__ = passed_on(__name__)

@@ -155,9 +155,30 @@ class QoSProfile:
     def __str__(self) -> str:
         return '{}({})'.format(type(self).__name__, ', '.join(f'{slot[1:]}={getattr(self, slot)}' for slot in self.__slots__))
 
-    def get_c_qos_profile(self) -> QoS:
-        """Return the profile in the form of the graph."""
-        return engine_qos(self)
+    def get_c_qos_profile(self) -> _CProfile:
+        """Return the profile in the form of ROS 2's C layer. Later changes of this profile do not change it."""
+        return _CProfile(self)
+
+
+class _CProfile:
+    """A profile of ROS 2's C layer, whose policies are numbers.
+
+    :ivar resolved: the profile in the form of the graph.
+    """
+
+    def __init__(self, profile: QoSProfile) -> None:
+        values = {name: getattr(profile, name) for name in _C_ORDER}
+        self.resolved = engine_qos(profile)
+        self._values = {name: int(value) if isinstance(value, IntEnum) else value for name, value in values.items()}
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the values by name, with which a `QoSProfile` can be created again."""
+        return dict(self._values)
+
+
+_CProfile.__module__, _CProfile.__qualname__ = 'rclpy._rclpy_pybind11', 'rmw_qos_profile_t'
+
+_C_ORDER = ('depth', *(name for name in _DEFAULTS if name != 'depth'))
 
 
 def _warn_of_zero(profile: QoSProfile) -> None:

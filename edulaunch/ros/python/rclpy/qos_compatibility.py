@@ -104,7 +104,7 @@ def _doubts(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> list[str
 
 
 def _clashes(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> list[str]:
-    offered, requested = publisher_qos.get_c_qos_profile(), subscription_qos.get_c_qos_profile()
+    offered, requested = publisher_qos.get_c_qos_profile().resolved, subscription_qos.get_c_qos_profile().resolved
     found = []
     if (publisher_qos.reliability.name, subscription_qos.reliability.name) == ('BEST_EFFORT', 'RELIABLE'):
         found.append('Best effort publisher and reliable subscription')

@@ -24,14 +24,15 @@ class _UnfetchedException:
     It is a separate object, because few futures need it, and an object with `__del__` takes longer to create and delete.
     """
 
-    __slots__ = ('exception',)
+    __slots__ = ('exception', 'stream')
 
     def __init__(self, exception: BaseException) -> None:
         self.exception: BaseException | None = exception
+        self.stream = current_process().streams.stderr  # not found any more when Python ends
 
     def __del__(self) -> None:
         if self.exception is not None and sys is not None:
-            print('The following exception was never retrieved: ' + str(self.exception), file=current_process().streams.stderr)
+            print('The following exception was never retrieved: ' + str(self.exception), file=self.stream)
 
 
 class Future:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.engine.interfaces import current_registry
 from edulaunch.ros.passed_on import passed_on
 from rclpy.exceptions import ParameterUninitializedException
+from rclpy.logging import get_logger
 from rclpy.node_parts.core import core_of
 from rclpy.parameter import ParameterType
 from rclpy.qos import qos_profile_services_default
@@ -52,6 +53,7 @@ class TypeDescriptionService:
         from edulaunch.ros.serialization.type_description import type_description, type_hash
 
         if not re.fullmatch('RIHS01_[0-9a-f]{64}', request.type_hash):
+            get_logger('rcl').error(f"Failed to parse type hash '{request.type_hash}'")
             response.failure_reason = 'Failed to parse type hash'
             return response
         registry = current_registry()

@@ -58,6 +58,7 @@ class Waitable(Entity):
 
     def __init__(self, callback_group: CallbackGroup) -> None:
         super().__init__(ReadyList(), callback_group, 0)
+        callback_group.add_entity(self)
         self._futures: list[Future] = []
 
     def __enter__(self) -> Waitable:

@@ -20,7 +20,7 @@ def main():
     except AssertionError as e:
         print('refused:', str(e).splitlines()[0])
     try:
-        Leg(lenght=3.0)
+        Leg(lenght=3.0, check_fields=True)
     except AssertionError as e:
         print('refused:', str(e).splitlines()[0])
 

@@ -12,6 +12,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.graph.parameters import pattern_matches
+from edulaunch.engine.interfaces.message import Message, Notices
 from edulaunch.engine.processes.current import current_process
 from edulaunch.engine.processes.frame_owner import student_line, waiting_line
 from edulaunch.engine.sim.task import current_task, running_task
@@ -99,6 +100,20 @@ def note_no_goal_response(node: NodeProtocol, callback: Callable[..., Any], retu
     place = {} if code is None else {'file': code.co_filename, 'line': code.co_firstlineno}
     name = getattr(callback, '__name__', 'it')
     _keep('no goal response', {'node': core_of(node).full_name, 'callback': name, 'returned': repr(returned)[:40], **place})
+
+
+def note_ignored_argument(message_class: type[Message], name: str, near: str | None) -> None:
+    """Record an unknown keyword argument of a message, which the message ignores as in Jazzy."""
+    data = {
+        'type': message_class.__name__,
+        'field': name,
+        'near': near,
+        'fields': list(message_class.get_fields_and_field_types()),
+    }
+    _keep('argument ignored', {**data, **student_line()})
+
+
+Notices.ignored = note_ignored_argument
 
 
 def _keep(kind: str, data: dict[str, Any]) -> None:

@@ -8,7 +8,7 @@ from edulaunch.ros.passed_on import passed_on
 from rclpy.callback_groups import CallbackGroup
 from rclpy.lifecycle.managed_entity import ManagedEntity
 from rclpy.lifecycle.publisher import LifecyclePublisher
-from rclpy.lifecycle.state_machine import Life, LifecycleServices, LifecycleState, TransitionCallbackReturn
+from rclpy.lifecycle.state_machine import Life, LifecycleServices, LifecycleState, StateMachineView, TransitionCallbackReturn
 from rclpy.node import Node
 from rclpy.node_parts.core import NodeCore
 from rclpy.qos import QoSProfile
@@ -36,6 +36,11 @@ class LifecycleNodeMixin(ManagedEntity):
         life = self._rclpy.life = Life(node)
         if enable_communication_interface:
             life.services = LifecycleServices(node, life, callback_group)
+
+    def __getattr__(self, name: str) -> Any:
+        if name == '_state_machine':
+            return StateMachineView(_life(self._rclpy))
+        return super().__getattr__(name)  # type: ignore[misc]  # that of Node
 
     def create_lifecycle_publisher(
         self, msg_type: Any, topic: str, qos_profile: QoSProfile | int, *, publisher_class: None = None, **kwargs: Any

@@ -203,6 +203,26 @@ class Life:
             self.services.publish_event(start, self.state)
 
 
+class StateMachineView:
+    """What programs read from ROS 2's state machine, in `node._state_machine`. States are pairs of number and label.
+
+    :ivar current_state: the present state.
+    :ivar available_states: all states.
+    :ivar transition_graph: all transitions: number and label, start state, goal state.
+    :ivar available_transitions: the transitions from the present state.
+    """
+
+    def __init__(self, life: Life) -> None:
+        self.current_state = _pair(life.state.label)
+        self.available_states = [_pair(label) for label in STATES]
+        self.transition_graph = [(number, label, *_pair(start), *_pair(goal)) for number, label, start, goal in all_transitions()]
+        self.available_transitions = [one for one in self.transition_graph if one[2:4] == self.current_state]
+
+
+def _pair(label: str) -> tuple[int, str]:
+    return STATES[label].state_id, label
+
+
 class LifecycleServices:
     """The five services and the topic of a managed node."""
 

@@ -221,12 +221,14 @@ class NodeParameters:
 
     def add_on_set_parameters_callback(self, callback: OnSet) -> None:
         """Let `callback(parameters)` accept or refuse a change. It returns a SetParametersResult. The newest callback is called
-        first.
+        first. Raise TypeError for an object that cannot be called.
         """
+        _check_callable(callback)
         self._rclpy.parameters.on_callbacks.insert(0, callback)
 
     def add_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
-        """Call `callback(parameters)` after a successful change."""
+        """Call `callback(parameters)` after a successful change. Raise TypeError for an object that cannot be called."""
+        _check_callable(callback)
         self._rclpy.parameters.post_callbacks.insert(0, callback)
 
     def remove_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
@@ -240,6 +242,11 @@ class NodeParameters:
     def remove_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
         """Undo `add_post_set_parameters_callback`. Raise ValueError if it was not added."""
         self._rclpy.parameters.post_callbacks.remove(callback)
+
+
+def _check_callable(callback: object) -> None:
+    if not callable(callback):
+        raise TypeError('Callback must be callable, got {}', type(callback))  # [sic]: ROS 2 passes both to the error
 
 
 def _prepared(
