@@ -26,6 +26,7 @@ LONGEST_S = 300.0  # seconds of real time; other programs may keep the computer 
 MOST_MEMORY_MIB = 1024  # limit in addition to the memory of the grader
 TRIES = 3
 LOOK_S = 0.05
+REMIND_S = 0.05  # processor time after which TooLong is raised again
 CHUNK_BYTES = 1 << 18
 MOST_DESCRIPTORS = 4096
 REGISTRY = 'edulaunch.engine.interfaces.registry'
@@ -207,7 +208,8 @@ class TooLong(Exception):
 @contextmanager
 def cpu_limit(seconds: float) -> Iterator[None]:
     """Raise TooLong inside the context after this much processor time, however busy the machine is. This limits only the main
-    thread on a POSIX system, and nothing elsewhere.
+    thread on a POSIX system, and nothing elsewhere. Python ignores an exception in a destructor or a callback of a weak
+    reference. The timer therefore repeats, and raises TooLong every REMIND_S until it ends the work.
     """
     if threading.current_thread() is not threading.main_thread() or not hasattr(signal, 'setitimer'):
         yield
@@ -216,10 +218,22 @@ def cpu_limit(seconds: float) -> Iterator[None]:
     def on_alarm(signum: int, frame: FrameType | None) -> None:
         raise TooLong(f'it took longer than {seconds:g} s of processor time')
 
-    before = signal.signal(signal.SIGPROF, on_alarm)
-    signal.setitimer(signal.ITIMER_PROF, seconds)
-    try:
-        yield
-    finally:
+    def report(ignored: sys.UnraisableHookArgs) -> None:
+        if not isinstance(ignored.exc_value, TooLong):
+            show(ignored)
+
+    def stop() -> None:
         signal.setitimer(signal.ITIMER_PROF, 0.0)
         signal.signal(signal.SIGPROF, before)
+        sys.unraisablehook = show
+
+    show, sys.unraisablehook = sys.unraisablehook, report
+    before = signal.signal(signal.SIGPROF, on_alarm)
+    try:
+        signal.setitimer(signal.ITIMER_PROF, seconds, REMIND_S)
+        try:
+            yield
+        finally:
+            stop()
+    finally:
+        stop()  # again, in case TooLong was raised inside the first call

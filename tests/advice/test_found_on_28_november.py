@@ -127,7 +127,9 @@ def test_a_remapping_of_the_name_of_a_node_is_not_a_misspelt_topic(tmp_path: Pat
 def test_a_missing_cmakelists_is_created_and_no_line_of_it_corrected(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     write(tmp_path / 'robo', package_xml=MANIFEST.format(more='', kind='ament_cmake'))
     printed = report(capsys, tmp_path / 'robo')
-    assert 'do:    create CMakeLists.txt in the folder of the package, or remove package.xml' in printed and 'correct' not in printed
+    assert (
+        'do:    create CMakeLists.txt in the folder of the package, or remove package.xml' in printed and 'correct' not in printed
+    )
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ import sys
 import threading
 from importlib import import_module
 from pathlib import Path
+from time import process_time
 from typing import Any
 
 import pytest
@@ -148,6 +149,41 @@ def test_an_endless_loop_is_ended_and_the_timer_put_back() -> None:
         while True:
             pass
     assert (signal.getsignal(signal.SIGPROF), signal.getitimer(signal.ITIMER_PROF)) == (before, (0.0, 0.0))
+
+
+class Slow:
+    """Python ignores an exception in its destructor."""
+
+    def __init__(self) -> None:
+        self.end = process_time() + 1.0
+
+    def __del__(self) -> None:
+        while process_time() < self.end:
+            pass
+
+
+def test_a_limit_that_a_destructor_swallows_is_raised_again(capfd: pytest.CaptureFixture[str]) -> None:
+    before = sys.unraisablehook
+    with pytest.raises(TooLong), cpu_limit(0.05):
+        Slow()
+        end = process_time() + 1.0
+        while process_time() < end:
+            pass
+    assert (signal.getitimer(signal.ITIMER_PROF), sys.unraisablehook) == ((0.0, 0.0), before)
+    assert capfd.readouterr().err == ''
+
+
+class Broken:
+    def __del__(self) -> None:
+        raise ValueError('a mistake of the destructor')
+
+
+def test_another_mistake_of_a_destructor_is_still_reported(monkeypatch: pytest.MonkeyPatch) -> None:
+    told: list[object] = []
+    monkeypatch.setattr(sys, 'unraisablehook', lambda ignored: told.append(ignored.exc_type))
+    with cpu_limit(5.0):
+        Broken()
+    assert told == [ValueError]
 
 
 def test_quick_work_is_left_alone() -> None:
