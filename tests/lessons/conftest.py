@@ -45,8 +45,10 @@ def no_notebook_is_left() -> Iterator[None]:
 @pytest.fixture(autouse=True, scope='module')
 def no_threads_are_left() -> Iterator[None]:
     """A few hundred tests later, threads that are left take most of the time."""
+    before = {*threading.enumerate()}
     yield
-    left = [thread for thread in threading.enumerate() if thread.name.startswith(('IPython', 'edulaunch watchdog'))]
+    names = ('IPython', 'edulaunch watchdog')
+    left = [thread for thread in threading.enumerate() if thread not in before and thread.name.startswith(names)]
     for thread in left:
         thread.join(timeout=WAIT_S)
     assert not [thread for thread in left if thread.is_alive()], left

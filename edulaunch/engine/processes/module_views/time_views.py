@@ -42,14 +42,8 @@ def _clocks(sim: Simulation) -> dict[str, Any]:
     return {
         'time': lambda: time_ns() / 1e9,
         'time_ns': time_ns,
-        'monotonic': lambda: monotonic_ns() / 1e9,
-        'monotonic_ns': monotonic_ns,
-        'perf_counter': lambda: monotonic_ns() / 1e9,
-        'perf_counter_ns': monotonic_ns,
-        'process_time': lambda: monotonic_ns() / 1e9,
-        'process_time_ns': monotonic_ns,
-        'thread_time': lambda: monotonic_ns() / 1e9,
-        'thread_time_ns': monotonic_ns,
+        **dict.fromkeys(('monotonic', 'perf_counter', 'process_time', 'thread_time'), lambda: monotonic_ns() / 1e9),
+        **dict.fromkeys(('monotonic_ns', 'perf_counter_ns', 'process_time_ns', 'thread_time_ns'), monotonic_ns),
         'clock_gettime_ns': lambda clock, /: time_ns() if clock == time.CLOCK_REALTIME else monotonic_ns(),
         'clock_gettime': lambda clock, /: (time_ns() if clock == time.CLOCK_REALTIME else monotonic_ns()) / 1e9,
     }

@@ -60,3 +60,10 @@ def test_sched_runs_events_in_simulated_time(world: Any) -> None:
         """)
         == 'one\ntwo\n2.0\n'
     )
+
+
+def test_the_time_zone_is_utc_whatever_this_computer_has(world: Any) -> None:
+    told = world.run(
+        'import time\nprint(time.timezone, time.altzone, time.daylight, time.tzname, time.localtime() == time.gmtime())'
+    )
+    assert told == "0 0 0 ('UTC', 'UTC') True\n"
