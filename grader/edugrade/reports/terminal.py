@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 MARKS = {PASSED: 'ok', FAILED: 'FAILED', NOT_RUN: 'not run', GRADER_BROKE: 'BROKE'}
 COLOURS = {PASSED: '32', FAILED: '31', NOT_RUN: '33', GRADER_BROKE: '35'}
 WIDTH = 100
-MORE = 'After more attempts with a changed file, this advice becomes more specific. You can also open a hint (--hint 1).'
+MORE = 'After more attempts with a changed file, this advice becomes more specific.'
 INDENT = ' ' * 9
 
 
