@@ -75,6 +75,7 @@ class Rubric:
     :param launch: the content of a launch file that starts the file, for a file that is not a launch file.
     :param beside: other files that an edit may change.
     :param names: names that a cell defines, instead of a file; then there are no runs.
+    :param ended: an executable whose programs a turn ends after the duration of a run, to show what else ends then.
     :param decoys: the share of the points that a submission may get with the solution's names but without its behaviour.
     :raises ValueError: for two checks with one name, or a check that comes before a check that it needs.
     """
@@ -89,10 +90,12 @@ class Rubric:
         launch: str = '',
         beside: Sequence[str] = (),
         names: Sequence[str] = (),
+        ended: str = '',
         decoys: float = 0.5,
     ) -> None:
         self.title, self.decoys = title, decoys
         self.of, self.launch, self.beside, self.names = of, launch, tuple(beside), tuple(names)
+        self.ended = ended
         self.file, self.text = '', b''  # the function that reads the file reports the error
         self.checks = tuple(checks)
         self._scenarios = scenarios

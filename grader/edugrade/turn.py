@@ -91,7 +91,7 @@ def _of_file(name: str, rubric: Rubric, folder: str) -> Report:
         digest.update(_bytes(os.path.join(folder, beside)))
 
     def runs(scenarios: Sequence[Scenario]) -> list[Outcome]:
-        return [_outcome(scenario, launch) for scenario in scenarios]
+        return [_outcome(scenario, launch, rubric.ended) for scenario in scenarios]
 
     outcomes = with_defaults_given(runs(rubric.scenarios(SEED)), runs)
     results = judge(rubric.checks, outcomes, submission.source)
@@ -106,16 +106,21 @@ def _of_file(name: str, rubric: Rubric, folder: str) -> Report:
     )
 
 
-def _outcome(scenario: Scenario, launch: str) -> Outcome:
+def _outcome(scenario: Scenario, launch: str, ended: str) -> Outcome:
     from edulaunch.engine.packages.discovery import folder_of, workspaces_of_command
-    from edulaunch.runtime.session import Session
+
+    from .turn_session import TurnSession
 
     target, file = _target(launch)
     workspaces = _workspaces(launch) or workspaces_of_command((), target)
     try:
-        with Session(seed=scenario.seed, workspaces=workspaces, near=folder_of(target)) as session:
+        session = TurnSession(seed=scenario.seed, workspaces=workspaces, near=folder_of(target))
+        with session:
+            session.hide(scenario)
             session.launch(target, file, dict(scenario.arguments))
             session.run(scenario.duration_s)
+            if ended:
+                session.end(ended)
             recording = session.recording()
     except EdulaunchError as error:
         return Outcome(scenario, 'unusable', text=error.message, try_=error.help)

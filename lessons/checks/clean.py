@@ -40,6 +40,16 @@ def turtle1_is_removed(run: Evidence) -> None:
 def it_says_so(run: Evidence) -> None:
     """Then it logs the line gone"""
     said = [log.message for log in run.first.logs if log.logger == 'clean']
+    answered_s = max(call.replied_s or 0.0 for call in run.first.service_calls if call.service == '/kill')
+    early = [log for log in run.first.logs if log.logger == 'clean' and log.message == 'gone' and log.time_s < answered_s]
+    if early:
+        raise Failure(
+            'clean logs gone before turtle1 is gone',
+            expected=f'the line after the reply of /kill at {answered_s:.2f} s',
+            seen=f'the line at {early[0].time_s:.2f} s',
+            where=run.source.place,
+            try_='write the log line after spin_until_future_complete',
+        )
     if said[-1:] != ['gone']:
         raise Failure(
             'the last line of the log is different',

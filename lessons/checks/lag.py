@@ -22,7 +22,7 @@ def generate_launch_description():
 """
 AGO_S = 2.0
 EARLY = 'subtract a Duration from now, and look up only if buffer.can_transform returns True'
-SAID = re.compile(r'\s*(\d+\.\d+) (\d+\.\d+)\s*')
+SAID = re.compile(r'\s*(\d+\.\d\d) (\d+\.\d\d)\s*')
 
 
 def said(run: Evidence) -> list[tuple[float, str]]:
@@ -39,6 +39,9 @@ def it_says_something(run: Evidence) -> None:
         raise Failure(
             'lag does not log once a second', seen=seen, where=run.source.place, try_='use a timer of one second, as in ask.py'
         )
+    if not any(node.name == '/lag' and '/tf' in dict(node.subscriptions) for node in run.first.nodes):
+        advice = 'create a Buffer and a TransformListener, as in ask.py'
+        raise Failure('lag does not receive the transforms', expected='a TransformListener', where=run.source.place, try_=advice)
 
 
 @check(points=1, needs=[it_says_something])
@@ -48,7 +51,7 @@ def it_says_only_that(run: Evidence) -> None:
     if wrong:
         raise Failure(
             'a line of the log is not two numbers',
-            expected='x y, such as 6.72 9.15',
+            expected='x y with two digits, such as 6.72 9.15',
             seen=wrong[0][:300],
             where=run.source.place,
             try_='ask buffer.can_transform whether the lookup would succeed',

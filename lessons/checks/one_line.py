@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from math import hypot
+from math import cos, hypot
 from os.path import basename
 
 from edugrade import Evidence, Failure, Rubric, Scenario, check
-from edugrade.library.frames import require_frame
+from edugrade.library.frames import require_frame, tilt, yaw
 from edugrade.library.movement import turtle_track
 
 PROGRAM = 'turtle_tf2_broadcaster.py'
@@ -17,7 +17,16 @@ def the_frame_is_where_it_was(run: Evidence) -> None:
     """tf knows turtle1 where the simulator has it"""
     require_frame(run, 'turtle1', 'world', f'look at the broadcaster in {PROGRAM}')
     x, y = turtle_track(run.first, '/turtle1/pose')[-1][1:]
-    seen = run.first.frames_at(run.first.duration_s)['turtle1'].translation
+    frame = run.first.frames_at(run.first.duration_s)['turtle1']
+    seen, turn = frame.translation, run.first.messages('/turtle1/pose')[-1][1].theta
+    if not (tilt(frame) < 0.1 and abs(seen[2]) < 0.1 and cos(yaw(frame) - turn) > 0.99):
+        raise Failure(
+            'the frame turtle1 is turned in another way, or is not on the ground',
+            expected=f'z=0.00, yaw={turn:.2f}, no roll and no pitch',
+            seen=f'z={seen[2]:.2f}, yaw={yaw(frame):.2f}, tilted by {tilt(frame):.2f}',
+            where=run.source.place_in(PROGRAM, 'def '),
+            try_='which number of turned(roll, pitch, yaw) is theta of the pose?',
+        )
     if not hypot(seen[0] - x, seen[1] - y) < 0.1:
         raise Failure(
             'the frame turtle1 is elsewhere',

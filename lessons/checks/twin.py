@@ -9,7 +9,14 @@ from edugrade.library.identity import nodes_of
 @check(points=1)
 def the_line_is_written_once(run: Evidence) -> None:
     """Launch prints the line once"""
-    said = sum('the sim runs' in line.text for line in run.first.output)
+    said, in_vain = (sum('the sim runs' in line.text for line in run[name].output) for name in ('run', 'without'))
+    if said == 1 and in_vain:
+        raise Failure(
+            'the line "the sim runs" appears although no simulator runs',
+            seen='the line comes without an event',
+            where=run.source.place,
+            try_='keep RegisterEventHandler with OnProcessStart, and let it watch the simulator',
+        )
     if said != 1:
         raise Failure(
             'the line "the sim runs" does not appear exactly once',
@@ -35,6 +42,6 @@ def there_is_one_simulator(run: Evidence) -> None:
 RUBRIC = Rubric(
     title='The action that runs',
     of='my_launch/twin.launch.py',
-    scenarios=lambda random: [Scenario('run', {}, 1.0)],
+    scenarios=lambda random: [Scenario('run', {}, 1.0), Scenario('without', {}, 1.0, fails=['turtlesim_node'])],
     checks=[the_line_is_written_once, there_is_one_simulator],
 )

@@ -150,7 +150,7 @@ def test_lesson_9_asks_for_a_nearer_follower(walk: Begin, gain: str, period: str
     student.run_all(until='your-turn-check')
     student.edit(NODES + 'steering.py', '0.5 * hypot', f'{gain} * hypot')
     student.edit(NODES + 'turtle_tf2_listener.py', 'create_timer(1.0', f'create_timer({period}')
-    assert turn(student) == [result]
+    assert turn(student) == ['done', result]
 
 
 SECONDS = 'seconds, _ = self.get_clock().now().seconds_nanoseconds()'

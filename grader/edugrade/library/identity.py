@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
     from edulaunch.engine.recording.records import NodeRecord, ProcessRecord
 
+COMMAND = 'ros2'
 STARTERS = ('ros2', 'bash', 'sh')  # programs that start other programs under their own name
 
 
@@ -41,7 +42,12 @@ def _is_stock_by_its_word(process: ProcessRecord, is_confined: bool) -> bool:
 
 
 def processes_of(recording: Recording, package: str, executable: str | None = None) -> list[int]:
-    """Return the positions of the processes that run a program of a package, in the order of their start."""
+    """Return the positions of the processes that run a program of a package, in the order of their start.
+
+    The package ros2 stands for the command ros2. Then `executable` has its first words, such as ``bag play``.
+    """
+    if package == COMMAND:
+        return [position for position in range(len(recording.processes)) if _is_command(recording, position, executable or '')]
     return [
         position
         for position in range(len(recording.processes))
@@ -81,10 +87,19 @@ def process_of(recording: Recording, node: NodeRecord, position: int) -> Process
 
 def _is_of_by_name(recording: Recording, name: str, package: str, executable: str | None) -> bool:
     """Return whether all processes with that name run a program of a package, including processes that it started."""
+    if package == COMMAND:
+        return any(recording.processes[position].name == name for position in processes_of(recording, package, executable))
     ran = [position for position, process in enumerate(recording.processes) if process.name == name]
     programs = [position for position in ran if not _is_starter(recording.processes[position])]
     found = [program_of(recording, position) for position in programs]
     return bool(found) and all(each is not None and each[0] == package and executable in (None, each[1]) for each in found)
+
+
+def _is_command(recording: Recording, position: int, words: str) -> bool:
+    """Return whether a process of edulaunch is a ros2 command with these first words."""
+    first, *others = recording.processes[position].argv or ('',)
+    is_ours = recording.hosted is None or position in recording.hosted
+    return is_ours and os.path.basename(first) == COMMAND and others[: len(words.split())] == words.split()
 
 
 def _is_starter(process: ProcessRecord) -> bool:

@@ -10,13 +10,14 @@ from math import inf
 from ..evidence import Evidence, Failure, Mismatch, Missing
 from ..library.description import joints_of, require_derived
 from ..library.frames import transforms
+from ..library.heard import Program, require_heard
 from ..library.identity import rows_of
 from ..library.launched import refuse_strangers
 from ..library.movement import Track, turtle_track
 from ..library.node_graph import require_topic
 from ..shortened import last_lines, readable, shortened
 from ..source import is_shipped
-from .yaml_checks import kind
+from .yaml_checks import PROGRAM, kind
 from .yaml_wanted import OfRun, Wanted
 
 LEAST_LINES, LONGEST_COMMAND = 3, 100
@@ -24,6 +25,15 @@ MOVABLE = 'movable'
 FOUND_AFTER_S = 0.5  # by then, a polling recorder has discovered a topic
 HEARD_AFTER_S = 1.0  # largest time between a message and the line that prints it
 SENT_WITH_S = 0.05  # largest time between a message and the line that counts it
+
+
+@kind('{node} receives messages', 'node from', PROGRAM)
+def receives(run: Evidence, wanted: Wanted) -> None:
+    """Require that a node subscribes to a topic on which another program publishes messages, whatever the topic is called."""
+    for one in wanted.of_each(run):
+        listener, speaker = Program(one.text('node'), *one.program()), Program(*one.other('from'))
+        advice = wanted.try_ or f'connect {listener.words} to {speaker.words} with a remapping'
+        require_heard(one.alone, one.scenario, listener, speaker, advice)
 
 
 @kind('{executable} counts the messages of {topics}', 'package executable pattern topics')

@@ -13,6 +13,7 @@ from ..library.circle_fit import fit_circle
 from ..library.deaths import refuse_dead, refuse_gone
 from ..library.following import driven_track, require_driver, require_near, require_pursuit
 from ..library.frames import numbers, require_frame, transforms, yaw
+from ..library.heard import Program, require_lines_of_messages
 from ..library.identity import rows_of
 from ..library.launched import refuse_strangers, require_process
 from ..library.movement import Track, length, odometry_track, since, turtle_track
@@ -269,19 +270,23 @@ def defined(run: Evidence, wanted: Wanted) -> None:
         raise Mismatch(name, repr(asked), shortened(repr(run.names[name]), LONGEST_VALUE), try_=wanted.try_)
 
 
-@kind('{node} logs {pattern}', 'node pattern', f'example {PROGRAM}')
+@kind('{node} logs {pattern}', 'node pattern', f'example topic {PROGRAM}')
 def logs(run: Evidence, wanted: Wanted) -> None:
-    """Require that a node logs a line that matches a pattern."""
+    """Require that a node logs a line that matches a pattern, and that such lines follow the messages of a topic."""
     for one in wanted.of_each(run):
         logger = one.text('node').strip('/').replace('/', '.')
         logs, (package, executable) = one.recording.logs, one.program()
         rows = range(len(logs)) if package is None else rows_of(one.recording, 'logs', package, executable)
-        lines = [logs[row].message for row in rows if logs[row].logger.replace('/', '.') == logger]
-        if not _fits(wanted, lines):
-            seen = last_lines([f'{text}\n' for text in lines]) or 'it logs nothing'
+        own = [logs[row] for row in rows if logs[row].logger.replace('/', '.') == logger]
+        if not _fits(wanted, (log.message for log in own)):
+            seen = last_lines([f'{log.message}\n' for log in own]) or 'it logs nothing'
             asked = wanted['example'] or readable(str(wanted['pattern']))
             thing = f'{one.text("node")} does not log the expected line in the run with {one.words}'
             raise Failure(thing, expected=asked, seen=seen, **one.advice)
+        if wanted['topic']:
+            lines = [(log.time_s, log.message) for log in own if _fits(wanted, [log.message])]
+            listener = Program(one.text('node'), package, executable)
+            require_lines_of_messages(one.alone, one.scenario, listener, one.text('topic'), lines, wanted.try_)
 
 
 @kind('{executable} prints {pattern}', 'package executable pattern', 'example')
@@ -398,7 +403,7 @@ def _turtle(one: OfRun, key: str) -> Track:
 def _require_driver(one: OfRun, turtle: str) -> None:
     """Require that only the driver of the rubric commands the turtle or the robot, if the rubric names one."""
     if one.wanted['driver']:
-        require_driver(one.alone, f'/{turtle.strip("/")}' if turtle else '', *one.wanted['driver'].split())
+        require_driver(one.alone, f'/{turtle.strip("/")}' if turtle else '', *one.wanted['driver'].split(maxsplit=1))
 
 
 def _tracks(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, str, Track]]:

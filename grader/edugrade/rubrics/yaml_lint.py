@@ -8,7 +8,7 @@ from typing import Any
 
 import yaml
 
-NAMED = ('ends', 'hears', 'logs', 'nodes', 'starts')
+NAMED = ('ends', 'hears', 'logs', 'nodes', 'receives', 'starts')
 """Kinds of checks that search for a node by its name, and have the field `package`."""
 
 

@@ -72,17 +72,14 @@ class Wanted(dict[str, Any]):
             elif key in SCALARS:
                 if not all(isinstance(each, (str, int, float)) for each in (value if isinstance(value, list) else [value])):
                     raise ValueError(f'{key} is {value!r}; write a string, a number, true, false, or a list of those')
-            elif key not in (*MEASURES, *CALCULATED, 'after', 'share') and not (isinstance(value, str) and value.isprintable()):
+            elif key not in (*MEASURES, *CALCULATED, 'after', 'from', 'share') and not (
+                isinstance(value, str) and value.isprintable()
+            ):
                 raise ValueError(f'{key} is {value!r}; write a string')
         for key in MEASURES:
             if key in self and not (_is_number(self[key]) and self[key] >= 0):
                 raise ValueError(f'{key} is {self[key]!r}; write a number of at least 0')
-        after = self.get('after')
-        of_after = after if isinstance(after, dict) else {'node': after or ''}
-        is_one = len({'node', 'topic'} & set(of_after)) == 1 and set(of_after) <= {'node', 'topic', 'package', 'executable'}
-        if not is_one or not all(isinstance(each, str) for each in of_after.values()):
-            forms = 'the name of a node, {node: NAME, package: PACKAGE}, or {topic: NAME, package: PACKAGE}'
-            raise ValueError(f'after is {after!r}; write {forms}')
+        self._refuse_odd_programs()
         for key in CALCULATED:
             try:
                 calculated(ARGUMENT.sub('1', str(self.get(key, 0))))
@@ -94,6 +91,19 @@ class Wanted(dict[str, Any]):
             re.compile(str(self['pattern']))
         except re.error as error:
             raise ValueError(f'pattern is not a valid regular expression: {error}') from None
+
+    def _refuse_odd_programs(self) -> None:
+        """Refuse a form of `after` or `from` that names no program or no topic."""
+        one_of = {'after': ({'node'}, {'topic'}), 'from': ({'node'}, {'package'}, {'node', 'package'})}
+        topic = {'after': '{topic: NAME, package: PACKAGE}', 'from': '{package: PACKAGE, executable: EXECUTABLE}'}
+        for key, allowed in one_of.items():
+            value = self.get(key, {'node': ''})
+            parts = value if isinstance(value, dict) else {'node': value}
+            names = set(parts) & {'node', 'topic', 'package'} - ({'package'} if key == 'after' else set())
+            is_known = set(parts) <= {'node', 'topic', 'package', 'executable'} and names in allowed
+            if not is_known or not all(isinstance(each, str) for each in parts.values()):
+                forms = f'the name of a node, {{node: NAME, package: PACKAGE}}, or {topic[key]}'
+                raise ValueError(f'{key} is {value!r}; write {forms}')
 
 
 class OfRun:

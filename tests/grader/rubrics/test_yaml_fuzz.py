@@ -87,6 +87,10 @@ def test_a_damaged_rubric_is_read_or_refused(data: bytes) -> None:
         ('topic: {name: a, rate: true}', 'rate is True; write a number of at least 0'),
         ('travels: {at_least: 1, share: 2}', 'share is 2; write a number between 0 and 1'),
         ('starts: {node: a, at: 1, after: {node: [1]}}', "after is {'node': [1]}; write the name of a node"),
+        ('starts: {node: a, at: 1, after: {package: b}}', "after is {'package': 'b'}; write the name of a node"),
+        ('receives: {node: a, from: {executable: b}}', "from is {'executable': 'b'}; write the name of a node"),
+        ('receives: {node: a, from: {node: b, topic: /c}}', "from is {'node': 'b', 'topic': '/c'}; write the name of a node"),
+        ('receives: {node: a}', 'receives lacks from'),
     ],
 )
 def test_a_value_of_the_wrong_type_is_named(field: str, words: str) -> None:

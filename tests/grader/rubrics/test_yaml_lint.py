@@ -13,7 +13,13 @@ checks:
   - {{name: command, command: {{words: ros2 bag record}}}}
   - {check}
 """
-BARE = ['hears: {node: /a, topic: /b}', 'nodes: {are: [/a]}', 'starts: {node: /a, at: 0}', 'ends: {node: /a, at: 0}']
+BARE = [
+    'hears: {node: /a, topic: /b}',
+    'receives: {node: /a, from: {package: b}}',
+    'nodes: {are: [/a]}',
+    'starts: {node: /a, at: 0}',
+    'ends: {node: /a, at: 0}',
+]
 
 
 def found(folder: Path, check: str) -> list[str]:
