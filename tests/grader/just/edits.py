@@ -88,7 +88,7 @@ EDITS = {
         '', 'RegisterEventHandler(OnProcessStart(target_action=recorder, on_start=[drive]))', 'drive', 8
     ),
     'black_box: a shell records': Edit('', '*topics])', '*topics], shell=True)', 12),
-    'in_order: one handler for both': Edit('', '', ONE_HANDLER, 12),
+    'in_order: one handler for both': Edit('', '', ONE_HANDLER, 8),
     'in_order: a list and a timer': Edit(
         '', 'RegisterEventHandler(OnProcessStart(target_action=sim, on_start=[driver]))', 'driver', 10
     ),
