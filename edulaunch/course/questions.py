@@ -105,7 +105,7 @@ def _question(path: str, entry: dict[str, Any]) -> Question:
         question = Question(name, entry['lesson'], entry['text'].strip(), choices, entry['right'])
     except (KeyError, TypeError, AttributeError) as error:
         raise UnusableInput(f'{path}: the question "{name}" lacks {error}', help=_FORM) from None
-    if not 2 <= len(choices) <= len(LETTERS) or question.right not in LETTERS[: len(choices)] or len(question.right) != 1:
+    if not 2 <= len(choices) <= len(LETTERS) or question.right not in list(LETTERS[: len(choices)]):
         raise UnusableInput(f'{path}: the question "{name}" has no right choice', help=_FORM)
     return question
 

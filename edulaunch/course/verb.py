@@ -210,10 +210,7 @@ def _lint(arguments: argparse.Namespace) -> int:
         if not has_manifest(arguments.folder):
             raise
         problems = []
-    for problem in problems:
-        print(f'course: {problem}')
-    sys.stdout.flush()  # edugrade's processes write to stdout, too
-    return 1 if check([arguments.folder, *(['--quick'] if arguments.quick else [])]) or problems else 0
+    return check([arguments.folder, *(['--quick'] if arguments.quick else [])], problems)
 
 
 def _list(arguments: argparse.Namespace) -> int:

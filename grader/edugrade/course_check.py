@@ -14,14 +14,17 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import islice
 from tempfile import TemporaryDirectory
+from typing import Any
 
+from edulaunch.engine.nearest import nearest
 from edulaunch.errors import UnusableInput
 
 from .course import LEVELS, MANIFEST, Exercise, read_course, read_toml
 from .faults import raise_fault
 from .files import files_below
 from .grading import grade, plan_work
-from .rubrics.catalogue import course_rubrics, find_rubric, load_rubric, rubrics_folder, rubrics_in
+from .rubric import RubricMistake
+from .rubrics.catalogue import ENDINGS, course_rubrics, find_rubric, load_rubric, rubrics_folder, rubrics_in
 from .rubrics.yaml_lint import points_for_defaults, points_for_names
 from .submission import Submission
 from .variant import CourseSecret, Variant, personal
@@ -32,7 +35,7 @@ SHORTEST_HINT = 40
 MOST_GAPS = 3
 NEEDED = {'file', 'title', 'points'}
 KEYS: tuple[tuple[str, type, str], ...] = (
-    ('file', str, 'a path'),
+    ('file', str, 'a path in exercises'),
     ('title', str, 'a text'),
     ('points', int, 'a whole number'),
     ('lesson', str, 'the name of a notebook'),
@@ -49,8 +52,11 @@ MOST_STUDENTS, TRIES = 2, 400
 """The number of students whose variants are tried, and the number of students among whom they are chosen."""
 
 
-def main(argv: Sequence[str] | None = None) -> int:
-    """Check the course in a folder. Return the exit code."""
+def main(argv: Sequence[str] | None = None, also: Sequence[str] = ()) -> int:
+    """Check the course in a folder, and print each problem. Return the exit code.
+
+    :param also: problems that the caller has found.
+    """
     options = _parser().parse_args(argv)
     folder: str = options.folder
     places = [os.path.join(folder, MANIFEST), os.path.join(folder, STUBS, MANIFEST)]
@@ -63,10 +69,12 @@ def main(argv: Sequence[str] | None = None) -> int:
         if not options.quick:
             sound = [item for item in course if _can_be_run(folder, item)]
             problems += [*listed(check_runs(folder, sound)), *listed(check_variants(folder, sound))]
+    problems = list(dict.fromkeys([*also, *problems]))
     for problem in problems:
         print(f'course: {problem}')
     if not problems:
-        print(f'course: {len(course)} exercises, {sum(item.points for item in course)} points, no mistakes')
+        count = f'{len(course)} exercise' + 's' * (len(course) != 1)
+        print(f'course: {count}, {sum(item.points for item in course)} points, no mistakes')
     return 1 if problems else 0
 
 
@@ -97,6 +105,8 @@ def listed(found: Iterator[str]) -> Iterator[str]:
         yield from found
     except UnusableInput as error:
         yield str(error)
+    except RubricMistake as error:
+        yield from str(error).splitlines()
     except SystemExit as error:
         yield f'a file of the course ended the check: SystemExit: {error}'
     except Exception as error:
@@ -119,11 +129,26 @@ def check_manifest(path: str) -> Iterator[str]:
         for key, kind, words in KEYS:
             if key not in entry and key in NEEDED:
                 yield f'{name} has no {key} in {MANIFEST}'
-            elif key in entry and (not isinstance(entry[key], kind) or isinstance(entry[key], bool)):
+            elif key in entry and (
+                not isinstance(entry[key], kind) or isinstance(entry[key], bool) or not _fits(key, entry[key])
+            ):
                 yield f'{name}: {key} is {entry[key]!r} in {MANIFEST}, and {words} is expected'
+        known = [key for key, _, _ in KEYS]
+        for key in (key for key in entry if key not in known):
+            close = nearest(key, known)
+            yield f'{name} has the unknown field {key} in {MANIFEST}' + (f'; did you mean {close}?' if close else '')
     yield from (
         f'{path} names {file} twice' for file, count in Counter(str(entry.get('file')) for entry in entries).items() if count > 1
     )
+
+
+def _fits(key: str, value: Any) -> bool:
+    """Return whether a value of the right type has the right parts."""
+    if key == 'file':
+        return value not in ('', '.') and not os.path.isabs(value) and os.pardir not in value.split('/')
+    if key == 'variants':
+        return all(isinstance(row, list) for row in value)
+    return True
 
 
 def check_files(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
@@ -138,6 +163,10 @@ def check_files(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
     names, rubrics = [item.name for item in course], _rubrics(folder)
     yield from (f'the rubric of {name} is missing' for name in names if name not in rubrics)
     yield from (f'the rubric {name} has no exercise in {MANIFEST}' for name in rubrics if name not in names)
+    for name, file in rubrics.items():
+        found = [name + ending for ending in ENDINGS if os.path.exists(os.path.join(os.path.dirname(file), name + ending))]
+        if len(found) > 1:
+            yield f'{name} has several rubrics, {" and ".join(found)}, and {os.path.basename(file)} counts: remove the other one'
 
 
 def _rubrics(folder: str) -> dict[str, str]:

@@ -40,7 +40,16 @@ def edit(path: Path, old: str, new: str) -> None:
 def test_a_new_course_passes_lint_and_its_solution_passes_everything(mine: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert {'course.toml', 'lessons/.outputs/01_circle.json', 'lessons/conftest.py', 'rubrics/spin.yaml'} <= set(files(mine))
     assert course('lint', mine) == 0
-    assert capsys.readouterr().out == 'course: 1 exercises, 6 points, no mistakes\n'
+    assert capsys.readouterr().out == 'course: 1 exercise, 6 points, no mistakes\n'
+
+
+def test_lint_says_no_mistakes_only_if_there_are_none_in_the_lessons_either(
+    mine: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    edit(mine / 'solutions' / 'questions.toml', "right = 'c'", "right = 'z'")
+    assert course('lint', mine, '--quick') == 1
+    said = capsys.readouterr().out
+    assert 'the question "radius-of-circle" has no right choice' in said and 'no mistakes' not in said
 
 
 def test_nothing_is_made_where_something_is(mine: Path, capsys: pytest.CaptureFixture[str]) -> None:

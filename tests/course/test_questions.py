@@ -66,6 +66,7 @@ def test_answers_are_in_the_folder_of_solutions_and_not_beside_the_lessons(
     ('change', 'put', 'named'),
     [
         ("right = 'b'", "right = 'x'", 'has no right choice'),
+        ("right = 'b'", 'right = 2', 'has no right choice'),
         ("lesson = '01_first_launch'\ntext", 'text', "lacks 'lesson'"),
         ('choices', 'choice', "lacks 'choices'"),
         ('[[question]]', '[[question', 'cannot read the questions'),

@@ -120,7 +120,7 @@ def test_everything_that_is_wrong_in_a_manifest_is_named_at_once(copy: Path, cap
     manifest.write_text("[[exercise]]\nfile = 3\npoints = '12'\n\n[[exercise]]\ntitle = 'A'\npoints = true\nhints = 'no'\n")
     assert main([str(copy), '--quick']) == 1
     assert capsys.readouterr().out.splitlines() == [
-        'course: 3: file is 3 in course.toml, and a path is expected',
+        'course: 3: file is 3 in course.toml, and a path in exercises is expected',
         'course: 3 has no title in course.toml',
         "course: 3: points is '12' in course.toml, and a whole number is expected",
         'course: the exercise number 2 has no file in course.toml',
@@ -178,3 +178,51 @@ def test_everything_is_listed_at_once_and_a_rubric_that_exits_ends_nothing(
     assert 'course: a file of the course ended the check: SystemExit: 3\n' in told
     assert 'course: odd needs 3 hints' in told
     assert 'spin.launch.py: some failed: ' in told
+
+
+def test_each_mistake_of_a_rubric_is_a_problem_with_its_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    rubric = _new_course(tmp_path) / 'rubrics' / 'spin.yaml'
+    edit(rubric, 'points: 1', 'points: one')
+    edit(rubric, 'rate: 10', 'rat: 10')
+    assert main([str(tmp_path / 'course'), '--quick']) == 1
+    assert capsys.readouterr().out.splitlines() == [
+        f"course: {rubric}:11: 'one' points; points are whole numbers, and never negative",
+        f'course: {rubric}:13: topic has no rat; did you mean rate?',
+    ]
+
+
+def test_two_rubrics_of_one_exercise_are_found(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (_new_course(tmp_path) / 'rubrics' / 'spin.py').write_text('')
+    assert main([str(tmp_path / 'course'), '--quick']) == 1
+    assert capsys.readouterr().out == (
+        'course: spin has several rubrics, spin.py and spin.yaml, and spin.yaml counts: remove the other one\n'
+    )
+
+
+@pytest.mark.parametrize(
+    ('old', 'new', 'said'),
+    [
+        (
+            "'spin.launch.py'",
+            "'../spin.launch.py'",
+            "file is '../spin.launch.py' in course.toml, and a path in exercises is expected",
+        ),
+        ("'spin.launch.py'", "'/spin.launch.py'", 'a path in exercises is expected'),
+        ("'spin.launch.py'", "''", 'a path in exercises is expected'),
+        ('title =', 'titel =', 'spin.launch.py has the unknown field titel in course.toml; did you mean title?'),
+        ('points = 6', 'points = 6\nvariants = [1.0]', 'variants is [1.0] in course.toml, and a list of lists is expected'),
+    ],
+)
+def test_a_field_of_the_manifest_that_cannot_mean_anything_is_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, said: str
+) -> None:
+    edit(_new_course(tmp_path) / 'course.toml', old, new)
+    assert main([str(tmp_path / 'course'), '--quick']) == 1
+    assert said in capsys.readouterr().out
+
+
+def _new_course(folder: Path) -> Path:
+    from edulaunch.course.copying import new_course
+
+    new_course(str(folder / 'course'))
+    return folder / 'course'

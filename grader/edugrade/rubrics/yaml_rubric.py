@@ -28,13 +28,15 @@ COMMON = ('points', 'say', 'name', 'needs', 'try', 'only')
 def read_yaml_rubric(path: str, data: bytes) -> Rubric:
     """Return the rubric that a YAML file describes; docs/rubric_checks.md describes the form.
 
-    :raises RubricMistake: with the file and line of the mistake.
+    :raises RubricMistake: with the file and line of each mistake. One run or check can have more mistakes than the named one.
     """
     try:
         root = yaml.compose(data, yaml.SafeLoader)
     except (yaml.YAMLError, RecursionError) as error:
         mark = getattr(error, 'problem_mark', None)
-        raise RubricMistake(f'{path}:{mark.line + 1 if mark else 1}: {getattr(error, "problem", None) or error}') from None
+        raise RubricMistake(
+            f'{path}:{mark.line + 1 if mark else 1}: {getattr(error, "problem", None) or getattr(error, "reason", error)}'
+        ) from None
     if root is None:
         raise RubricMistake(f'{path}:1: the file is empty; a rubric has title, runs and checks')
 
@@ -46,15 +48,7 @@ def read_yaml_rubric(path: str, data: bytes) -> Rubric:
     missing = [name for name in wanted if name not in parts]
     if missing:
         raise problem(root, f'the rubric lacks {" and ".join(missing)}')
-    runs = [_run(node, problem) for node in _items(parts['runs'], problem, 'runs')] if 'runs' in parts else []
-    _choose(runs, Random(0))  # finds a mistake in the rubric now, before the first submission
-    names = [scenario.name for scenario in _choose(runs, Random(0))]
-    checks: dict[str, Check] = {}
-    items = _items(parts['checks'], problem, 'checks')
-    may_end = any(pair[0].value in ENDS for item in items if isinstance(item, yaml.MappingNode) for pair in item.value)
-    for node in items:
-        check = _check(node, problem, checks, names, may_end)
-        checks[check.name] = check
+    runs, checks = _runs_and_checks(parts, problem)
     _refuse_unknown_arguments(parts['checks'], runs, problem)
     _refuse_unknown_proofs(parts['checks'], checks, problem)
     title = _value(parts['title'], problem)
@@ -73,6 +67,41 @@ def read_yaml_rubric(path: str, data: bytes) -> Rubric:
     except RubricMistake as mistake:
         raise problem(parts['runs'], str(mistake).split(': ', 1)[1]) from None
     return rubric
+
+
+def _runs_and_checks(
+    parts: Mapping[str, yaml.Node], problem: Problem
+) -> tuple[list[Callable[[Random], Scenario]], dict[str, Check]]:
+    """Return the runs and the checks by name. Raise RubricMistake with the first mistake of each of them, one in a line."""
+    runs: list[Callable[[Random], Scenario]] = []
+    names: list[str] = []
+    checks: dict[str, Check] = {}
+    mistakes: list[str] = []
+    for node in _items(parts['runs'], problem, 'runs') if 'runs' in parts else ():
+        try:
+            runs.append(_run(node, problem))
+            names.append(runs[-1](Random(0)).name)  # finds a mistake in the rubric now, before the first submission
+        except RubricMistake as mistake:
+            mistakes.append(str(mistake))
+            names.append(_name_in(node))
+    items = _items(parts['checks'], problem, 'checks')
+    may_end = any(pair[0].value in ENDS for item in items if isinstance(item, yaml.MappingNode) for pair in item.value)
+    for node in items:
+        try:
+            check = _check(node, problem, checks, names, may_end)
+        except RubricMistake as mistake:
+            mistakes.append(str(mistake))
+            check = Check(_name_in(node), '', lambda run: None, 0)  # other checks may need it
+        checks.setdefault(check.name, check)
+    if mistakes:
+        raise RubricMistake('\n'.join(mistakes))
+    return runs, checks
+
+
+def _name_in(node: yaml.Node) -> str:
+    """Return the name of a run or a check that has a mistake, or '' without a name."""
+    pairs = node.value if isinstance(node, yaml.MappingNode) else ()
+    return next((str(value.value) for key, value in pairs if key.value == 'name'), '')
 
 
 def _choose(runs: list[Callable[[Random], Scenario]], random: Random) -> list[Scenario]:
@@ -213,7 +242,7 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: 
     if lacking:
         raise problem(parts[kinds[0]], f'{kinds[0]} lacks {" and ".join(lacking)}')
     points = _value(parts['points'], problem) if 'points' in parts else 0
-    if not isinstance(points, int) or points < 0:
+    if type(points) is not int or points < 0:
         raise problem(parts['points'], f'{points!r} points; points are whole numbers, and never negative')
     words = {name: str(_value(parts[name], problem)) for name in ('say', 'name') if name in parts}
     *steps, last = _advice(parts['try'], problem) if 'try' in parts else [None]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import errno
 import os
+import signal
 import sys
 import time
 from contextlib import suppress
@@ -43,15 +44,24 @@ def prctl(option: int, value: int = 0, more: Any = 0) -> int:
 
 
 def fork() -> int:
-    """Fork as `os.fork`, and wait for almost half a second while the computer has no processes left.
+    """Fork as `os.fork`, and wait for almost half a second while the computer has no processes left. A Ctrl-C during the fork
+    has its effect afterwards, because Python ignores exceptions in the functions that it calls after a fork.
 
     :raises OSError: when it still has none.
     """
     for pause in PAUSES_S:
         with suppress(OSError):
-            return os.fork()
+            return _fork()
         time.sleep(pause)
-    return os.fork()
+    return _fork()
+
+
+def _fork() -> int:
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    try:
+        return os.fork()
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def effective_capabilities() -> int:

@@ -119,3 +119,22 @@ def test_a_name_can_be_made_up_for_each_submission() -> None:
     assert len(found) > 45 and all(len(name) == 6 and name.isalpha() and name.islower() for name in found)
     with pytest.raises(RubricMistake, match='a.yaml:2: word is a number of syllables from 2 to 6'):
         read_yaml_rubric('a.yaml', text.replace('3', '99').encode())
+
+
+def test_all_runs_and_checks_with_a_mistake_are_named_at_once() -> None:
+    text = (
+        GOOD.replace('decimals: 1', 'decimals: 9').replace('  - alive: {}', '  - alife: {}').replace('points: 2', 'points: true')
+    )
+    with pytest.raises(RubricMistake) as raised:
+        read_yaml_rubric('a.yaml', text.encode())
+    assert str(raised.value).splitlines() == [
+        'a.yaml:4: decimals is a whole number from 0 to 6',
+        'a.yaml:7: a check has no alife; did you mean alive?',
+        'a.yaml:10: True points; points are whole numbers, and never negative',
+    ]
+
+
+def test_a_check_that_needs_a_broken_one_is_no_second_mistake() -> None:
+    with pytest.raises(RubricMistake) as raised:
+        read_yaml_rubric('a.yaml', GOOD.replace('alive: {}', 'alive: {always: 3}').encode())
+    assert len(str(raised.value).splitlines()) == 1
