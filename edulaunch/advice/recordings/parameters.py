@@ -61,7 +61,7 @@ ROS_PARAMETERS = ('qos_overrides.', 'use_sim_time', 'start_type_description_serv
     ),
     why='ROS 2 compares each key of a parameter file with the full name of the node, and ignores other keys silently',
     do=(
-        'remove __node and __ns from the ROS arguments, and set name= and namespace= of the node instead',
+        'remove __node and __ns from the ROS arguments, and set name= and namespace= of {launched} instead',
         'replace the key `{near}` with `{node}` (or with `/**` for all nodes)',
         'write the key `{node}` (or `/**` for all nodes) above `ros__parameters`',
     ),
