@@ -224,7 +224,7 @@ def test_a_topic_is_not_paired_with_one_that_another_topic_resembles_more(
         (
             "self.timer = self.create_timer(1.0, lambda: self.kill.call_async(Kill.Request(name='turtl1')))",
             "1. the turtle 'turtl1' cannot be killed, because it does not exist",
-            "do:    write 'turtle1' if you mean that one",
+            "do:    write 'turtle1' if you mean this name",
         ),
     ],
 )

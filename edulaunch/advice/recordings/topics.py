@@ -86,15 +86,13 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
 
 
 def _is_outdone(recording: Recording, end: EndRecord, other: EndRecord) -> bool:
-    """Return whether another published topic of this type shares more of its last words with the subscription.
+    """Return whether another topic of this type without a subscription shares more of its last words with the subscription.
 
     A subscription to `/b/turtle1/pose` resembles `/a/turtle1/pose` more than `/a/turtle2/pose`.
     """
     shared = _shared_words(end.name, other.name)
-    published = (
-        name for (kind, name), ends in ends_by_name(recording).items() if kind == 'publisher' and ends[0].type == end.type
-    )
-    return any(_shared_words(name, other.name) > shared for name in published if name != other.name)
+    alone = (each.name for each in lone_ends(recording, 'publisher') if each.type == end.type)
+    return any(_shared_words(name, other.name) > shared for name in alone)
 
 
 def _shared_words(one: str, other: str) -> int:
@@ -155,11 +153,13 @@ def _commands(recording: Recording) -> set[str]:
 )
 def nobody_listens(recording: Recording) -> Iterator[Finding]:
     """Report a topic of velocities without a subscription. Most other topics may lack one."""
-    subscribed = [name for kind, name in ends_by_name(recording) if kind == 'subscription']
+    ends = ends_by_name(recording)
+    subscribed = [name for kind, name in ends if kind == 'subscription']
     for end in lone_ends(recording, 'publisher'):
         if end.type in COMMANDS and _sent(recording, end):
             file, line = end_place(recording, end.kind, end.name, end.node)
-            listening = [name for name in subscribed if ends_by_name(recording)['subscription', name][0].type == end.type]
+            listening = [name for name in subscribed if ends['subscription', name][0].type == end.type]
+            listening = [name for name in listening if ('publisher', name) not in ends] or listening
             near = nearest(end.name, listening) if len(listening) > 1 else next(iter(listening), None)
             mover, moved = _moved(recording, end.name)
             facts = {'node': speaker(recording, end.node), 'near': near, 'empty': _empty_part(end.name)}
