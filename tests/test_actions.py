@@ -16,8 +16,8 @@ from tests.house import ROOT
 VERBS = (
     'add align ask assign begin broadcast build call change check choose clone close compare connect convert copy '
     'correct count create declare define delete deserialize do download end export find fix follow get give grade '
-    'hand import include increase indent install keep launch leave let list look make move name open pack pass '
-    'publish put read record remove rename repair replace report restore return run save see select send set '
+    'hand import include increase indent install keep kill launch leave let list look make move name open pack pass '
+    'publish put read record remap remove rename repair replace report restore return run save see select send set '
     'simulate spawn spin start stop store subscribe swap synchronize try type undo use wait write '
 )
 OPENINGS = ('did you mean ', 'if you ', 'in main(), ')

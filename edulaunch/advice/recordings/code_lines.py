@@ -272,7 +272,7 @@ def own_echo(recording: Recording) -> Iterator[Finding]:
     'launch.yaml-key-twice',
     what="one item of this list has the key '{key}' twice, in lines {first} and {again}, and YAML keeps only the second value",
     why='in YAML, each item of a list begins with a dash, and a mapping has each key once',
-    do="begon line {again} with a dash: '- {key}:'",
+    do="begin line {again} with a dash: '- {key}:'",
     lesson='06_xml_yaml',
     level='error',
     hides=('messages.nobody-publishes', 'messages.nobody-listens', 'messages.other-topic'),

@@ -61,6 +61,7 @@ class FakeHost:
     def __init__(self, sim: Simulation) -> None:
         self.sim = sim
         self.compiled: dict[str, Any] = {}
+        self.lines_in_set_order = lambda source: ()
         self.hints = DeferredHints()
         self.make_launch_observer = None
         self.log: list[tuple[float, str, str]] = []

@@ -157,6 +157,7 @@ def test_a_transition_that_is_not_there_is_refused_with_those_that_are() -> None
         'node': '/ns/n',
         'state': 'unconfigured',
         'possible': ['1 (configure)', '5 (shutdown)'],
+        'transition': 'activate',
     }
     assert (node.asked, node.events) == ([], [])
 
