@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import threading
 
 import pytest
 from edugrade.job import CAN_FORK
@@ -15,7 +16,7 @@ def test_a_ctrl_c_during_a_fork_has_its_effect_after_it(monkeypatch: pytest.Monk
     seen: list[str] = []
 
     def interrupted() -> int:
-        os.kill(os.getpid(), signal.SIGINT)
+        signal.pthread_kill(threading.get_ident(), signal.SIGINT)
         seen.append('forked')
         return 77
 
