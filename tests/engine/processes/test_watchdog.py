@@ -199,10 +199,10 @@ def test_a_call_of_the_system_that_waits_for_the_outside_is_interrupted(watched:
     wrote = watched.run(
         """
         import socket
-        listening = socket.socket()
-        listening.bind(('127.0.0.1', 0))
-        listening.listen(1)
-        listening.accept()
+        with socket.socket() as listening:
+            listening.bind(('127.0.0.1', 0))
+            listening.listen(1)
+            listening.accept()
         """
     )
     assert watched.codes == {'program-1': 1}
