@@ -24,6 +24,8 @@ STRANGE_ARCHIVES = ('.7z', '.rar', '.xz', '.zst')
 BY_THE_WAY = ('__MACOSX', '__pycache__', 'build', 'install', 'log')
 LINK = 'it is a link, and links are not followed'
 NOTHING = 'it contains no launch file or package of an exercise'
+NAMED = 'name the launch file after its exercise'
+MOST_NAMES = 5  # names of files that a message lists
 
 
 class Entry(NamedTuple):
@@ -97,7 +99,7 @@ class Finder:
         if refused:
             return [Entry(shown, *student, refused=refused, origin=origin)]
         found = list(self._walk(folder, shown, lambda path: student, 0))[:MOST_OF_ONE]
-        found = found or [Entry(shown, *student, refused=NOTHING)]
+        found = found or [Entry(shown, *student, refused=_nothing_in(folder), help=NAMED)]
         return [entry._replace(origin=origin, root=self._root_of(entry, folder)) for entry in found]
 
     def _of_item(self, item: os.DirEntry[str], student_of: Callable[[str], Student]) -> Iterator[Entry]:
@@ -108,9 +110,7 @@ class Finder:
             return
         found = list(self._item(folder, item, item.name, student_of, 0))[:MOST_OF_ONE]
         if not found and item.is_dir(follow_symlinks=False) and item.name not in BY_THE_WAY:
-            found = [
-                Entry(item.name, *student_of(item.name + '/'), refused=NOTHING, help='name the launch file after its exercise')
-            ]
+            found = [Entry(item.name, *student_of(item.name + '/'), refused=_nothing_in(item.path), help=NAMED)]
         yield from (entry._replace(root=self._root_of(entry, item.path)) for entry in found)
 
     def _root_of(self, entry: Entry, folder: str) -> str:
@@ -184,13 +184,25 @@ class Finder:
             yield Entry(shown, *student, refused=f'the archive cannot be unpacked: {error}')
             return
         found = list(self._walk(target, shown, student_of, nested + 1))
-        yield from found or [Entry(shown, *student, refused=NOTHING)]
+        yield from found or [Entry(shown, *student, refused=_nothing_in(target), help=NAMED)]
 
     def _new_folder(self) -> str:
         """Return the path of a new folder for one archive or file."""
         os.makedirs(self._unpacked, exist_ok=True)
         self._folders += 1
         return os.path.join(self._unpacked, str(self._folders))
+
+
+def _nothing_in(folder: str) -> str:
+    """Return that a folder contains no submission, and the names of its first files."""
+    names: list[str] = []
+    for _, folders, files in os.walk(folder):
+        folders.sort()
+        names += sorted(name for name in files if not name.startswith('.'))
+        if len(names) >= MOST_NAMES:
+            break
+    shown = [name if name.isprintable() else ascii(name) for name in names[:MOST_NAMES]]
+    return f'{NOTHING}; it contains {", ".join(shown)}' if shown else NOTHING
 
 
 def _sorted(folder: str) -> list[os.DirEntry[str]]:

@@ -20,6 +20,8 @@ _MOODLE = re.compile(r'(?P<student>[^/]+?)_(?P<id>\d+)_assignsubmission_[a-z]+(?
 _CANVAS = re.compile(r'(?P<student>[^/_]+)_(?:LATE_)?(?P<id>\d+)_\d+_[^/]+')
 _CANVAS_BEFORE = re.compile(r'[^/_]+_(?:LATE_)?\d+_\d+_')
 _AGAIN = re.compile(r'-\d+(?=\.(?:py|xml|ya?ml)$)')  # Canvas numbers repeated submissions: circle.launch-1.py
+# Browsers number downloads of one name: circle.launch (1).py. Students also copy a file as circle (1).launch.py.
+_DOWNLOADED = re.compile(r' ?\(\d+\)(?=(?:[._]launch)?\.(?:py|xml|ya?ml)$)')
 _GRADESCOPE = re.compile(r'(?:[^/]*/)?(?P<key>submission_\d+)(?:/|$)')
 
 
@@ -57,12 +59,13 @@ def namer(folder: str, pattern: str | None = None) -> Callable[[str], Student]:
 
 
 def plain_name(name: str) -> str:
-    """Return the name that the student gave a launch file: without the parts that Moodle and Canvas add."""
+    """Return the name that the student gave a launch file: without the parts that Moodle, Canvas and browsers add."""
     for before in (_MOODLE, _CANVAS_BEFORE):
         match = before.match(name)
         if match and match.end() < len(name):
-            return _AGAIN.sub('', name[match.end() :]) if before is _CANVAS_BEFORE else name[match.end() :]
-    return name
+            name = _AGAIN.sub('', name[match.end() :]) if before is _CANVAS_BEFORE else name[match.end() :]
+            break
+    return _DOWNLOADED.sub('', name)
 
 
 def _stem(name: str) -> str:

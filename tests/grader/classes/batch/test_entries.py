@@ -52,7 +52,7 @@ def test_folders_archives_and_files(tmp_path: Path) -> None:
     assert seen(entries) == [
         ('anna', 'anna/circle.launch.py', ''),
         ('bert', 'bert/ws/src/robot', ''),
-        ('dora', 'dora', NOTHING),
+        ('dora', 'dora', f'{NOTHING}; it contains other.launch.py'),
         ('eve', 'eve.zip/hw/circle.launch.py', ''),
         ('eve', 'eve.zip/hw/deep/circle_launch.xml', ''),
         ('fred', 'fred/work.zip', "the archive contains a path that leads out of it: '../circle.launch.py'"),

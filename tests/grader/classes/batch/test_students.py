@@ -69,6 +69,14 @@ def test_a_renamed_file_gets_its_own_name_back() -> None:
     assert plain_name('static_frame.launch.py') == 'static_frame.launch.py'
 
 
+@pytest.mark.parametrize(
+    'name', ['circle.launch (1).py', 'circle (12).launch.py', 'circle.launch(2).py', 'lovelaceada_123_456_circle.launch (1).py']
+)
+def test_the_number_of_a_download_is_no_part_of_the_name(name: str) -> None:
+    assert plain_name(name) == 'circle.launch.py'
+    assert plain_name('circle (a).launch.py') == 'circle (a).launch.py'
+
+
 def repository(path: Path) -> str:
     """A git repository with a launch file, a link and a hook; gives its commit."""
     path.mkdir()
