@@ -242,3 +242,23 @@ def test_a_turtle_that_is_killed_twice_is_no_misspelling_of_itself(
     )
     printed = report(capsys, package / 'launch' / 'a.launch.py')
     assert headline in printed and cure in printed
+
+
+@pytest.mark.parametrize(
+    ('remapping', 'cure'),
+    [
+        (
+            "('/turtle1/cmd_vel', '/turtle2/cmd_vel')",
+            "remove this remapping; if the code of /teleop_turtle uses '/turtle2/cmd_vel', swap",
+        ),
+        ("('turtle1/cmd_vel', '/turtle1/cmd_vel')", ''),
+    ],
+)
+def test_names_in_a_program_of_ros_2_are_not_told_to_be_swapped(
+    remapping: str, cure: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    teleop = f"Node(package='turtlesim', executable='turtle_teleop_key', remappings=[{remapping}])"
+    (tmp_path / 'a.launch.py').write_text(launch_file("Node(package='turtlesim', executable='turtlesim_node')", teleop))
+    edulaunch.run(str(tmp_path / 'a.launch.py'), duration_s=2.0)
+    told = capsys.readouterr().err
+    assert ('disconnects /teleop_turtle' in told) == bool(cure) and cure in told

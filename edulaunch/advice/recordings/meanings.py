@@ -231,7 +231,11 @@ def other_axis(recording: Recording) -> Iterator[Finding]:
     'launch.remapping-reversed',
     what="the remapping of '{old}' to '{new}' disconnects {node} from {old}, which another node uses",
     why='the first name of a remapping is the name in the code of the node, and the second name replaces it',
-    do=('add the same remapping to {other}, or remove this remapping', "swap the names: remappings=[('{new}', '{old}')]"),
+    do=(
+        'add the same remapping to {other}, or remove this remapping',
+        "remove this remapping; if the code of {unread} uses '{new}', swap the names instead: remappings=[('{new}', '{old}')]",
+        "swap the names: remappings=[('{new}', '{old}')]",
+    ),
     lesson='02_names',
     level='error',
     hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes', 'launch.remapping-unused'),
@@ -260,16 +264,25 @@ def remapping_reversed(recording: Recording) -> Iterator[Finding]:
                         partner = lone[other[kind]].get((old, end.type))
                         if partner is not None and end.node == nodes[0].name:
                             file, line = places(recording).get(process.name, NOWHERE)
-                            needs_it = partner.node if _has_first_name(recording, end, old) else None
-                            facts: dict[str, Any] = {'old': one.match, 'new': one.replacement, 'other': needs_it}
+                            code = _code_of(recording, end)
+                            facts: dict[str, Any] = {
+                                'old': one.match,
+                                'new': one.replacement,
+                                'other': partner.node if _has_first_name(code, end, old) else None,
+                                'unread': None if 'create_' in code else end.node,
+                            }
                             yield found('node', nodes[0].name, file=file, line=line, **facts)
                             break
 
 
-def _has_first_name(recording: Recording, end: EndRecord, old: str) -> bool:
-    """Return whether the call that creates an endpoint contains the name that a remapping replaced."""
+def _code_of(recording: Recording, end: EndRecord) -> str:
+    """Return the lines that create an endpoint. They are in a launch file if a program of ROS 2 creates it."""
     file, line = end_place(recording, end.kind, end.name, end.node)
-    code = ''.join(linecache.getline(file or '', (line or 0) + number) for number in range(3))  # the call may have several lines
+    return ''.join(linecache.getline(file or '', (line or 0) + number) for number in range(3))  # the call may have several lines
+
+
+def _has_first_name(code: str, end: EndRecord, old: str) -> bool:
+    """Return whether the call that creates an endpoint contains the name that a remapping replaced."""
     first, second = (name.rpartition('/')[2] for name in (old, end.name))
     return first != second and re.search(rf'\b{re.escape(first)}[\'"]', code) is not None
 
