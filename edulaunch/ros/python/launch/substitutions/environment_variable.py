@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from edulaunch.engine.facts import with_facts
-from edulaunch.engine.nearest import nearest
+from edulaunch.engine.nearest import nearest_spelling
 
 from .._bases import ReadOnly
 from ..substitution import SomeSubstitutionsType, Substitution
@@ -42,5 +42,5 @@ class EnvironmentVariable(Substitution):
             return value
         if self.__default_value is None:
             error = SubstitutionFailure(f"environment variable '{name}' does not exist")
-            raise with_facts(error, 'launch.no-variable', near=nearest(name, context.environment))
+            raise with_facts(error, 'launch.no-variable', near=nearest_spelling(name, context.environment))
         return perform_substitutions(context, self.__default_value)
