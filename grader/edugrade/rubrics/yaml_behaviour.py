@@ -5,12 +5,13 @@ from __future__ import annotations
 import os
 import re
 from bisect import bisect_right
+from collections.abc import Iterable
 from math import inf
 
 from ..evidence import Evidence, Failure, Mismatch, Missing
 from ..library.description import joints_of, require_derived
 from ..library.frames import transforms
-from ..library.heard import Program, require_heard
+from ..library.heard import Program, require_heard, require_lines_of_messages
 from ..library.identity import rows_of
 from ..library.launched import refuse_strangers
 from ..library.movement import Track, turtle_track
@@ -34,6 +35,42 @@ def receives(run: Evidence, wanted: Wanted) -> None:
         listener, speaker = Program(one.text('node'), *one.program()), Program(*one.other('from'))
         advice = wanted.try_ or f'connect {listener.words} to {speaker.words} with a remapping'
         require_heard(one.alone, one.scenario, listener, speaker, advice)
+
+
+@kind('{node} logs {pattern}', 'node pattern', f'example topic {PROGRAM}')
+def logs(run: Evidence, wanted: Wanted) -> None:
+    """Require that a node logs a line that matches a pattern, and that such lines follow the messages of a topic."""
+    for one in wanted.of_each(run):
+        logger = one.text('node').strip('/').replace('/', '.')
+        logs, (package, executable) = one.recording.logs, one.program()
+        rows = range(len(logs)) if package is None else rows_of(one.recording, 'logs', package, executable)
+        own = [logs[row] for row in rows if logs[row].logger.replace('/', '.') == logger]
+        if not _fits(wanted, (log.message for log in own)):
+            seen = last_lines([f'{log.message}\n' for log in own]) or 'no log lines'
+            asked = wanted['example'] or readable(str(wanted['pattern']))
+            thing = f'{one.text("node")} does not log the expected line in the run with {one.words}'
+            raise Failure(thing, expected=asked, seen=seen, **one.advice)
+        if wanted['topic']:
+            lines = [(log.time_s, log.message) for log in own if _fits(wanted, [log.message])]
+            listener = Program(one.text('node'), package, executable)
+            require_lines_of_messages(one.alone, one.scenario, listener, one.text('topic'), lines, wanted.try_)
+
+
+@kind('{executable} prints {pattern}', 'package executable pattern', 'example')
+def prints(run: Evidence, wanted: Wanted) -> None:
+    """Require that a program prints a line that matches a pattern."""
+    for one in wanted.of_each(run):
+        rows = rows_of(one.recording, 'output', wanted['package'], wanted['executable'])
+        lines = [one.recording.output[row].text for row in rows]
+        if not _fits(wanted, (line for text in lines for line in text.splitlines())):
+            thing = f'{wanted["executable"]} does not print the expected line in the run with {one.words}'
+            asked = wanted['example'] or readable(str(wanted['pattern']))
+            raise Failure(thing, expected=asked, seen=last_lines(lines) or 'no output', **one.advice)
+
+
+def _fits(wanted: Wanted, lines: Iterable[str]) -> bool:
+    pattern = re.compile(str(wanted['pattern']))
+    return any(pattern.search(line[:1000]) for line in lines)
 
 
 @kind('{executable} counts the messages of {topics}', 'package executable pattern topics')

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from math import inf, isfinite, tau
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -13,15 +12,13 @@ from ..library.circle_fit import fit_circle
 from ..library.deaths import refuse_dead, refuse_gone
 from ..library.following import driven_track, require_driver, require_near, require_pursuit
 from ..library.frames import numbers, require_frame, transforms, yaw
-from ..library.heard import Program, require_lines_of_messages
-from ..library.identity import rows_of
 from ..library.launched import refuse_strangers, require_process
 from ..library.movement import Track, length, odometry_track, since, turtle_track
 from ..library.node_graph import require_ended, require_listener, require_node, require_nodes, require_started, require_topic
 from ..library.parameters import named_origin, refuse_missing_file, require_parameter, value_and_origin
 from ..library.parameters import node_parameter as read_parameter
 from ..library.written import parameter_of_node, remapping_to
-from ..shortened import last_lines, readable, shortened
+from ..shortened import shortened
 from .yaml_wanted import OfRun, Wanted
 
 if TYPE_CHECKING:
@@ -268,42 +265,6 @@ def defined(run: Evidence, wanted: Wanted) -> None:
         raise Missing(name, expected=f'{name} = ...', try_=wanted.try_ or f'run the cell that defines {name}')
     if run.names[name] != asked:
         raise Mismatch(name, repr(asked), shortened(repr(run.names[name]), LONGEST_VALUE), try_=wanted.try_)
-
-
-@kind('{node} logs {pattern}', 'node pattern', f'example topic {PROGRAM}')
-def logs(run: Evidence, wanted: Wanted) -> None:
-    """Require that a node logs a line that matches a pattern, and that such lines follow the messages of a topic."""
-    for one in wanted.of_each(run):
-        logger = one.text('node').strip('/').replace('/', '.')
-        logs, (package, executable) = one.recording.logs, one.program()
-        rows = range(len(logs)) if package is None else rows_of(one.recording, 'logs', package, executable)
-        own = [logs[row] for row in rows if logs[row].logger.replace('/', '.') == logger]
-        if not _fits(wanted, (log.message for log in own)):
-            seen = last_lines([f'{log.message}\n' for log in own]) or 'no log lines'
-            asked = wanted['example'] or readable(str(wanted['pattern']))
-            thing = f'{one.text("node")} does not log the expected line in the run with {one.words}'
-            raise Failure(thing, expected=asked, seen=seen, **one.advice)
-        if wanted['topic']:
-            lines = [(log.time_s, log.message) for log in own if _fits(wanted, [log.message])]
-            listener = Program(one.text('node'), package, executable)
-            require_lines_of_messages(one.alone, one.scenario, listener, one.text('topic'), lines, wanted.try_)
-
-
-@kind('{executable} prints {pattern}', 'package executable pattern', 'example')
-def prints(run: Evidence, wanted: Wanted) -> None:
-    """Require that a program prints a line that matches a pattern."""
-    for one in wanted.of_each(run):
-        rows = rows_of(one.recording, 'output', wanted['package'], wanted['executable'])
-        lines = [one.recording.output[row].text for row in rows]
-        if not _fits(wanted, (line for text in lines for line in text.splitlines())):
-            thing = f'{wanted["executable"]} does not print the expected line in the run with {one.words}'
-            asked = wanted['example'] or readable(str(wanted['pattern']))
-            raise Failure(thing, expected=asked, seen=last_lines(lines) or 'no output', **one.advice)
-
-
-def _fits(wanted: Wanted, lines: Iterable[str]) -> bool:
-    pattern = re.compile(str(wanted['pattern']))
-    return any(pattern.search(line[:1000]) for line in lines)
 
 
 @kind('{turtle} is at its position at the end', 'turtle', f'x y since {MEASURE}')
