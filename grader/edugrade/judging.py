@@ -205,7 +205,7 @@ def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckRes
     has_died = any(map(_is_death, kept))
     found = _findings(evidence, has_died)
     findings = [finding for finding in found if not any(_is_reported(finding, result) for result in kept)]
-    for is_about in (_is_near, _is_named, _is_there):  # a finding belongs to the check that fits best
+    for is_about in (_has_both, _is_named, _is_near_in_node, _is_near, _is_there):  # the best fit comes first
         for position, result in enumerate(kept):
             if result.status != FAILED or result.cause is not None:
                 continue
@@ -266,12 +266,26 @@ def _is_reported(finding: Finding, result: CheckResult) -> bool:
     )
 
 
-def _is_near(finding: Finding, result: CheckResult) -> bool:
-    return _has_name(result, finding.facts.get('near'))
+def _has_both(finding: Finding, result: CheckResult) -> bool:
+    """Return whether a check names the wrong name and the right one."""
+    return _has_name(result, finding.facts.get('near')) and _is_named(finding, result)
 
 
 def _is_named(finding: Finding, result: CheckResult) -> bool:
-    return any(_has_name(result, name) for name in (finding.name, finding.name.strip('/')))
+    """Return whether a check names the thing itself. If the finding knows the right name, the check must show the wrong one."""
+    names = (finding.name, finding.name.strip('/'))
+    shown = '\n'.join(filter(None, (result.reason, result.expected, result.seen)))
+    return any(_has_name(result, name) and ('near' not in finding.facts or name in shown) for name in names)
+
+
+def _is_near_in_node(finding: Finding, result: CheckResult) -> bool:
+    """Return whether a check names the right name and the node that uses the wrong one."""
+    node = str(finding.facts.get('node') or '').rpartition('/')[2]
+    return _has_name(result, finding.facts.get('near')) and _has_name(result, node)
+
+
+def _is_near(finding: Finding, result: CheckResult) -> bool:
+    return _has_name(result, finding.facts.get('near'))
 
 
 def _is_there(finding: Finding, result: CheckResult) -> bool:
