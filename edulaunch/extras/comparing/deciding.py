@@ -43,7 +43,7 @@ def informs(difference: Difference, simulated: Observation, real: Observation, l
 
 
 def is_overdue(difference: Difference, simulated: Observation, real: Observation, late_s: float) -> bool:
-    """Return whether the real run had enough time for what it lacks, or its program has continued past it."""
+    """Return whether the real run had enough time for the missing event, or its program has continued past that event."""
     if difference.kind == 'output' and _is_past(difference.name, difference.simulated, simulated, real):
         return True
     first_s = _first_s(difference, simulated)
@@ -51,7 +51,7 @@ def is_overdue(difference: Difference, simulated: Observation, real: Observation
 
 
 def _is_past(process: str, text: str, simulated: Observation, real: Observation) -> bool:
-    """Return whether the program repeated something more often in reality than in simulation before that line."""
+    """Return whether the real program printed a line that the simulated program first prints, or repeats, after that line."""
     printed = sorted((line for line in simulated.lines if line.process == process), key=lambda line: line.time_s)
     texts = [line.text for line in printed]
     if text not in texts:
@@ -72,7 +72,7 @@ def _has_as_many(difference: Difference, simulated: Observation, real: Observati
 
 
 def _first_s(difference: Difference, simulated: Observation) -> float | None:
-    """Return when the simulation first had what the real run lacks, or None if that is unknown."""
+    """Return when the missing event first occurred in simulation, or None if that time is unknown."""
     kind, name, text, *_ = difference
     if kind == 'output':
         times = [line.time_s for line in simulated.lines if (line.process, line.text) == (name, text)]

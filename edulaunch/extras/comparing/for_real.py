@@ -1,4 +1,4 @@
-"""Observe a real run: by a node beside it, and by the output of its processes."""
+"""Observe a real run through an additional node, and through the output of the processes of the run."""
 
 from __future__ import annotations
 
@@ -137,7 +137,7 @@ def _is_free(port: int) -> bool:
 def _observer(session: Session) -> Iterator[Callable[[str], Any]]:
     """Start a node that observes the run and reports on request, while the session continues.
 
-    :raises EdulaunchError: when it did not start, or died.
+    :raises EdulaunchError: when the observer did not start, or died.
     """
     assert isinstance(session.host, NativeHost)
     words = command(session.host.environment, _OBSERVER, ProcessSpec((), 'observer'), session.index)

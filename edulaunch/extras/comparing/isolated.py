@@ -1,6 +1,6 @@
 """Run each part of a comparison in its own folder, with access to the current folder but not to files of other runs.
 
-For example, both runs may record a bag. Nothing is left behind.
+For example, both runs may record a bag. Each folder is deleted afterwards.
 """
 
 from __future__ import annotations

@@ -107,7 +107,7 @@ class Program(NamedTuple):
 
 
 class Observation(NamedTuple):
-    """Everything in an observation.
+    """The nodes, endpoints, parameters, messages, output and programs that were observed in a run.
 
     :ivar nodes: when each node first existed; :data:`BRIEFLY` for one that ended before all programs can have found it.
     :ivar ends: QoS (reliability and durability) and first appearance of endpoints, as for nodes.
@@ -159,7 +159,7 @@ def masked(text: str) -> str:
 
 
 def steady_name(node: str) -> str:
-    """Return the name of a node without random letters (`static_transform_publisher_ezuB4ij12Li9ZFsK`)."""
+    """Return the name of a node without its random letters (`static_transform_publisher_ezuB4ij12Li9ZFsK`)."""
     return _UNIQUE.sub('#', node)
 
 
@@ -176,7 +176,7 @@ def lines_of(process: str, pieces: Iterable[tuple[float, str]]) -> Iterator[Line
 
 
 def program_of(name: str) -> str:
-    """Return a launch name without its number: 'talker-1' -> 'talker'."""
+    """Return a launch name without its number: 'talker' for 'talker-1'."""
     return name.rpartition('-')[0] or name
 
 

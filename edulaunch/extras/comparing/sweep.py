@@ -19,7 +19,7 @@ LAUNCH_ENDINGS = ('launch.py', 'launch.xml', 'launch.yaml', 'launch.yml')
 
 
 class Row(NamedTuple):
-    """One launch file.
+    """The result of comparing one launch file.
 
     :ivar words: as for `edulaunch compare`.
     :ivar found: differences that are not known.
@@ -34,7 +34,7 @@ class Row(NamedTuple):
 
     @property
     def verdict(self) -> str:
-        """Return the result in a word or two."""
+        """Return the verdict on this launch file as one or two words."""
         if self.problem:
             return 'not compared'
         return 'differs' if self.found else 'known' if self.known else 'equal'

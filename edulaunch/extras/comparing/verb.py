@@ -130,12 +130,12 @@ def _many(arguments: argparse.Namespace, items: Sequence[Sequence[str]], known: 
 
 
 def row_line(row: Row) -> str:
-    """Return one comparison in a line."""
+    """Return the line that summarizes one comparison."""
     return f'{row.verdict}: {" ".join(row.words)}'
 
 
 def table(rows: Sequence[Row]) -> str:
-    """Return everything that differs, and the number of each kind."""
+    """Return a table of all differences, and the number of launch files with each verdict."""
     from edulaunch.canvas.table import TextTable
 
     lines: list[tuple[str, ...]] = []

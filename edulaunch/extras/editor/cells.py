@@ -1,4 +1,4 @@
-"""Cells of notebooks that write a file: `%%writefile follow.launch.py` and the lines below it."""
+"""Read notebook cells that write a file: `%%writefile follow.launch.py` and the lines below it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The file, parameters and topics of programs. Student programs are only read; built-in ones run for half a second."""
+"""Find the file, parameters and topics of programs. Student programs are only read; built-in programs run for half a second."""
 
 from __future__ import annotations
 

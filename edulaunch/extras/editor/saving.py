@@ -50,7 +50,7 @@ def saved_check(path: str, workspaces: Sequence[str], deadline_s: float = DEADLI
 
 
 def confined(home: str, readable: Sequence[str]) -> dict[str, str]:
-    """Confine this process permanently, as far as the system can: layer -> 'held', or why it does not hold."""
+    """Confine this process permanently, as far as the system can. Return for each layer 'held', or why it does not hold."""
     import resource
 
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))

@@ -63,7 +63,7 @@ _CALL = re.compile(r'\b(?P<owner>[A-Z]\w+)\((?P<inner>(?:[^()]|\([^()]*\))*)$')
 
 
 def subject_at(text: Text, offset: int) -> Subject | None:
-    """Return the subject at an offset of the file; None for an unknown one."""
+    """Return the subject at an offset of the file, or None if the subject is unknown."""
     found = _in_python(text, offset) if text.path.endswith('.py') else _in_markup(text, offset)
     if found is None:
         return None

@@ -95,7 +95,7 @@ class Conversation:
     # -- messages to the client
 
     def turn(self) -> list[Message]:
-        """Return what has happened since the last turn."""
+        """Return the messages for the client about everything that has happened since the last call."""
         self._renew()
         messages = self._feed.advance()
         data = self._data()  # read before `_look`, which may remove topics
@@ -335,7 +335,7 @@ class Conversation:
 
 
 def _schema(registry: Any, type_name: str) -> str | None:
-    """Return the text of a type and of all types in it. None for an unknown type."""
+    """Return the definition of a type and of all types in it; return None for an unknown type."""
     try:
         return definition(registry, type_name)
     except (InterfaceError, AssertionError):

@@ -15,7 +15,7 @@ Row = tuple[int, Any]
 
 
 class Refused(Exception):
-    """A feed cannot fulfil a request. The text is for the user of the client."""
+    """A feed cannot fulfil a request. The error message is for the user of the client."""
 
 
 class Topic(NamedTuple):
