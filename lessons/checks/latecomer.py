@@ -32,7 +32,7 @@ def it_is_read(run: Evidence) -> None:
         )
     lines = [log.message for log in run.first.logs if log.logger == 'reader']
     if NOTICE not in lines:
-        seen = '\n'.join(lines[-3:]) or 'it logs nothing'
+        seen = '\n'.join(lines[-3:]) or 'no log lines'
         raise Failure('/reader does not log the expected line', expected=NOTICE, seen=seen, where=run.source.place, try_=ADVICE)
 
 

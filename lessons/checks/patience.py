@@ -20,7 +20,7 @@ def it_gets_an_answer(run: Evidence) -> None:
     lines = [log for log in run.first.logs if log.logger == 'ask']
     answers = [log for log in lines if log.message.startswith('now:')]
     if not answers or not PLACE.fullmatch(answers[-1].message):
-        seen = '\n'.join(log.message for log in lines[-3:]) or 'it logs nothing'
+        seen = '\n'.join(log.message for log in lines[-3:]) or 'no log lines'
         raise Failure('/ask does not log the expected line', expected='now: 5.54 9.54', seen=seen, where=run.source.place, try_=ADVICE)
     asked = max((log.time_s for log in lines if log.message.startswith('newest:')), default=0.0)
     if not answers[-1].time_s > asked:

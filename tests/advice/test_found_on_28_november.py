@@ -262,3 +262,30 @@ def test_names_in_a_program_of_ros_2_are_not_told_to_be_swapped(
     edulaunch.run(str(tmp_path / 'a.launch.py'), duration_s=2.0)
     told = capsys.readouterr().err
     assert ('disconnects /teleop_turtle' in told) == bool(cure) and cure in told
+
+
+@pytest.mark.parametrize(
+    ('parent', 'cure'),
+    [
+        ('turtel1', "write 'turtle1' instead of 'turtel1' where this frame is the parent"),
+        ('turtle2', "broadcast a transform between the trees, for example with the parent 'world' and the child 'turtle2'"),
+    ],
+)
+def test_a_misspelt_parent_is_told_and_not_broadcast(
+    parent: str, cure: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = "'--frame-id', '{}', '--child-frame-id', '{}'"
+    static = "Node(package='tf2_ros', executable='static_transform_publisher', arguments=[{}])"
+    text = (
+        'import rclpy\nfrom rclpy.time import Time\nfrom tf2_ros import Buffer, TransformException, TransformListener\n\n'
+        "rclpy.init()\nnode = rclpy.create_node('seeker')\nbuffer = Buffer()\nlistener = TransformListener(buffer, node)\n\n\n"
+        'def look():\n    try:\n        buffer.lookup_transform("world", "carrot1", Time())\n    except TransformException:\n        pass\n\n\n'
+        'node.create_timer(0.5, look)\nrclpy.spin(node)\n'
+    )
+    (tmp_path / 'seeker.py').write_text(text)
+    seeker = f"ExecuteProcess(cmd=['python3', {str(tmp_path / 'seeker.py')!r}])"
+    frames = (static.format(words.format('world', 'turtle1')), static.format(words.format(parent, 'carrot1')))
+    launch = launch_file(*frames, seeker).replace('import DeclareLaunchArgument', 'import DeclareLaunchArgument, ExecuteProcess')
+    (tmp_path / 'a.launch.py').write_text(launch)
+    edulaunch.run(str(tmp_path / 'a.launch.py'), duration_s=3.0)
+    assert cure in capsys.readouterr().err

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import broadcasts, fact_place, frame_names, node_of, root_of
-from edulaunch.engine.nearest import nearest
+from edulaunch.engine.nearest import nearest, nearest_spelling
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -141,7 +141,10 @@ MOMENT_S = 0.05
     'tf.separate-trees',
     what="{node} looks up '{frame}' from '{target}', which is in another tree",
     why="one tree has the root '{first}', the other has the root '{second}', and no transform connects them",
-    do="broadcast a transform between the trees, for example with the parent '{second}' and the child '{first}'",
+    do=(
+        "write '{near}' instead of '{misspelt}' where this frame is the parent",
+        "broadcast a transform between the trees, for example with the parent '{second}' and the child '{first}'",
+    ),
     lesson=LESSON,
     level='error',
     hides=('programs.died',),
@@ -154,7 +157,18 @@ def separate_trees(recording: Recording) -> Iterator[Finding]:
         if target in known and source in known:
             first, second = root_of(recording, source), root_of(recording, target)
             if first != second:
-                yield _found(recording, fact, source, first=first, second=second)
+                near = {root: _meant_root(recording, root) for root in (first, second)}
+                misspelt = next((root for root in near if near[root] is not None), None)
+                facts = {'misspelt': misspelt, 'near': near.get(misspelt or '')}
+                yield _found(recording, fact, source, first=first, second=second, **facts)
+
+
+def _meant_root(recording: Recording, root: str) -> str | None:
+    """Return the frame of another tree of which a root is a misspelling. Names that differ in a number are different frames."""
+    others = [frame for frame in frame_names(recording) if root_of(recording, frame) != root]
+    near = nearest_spelling(root, [frame for frame in others if re.sub(r'\d+', '', frame) != re.sub(r'\d+', '', root)])
+    is_close = near is not None and sorted(re.findall(r'\d+', near)) == sorted(re.findall(r'\d+', root))
+    return near if is_close else None
 
 
 @rule(
