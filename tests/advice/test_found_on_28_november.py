@@ -249,7 +249,7 @@ def test_a_turtle_that_is_killed_twice_is_no_misspelling_of_itself(
     [
         (
             "('/turtle1/cmd_vel', '/turtle2/cmd_vel')",
-            "remove this remapping; if the code of /teleop_turtle uses '/turtle2/cmd_vel', swap",
+            "remove this remapping, or swap its names if the code of /teleop_turtle uses '/turtle2/cmd_vel'",
         ),
         ("('turtle1/cmd_vel', '/turtle1/cmd_vel')", ''),
     ],

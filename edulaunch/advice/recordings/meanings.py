@@ -233,7 +233,7 @@ def other_axis(recording: Recording) -> Iterator[Finding]:
     why='the first name of a remapping is the name in the code of the node, and the second name replaces it',
     do=(
         'add the same remapping to {other}, or remove this remapping',
-        "remove this remapping; if the code of {unread} uses '{new}', swap the names instead: remappings=[('{new}', '{old}')]",
+        "remove this remapping, or swap its names if the code of {unread} uses '{new}': remappings=[('{new}', '{old}')]",
         "swap the names: remappings=[('{new}', '{old}')]",
     ),
     lesson='02_names',
