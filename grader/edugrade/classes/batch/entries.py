@@ -54,8 +54,10 @@ def refuse_nothing(given: str) -> None:
     :raises UnusableInput: with the path.
     """
     if not os.path.isdir(given) and not (given.lower().endswith(('.csv', *ARCHIVES)) and os.path.isfile(given)):
+        is_there = os.path.lexists(given)
         raise UnusableInput(
-            f'{given} is not a folder', help='give the folder that has a folder, an archive or a launch file for each student'
+            f'{given} is not a folder, an archive or a table' if is_there else f'{given} does not exist',
+            help='name a folder that contains one folder, archive or launch file for each student, or a zip file of it',
         )
 
 

@@ -110,7 +110,7 @@ def test_what_cannot_be_read_or_is_deep_costs_nobody_else(tmp_path: Path) -> Non
 
 
 def test_a_folder_that_is_none_is_an_error(tmp_path: Path) -> None:
-    with pytest.raises(UnusableInput, match='is not a folder'):
+    with pytest.raises(UnusableInput, match='nowhere does not exist'):
         find(tmp_path / 'nowhere')
 
 
