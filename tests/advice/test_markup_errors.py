@@ -134,7 +134,7 @@ MISTAKES = {
         ),
         (
             'launch:\n- node: {exec: a}\n  log: {message: a}',
-            "2: one item of 'launch' contains several elements: node, log; write a dash for each of node, log, and indent the keys of each by two more columns",
+            "2: one item of 'launch' contains several elements: node, log; write a dash before each of node, log, and indent the keys below each by two more spaces",
         ),
         (
             'launch:\n- group:\n  - a',

@@ -279,7 +279,7 @@ YAML_ITEM = about(
     ),
     do=(
         'indent {below} by two columns more than {opened}',
-        'write a dash for each of {several}, and indent the keys of each by two more columns',
+        'write a dash before each of {several}, and indent the keys below each by two more spaces',
         'write the name of the element with a colon and its content below it, as in `- node: ...`',
     ),
 )

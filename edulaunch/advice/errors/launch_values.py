@@ -216,7 +216,7 @@ def too_deep(failure: Failure) -> Iterator[Finding]:
 INCLUDE_RING = about(
     'launch.include-ring',
     what='launch files include each other in a circle: {ring}',
-    do='remove one of these includes, or add a condition that becomes false to it',
+    do='remove one of these includes, or give it a condition that becomes false',
 )
 EMPTY_PARAMETER_FILE = about(
     'launch.empty-parameter-file',

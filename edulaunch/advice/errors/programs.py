@@ -54,7 +54,7 @@ SPIN_CLASS = about(
     'programs.spin-class', what='{given} is a class, not a node', do='create a node: write {given}(), with parentheses'
 )
 SPIN_NO_NODE = about(
-    'programs.spin-no-node', what='a node is needed here, not a {given}', do='pass the node itself: rclpy.spin(node)'
+    'programs.spin-no-node', what='spin needs a node, but receives a {given}', do='pass the node itself: rclpy.spin(node)'
 )
 NO_FUTURE = about(
     'programs.no-future',
@@ -63,7 +63,7 @@ NO_FUTURE = about(
 )
 BARE_TIMEOUT = about(
     'programs.bare-timeout',
-    what='an executor is expected here, not the number {value}',
+    what='the second argument is the executor, but here it is the number {value}',
     do='write the name of the argument: timeout_sec={value}',
 )
 NO_EXECUTOR = about(

@@ -128,7 +128,7 @@ def reply_not_taken(recording: Recording) -> Iterator[Finding]:
     why='a request without a server is lost, and a client that waits for the server waits forever',
     do=(
         "write '{near}' if you mean this name",
-        'start the node that offers {service}, or look up its name with `ros2 {kind_of} list`',
+        'start the node that offers {service}, or look up the right name with `ros2 {kind_of} list`',
     ),
     lesson='13_large_project',
     level='error',

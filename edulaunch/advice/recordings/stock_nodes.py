@@ -36,7 +36,7 @@ def _printed(recording: Recording) -> Iterator[tuple[ProcessRecord, str]]:
         "the parameter '{parameter}' of {node} is of type {expected}, but this value is of type {given}: {value}",
         "the parameter '{parameter}' of {node} is of type {expected}, but its value is of type {given}",
     ),
-    why='a parameter never changes its type, and ROS 2 does not convert a value, so the program ends',
+    why='ROS 2 does not convert the value to the type of the parameter, so the program ends',
     do=('write {meant}', 'write a value of type {expected}'),
     lesson='03_parameters',
     level='error',

@@ -146,7 +146,7 @@ def _commands(recording: Recording) -> set[str]:
         'set the variable in this name: {empty} is what an undefined variable becomes in a string',
         'remove the remapping of {topic} to {moved} from {mover}, or add the same remapping to {node}',
         'publish on {near}, which has a subscription',
-        'start the node that subscribes to {topic}, or look up its name with `ros2 topic list -t`',
+        'start the node that subscribes to {topic}, or look up the right name with `ros2 topic list -t`',
     ),
     lesson=LESSON,
     level='error',
@@ -181,7 +181,7 @@ COMMANDS = ('geometry_msgs/msg/Twist', 'geometry_msgs/msg/TwistStamped')
     do=(
         'set the variable in this name: {empty} is what an undefined variable becomes in a string',
         'subscribe to {near} if you mean that topic',
-        'start the node that publishes on {topic}, or look up its name with `ros2 topic list -t`',
+        'start the node that publishes on {topic}, or look up the right name with `ros2 topic list -t`',
     ),
     lesson=LESSON,
     confidence='asked',

@@ -44,8 +44,8 @@ def goal_in_degrees(recording: Recording) -> Iterator[Finding]:
 @rule(
     'turtlesim.mimics-itself',
     what='{node} reads the pose of {turtle} and sends its commands to the same turtle, so nothing moves',
-    why='mimic repeats the speed of one turtle with another turtle',
-    do='remap /input/pose to the pose of the turtle that drives, and /output/cmd_vel to the turtle that should follow',
+    why='mimic drives one turtle at the speed of another turtle',
+    do='remap /input/pose to the pose topic of the leading turtle, and /output/cmd_vel to the cmd_vel topic of the other one',
     lesson='02_names',
     level='error',
 )
@@ -64,7 +64,7 @@ def mimics_itself(recording: Recording) -> Iterator[Finding]:
 @rule(
     'programs.exact-float',
     what='{written} is never true: {field} went from {below} to {above}, and was never exactly {value}',
-    why='a turtle moves in steps of 16 ms, and a float almost never has exactly one value',
+    why='a turtle moves in steps of 16 ms, so a measured value is almost never exactly the expected one',
     do='compare with a tolerance: abs({left} - {right}) < 0.05',
     lesson='00_python',
     level='error',

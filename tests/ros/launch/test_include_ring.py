@@ -39,7 +39,7 @@ def test_a_file_that_includes_itself_is_named_with_the_line(
     assert lines[-1] == (
         f'  help: {tmp_path / name}:{line} (IncludeLaunchDescription): launch files include each other in a circle: '
         f'{name}, {name}; remove one of these includes, '
-        'or add a condition that becomes false to it'
+        'or give it a condition that becomes false'
     )
 
 
