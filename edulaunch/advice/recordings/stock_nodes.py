@@ -20,6 +20,7 @@ _TYPE = re.compile(
     r"parameter '(?P<name>[^']+)' has invalid type: Wrong parameter type, parameter \{.*\} is of type \{(?P<expected>\w+)\}, "
     r'setting it to \{(?P<given>\w+)\} is not allowed'
 )
+_XML_COMMENT = re.compile(r'<!--.*?-->', re.DOTALL)
 _NUMBER = re.compile(r'-?\d+(?:\.\d+)?')
 
 
@@ -122,7 +123,7 @@ def xacro_not_processed(recording: Recording) -> Iterator[Finding]:
     """Report a robot description whose elements begin with `xacro:`."""
     for process in recording.processes:
         if process.executable == 'robot_state_publisher':
-            tag = re.search(r'<(xacro:\w+)', _description(recording, process))
+            tag = re.search(r'<(xacro:\w+)', _XML_COMMENT.sub('', _description(recording, process)))
             if tag is not None:
                 place: dict[str, Any] = {'file': process.file, 'line': process.line, 'time_s': process.started_s}
                 yield found('process', process.name, **place, tag=tag[1])

@@ -195,6 +195,8 @@ class _SetupScript:
         if os.path.isfile(path):
             name = os.path.normpath(os.path.join(target, os.path.basename(path))).lstrip('/')
             self.contents.files[name] = path
+            if name.startswith('lib/') and os.access(path, os.X_OK):
+                self.contents.programs.add(name)
             self.contents.interfaces |= path.endswith(('.msg', '.srv', '.action'))
         else:
             kind = 'a folder; only files can be listed, so use glob()' if os.path.isdir(path) else 'not there'

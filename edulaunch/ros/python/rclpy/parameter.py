@@ -29,36 +29,6 @@ _VALUE_FIELDS = (
 )
 
 
-class ParameterType(Enum):
-    """The types of parameters, as `Parameter.Type`."""
-
-    NOT_SET = rules.NOT_SET
-    BOOL = rules.BOOL
-    INTEGER = rules.INTEGER
-    DOUBLE = rules.DOUBLE
-    STRING = rules.STRING
-    BYTE_ARRAY = rules.BYTE_ARRAY
-    BOOL_ARRAY = rules.BOOL_ARRAY
-    INTEGER_ARRAY = rules.INTEGER_ARRAY
-    DOUBLE_ARRAY = rules.DOUBLE_ARRAY
-    STRING_ARRAY = rules.STRING_ARRAY
-
-    @classmethod
-    def from_parameter_value(cls, parameter_value: Any) -> ParameterType:
-        """Return the type of a value. A bool is not an int, and an empty list is a BYTE_ARRAY.
-
-        :raises TypeError: when no parameter can hold the value.
-        """
-        return cls(rules.type_of_value(parameter_value))
-
-    def check(self, parameter_value: Any) -> bool:
-        """Return whether a value is of this type."""
-        return rules.value_fits(parameter_value, self.value)
-
-
-ParameterType.__name__, ParameterType.__qualname__ = 'Type', 'Parameter.Type'  # its name in ROS 2, as errors and reprs show it
-
-
 class Parameter:
     """A parameter with its name, type and value.
 
@@ -68,15 +38,39 @@ class Parameter:
     :raises ValueError: when type and value do not agree.
     """
 
-    Type = ParameterType
+    class Type(Enum):
+        """The types of parameters, as `Parameter.Type`."""
+
+        NOT_SET = rules.NOT_SET
+        BOOL = rules.BOOL
+        INTEGER = rules.INTEGER
+        DOUBLE = rules.DOUBLE
+        STRING = rules.STRING
+        BYTE_ARRAY = rules.BYTE_ARRAY
+        BOOL_ARRAY = rules.BOOL_ARRAY
+        INTEGER_ARRAY = rules.INTEGER_ARRAY
+        DOUBLE_ARRAY = rules.DOUBLE_ARRAY
+        STRING_ARRAY = rules.STRING_ARRAY
+
+        @classmethod
+        def from_parameter_value(cls, parameter_value: Any) -> Parameter.Type:
+            """Return the type of a value. A bool is not an int, and an empty list is a BYTE_ARRAY.
+
+            :raises TypeError: when no parameter can hold the value.
+            """
+            return cls(rules.type_of_value(parameter_value))
+
+        def check(self, parameter_value: Any) -> bool:
+            """Return whether a value is of this type."""
+            return rules.value_fits(parameter_value, self.value)
 
     __slots__ = ('_name', '_type_', '_value')
 
-    def __init__(self, name: str, type_: ParameterType | None = None, value: Any = None) -> None:
+    def __init__(self, name: str, type_: Parameter.Type | None = None, value: Any = None) -> None:
         if type_ is None:
-            type_ = ParameterType.from_parameter_value(value)
-        if not isinstance(type_, ParameterType):
-            raise TypeError(f"type must be an instance of '{repr(ParameterType)}'")
+            type_ = Parameter.Type.from_parameter_value(value)
+        if not isinstance(type_, Parameter.Type):
+            raise TypeError(f"type must be an instance of '{repr(Parameter.Type)}'")
         if not type_.check(value):
             raise ValueError(f"Type '{type_}' and value '{value}' do not agree")
         self._name = name
@@ -87,11 +81,11 @@ class Parameter:
     def from_parameter_msg(cls, param_msg: Any) -> Parameter:
         """Convert a rcl_interfaces/Parameter."""
         value = param_msg.value
-        return cls(param_msg.name, ParameterType(value.type), getattr(value, _VALUE_FIELDS[value.type]) if value.type else None)
+        return cls(param_msg.name, Parameter.Type(value.type), getattr(value, _VALUE_FIELDS[value.type]) if value.type else None)
 
     name: ReadOnly[str] = ReadOnly('The name.', '_name')
 
-    type_: ReadOnly[ParameterType] = ReadOnly('The type.', '_type_')
+    type_: ReadOnly[Parameter.Type] = ReadOnly('The type.', '_type_')
 
     value: ReadOnly[Any] = ReadOnly('The value; None when not set.', '_value')
 
@@ -102,7 +96,7 @@ class Parameter:
         number = self._type_.value
         message = ParameterValue()
         message.type = number
-        if self._type_ is not ParameterType.NOT_SET:
+        if self._type_ is not Parameter.Type.NOT_SET:
             value = list(self._value) if isinstance(self._value, tuple) else self._value
             setattr(message, _VALUE_FIELDS[number], value)
         return message
@@ -141,12 +135,12 @@ def get_parameter_value(string_value: str) -> ParameterValue:
     except yaml.parser.ParserError:
         value = string_value
     if value == []:
-        return Parameter('', ParameterType.BOOL_ARRAY, []).get_parameter_value()
+        return Parameter('', Parameter.Type.BOOL_ARRAY, []).get_parameter_value()
     try:
         parameter = Parameter('', value=value)
     except TypeError:
         parameter = Parameter('', value=string_value)
-    if parameter.type_ in (ParameterType.NOT_SET, ParameterType.BYTE_ARRAY):
+    if parameter.type_ in (Parameter.Type.NOT_SET, Parameter.Type.BYTE_ARRAY):
         parameter = Parameter('', value=string_value)
     return parameter.get_parameter_value()
 

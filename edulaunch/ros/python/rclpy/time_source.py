@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.ros.passed_on import passed_on
 from rclpy.clock import ROSClock
 from rclpy.node_parts.core import is_node
-from rclpy.parameter import Parameter, ParameterType
+from rclpy.parameter import Parameter
 from rclpy.time import Time
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ class TimeSource:
         if not node.has_parameter(USE_SIM_TIME_NAME):
             node.declare_parameter(USE_SIM_TIME_NAME, False)
         value = node.get_parameter(USE_SIM_TIME_NAME)
-        if value.type_ is ParameterType.BOOL:
+        if value.type_ is Parameter.Type.BOOL:
             self.ros_time_is_active = value.value
         else:
             node.get_logger().error(f"Invalid type for parameter '{USE_SIM_TIME_NAME}' {value.type_!r} should be bool")
@@ -116,7 +116,7 @@ class TimeSource:
 
         for parameter in parameters:
             if parameter.name == USE_SIM_TIME_NAME:
-                if parameter.type_ is not ParameterType.BOOL:
+                if parameter.type_ is not Parameter.Type.BOOL:
                     if self._node is not None:
                         self._node.get_logger().error(NOT_BOOL)
                     return SetParametersResult(successful=False, reason=NOT_BOOL)

@@ -10,7 +10,7 @@ from edulaunch.ros.passed_on import passed_on
 from rclpy.exceptions import ParameterUninitializedException
 from rclpy.logging import get_logger
 from rclpy.node_parts.core import core_of
-from rclpy.parameter import ParameterType
+from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_services_default
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ class TypeDescriptionService:
         self._node = node
         descriptor = ParameterDescriptor(
             name=START_TYPE_DESCRIPTION_SERVICE_PARAM,
-            type=ParameterType.BOOL.value,
+            type=Parameter.Type.BOOL.value,
             read_only=True,
             description='If enabled, start the ~/get_type_description service.',
         )

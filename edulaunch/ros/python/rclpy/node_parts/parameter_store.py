@@ -14,7 +14,7 @@ from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValu
 from rclpy.impl.facts import note_no_result
 from rclpy.impl.refusals import after_shutdown, student_level
 from rclpy.node_parts.core import core_of
-from rclpy.parameter import Parameter, ParameterType
+from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_parameter_events
 
 if TYPE_CHECKING:
@@ -70,7 +70,7 @@ class ParameterStore:
         if result.successful:
             self._store([parameter], {parameter.name: descriptor})
         elif result.reason.startswith('Wrong parameter type'):
-            raise InvalidParameterTypeException(parameter, ParameterType(descriptor.type).name)
+            raise InvalidParameterTypeException(parameter, Parameter.Type(descriptor.type).name)
         else:
             raise InvalidParameterValueException(parameter.name, parameter.value, result.reason)
 
@@ -128,15 +128,15 @@ class ParameterStore:
             return f'Trying to set a read-only parameter: {parameter.name}.'
         if descriptor.dynamic_typing:
             descriptor.type = type_.value
-        elif type_ is ParameterType.NOT_SET:
+        elif type_ is Parameter.Type.NOT_SET:
             if parameter.name in self.values:
                 return 'Static parameter cannot be undeclared'
         elif type_.value != descriptor.type:
-            return f"Wrong parameter type, expected '{ParameterType(descriptor.type)}' got '{type_}'"
-        if type_ is ParameterType.INTEGER and descriptor.integer_range:
+            return f"Wrong parameter type, expected '{Parameter.Type(descriptor.type)}' got '{type_}'"
+        if type_ is Parameter.Type.INTEGER and descriptor.integer_range:
             limits = descriptor.integer_range[0]
             return integer_range_problem(parameter.name, parameter.value, limits.from_value, limits.to_value, limits.step)
-        if type_ is ParameterType.DOUBLE and descriptor.floating_point_range:
+        if type_ is Parameter.Type.DOUBLE and descriptor.floating_point_range:
             limits = descriptor.floating_point_range[0]
             return float_range_problem(parameter.name, parameter.value, limits.from_value, limits.to_value, limits.step)
         return None
@@ -149,7 +149,7 @@ class ParameterStore:
         for parameter in parameters:
             name = parameter.name
             known = self.values.get(name)
-            if new_descriptors is None and parameter.type_ is ParameterType.NOT_SET:
+            if new_descriptors is None and parameter.type_ is Parameter.Type.NOT_SET:
                 deleted.append(parameter)
                 self.values.pop(name, None)
                 self.descriptors.pop(name, None)
@@ -158,7 +158,7 @@ class ParameterStore:
                 self.descriptors[name] = new_descriptors[name]
             elif name not in self.descriptors:
                 self.descriptors[name] = _dynamic_descriptor()
-            (new if known is None or known.type_ is ParameterType.NOT_SET else changed).append(parameter)
+            (new if known is None or known.type_ is Parameter.Type.NOT_SET else changed).append(parameter)
             self.values[name] = parameter
         self._on_change(new, changed, deleted)
         for callback in self.post_callbacks:

@@ -17,7 +17,7 @@ from rclpy.exceptions import (
 from rclpy.impl.refusals import student_level
 from rclpy.node_parts.core import NodeCore
 from rclpy.node_parts.parameter_store import undeclared
-from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter, ParameterType, parameter_value_to_python
+from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter, parameter_value_to_python
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, ParameterValue, SetParametersResult
@@ -99,9 +99,9 @@ class NodeParameters:
         parameter: Parameter | None = store.values.get(name)
         if parameter is None:
             if store.allow_undeclared:
-                return Parameter(name, ParameterType.NOT_SET, None)
+                return Parameter(name, Parameter.Type.NOT_SET, None)
             raise undeclared(name, store.values)
-        if parameter.type_ is ParameterType.NOT_SET and not store.descriptors[name].dynamic_typing:
+        if parameter.type_ is Parameter.Type.NOT_SET and not store.descriptors[name].dynamic_typing:
             raise ParameterUninitializedException(name)
         return parameter
 
@@ -114,9 +114,9 @@ class NodeParameters:
     def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
         """Return a parameter, or `alternative_value` (a Parameter) if it is not declared or has no value."""
         parameter: Parameter | None = self._rclpy.parameters.values.get(name)
-        if parameter is not None and parameter.type_ is not ParameterType.NOT_SET:
+        if parameter is not None and parameter.type_ is not Parameter.Type.NOT_SET:
             return parameter
-        return Parameter(name, ParameterType.NOT_SET) if alternative_value is None else alternative_value
+        return Parameter(name, Parameter.Type.NOT_SET) if alternative_value is None else alternative_value
 
     def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
         """Return the parameters `prefix.x`, with the names `x`."""
@@ -125,7 +125,7 @@ class NodeParameters:
             name[len(prefix) :]: parameter for name, parameter in self._rclpy.parameters.values.items() if name.startswith(prefix)
         }
 
-    def get_parameter_type(self, name: str) -> int | ParameterType:
+    def get_parameter_type(self, name: str) -> int | Parameter.Type:
         """Return the number of the type of a parameter's value, or 0 without a value.
 
         As in rclpy, the result for an undeclared parameter, if those are allowed, is `Parameter.Type.NOT_SET` itself.
@@ -135,9 +135,9 @@ class NodeParameters:
             return int(store.values[name].type_.value)
         if not store.allow_undeclared:
             raise undeclared(name, store.values)
-        return ParameterType.NOT_SET
+        return Parameter.Type.NOT_SET
 
-    def get_parameter_types(self, names: list[str]) -> list[int | ParameterType]:
+    def get_parameter_types(self, names: list[str]) -> list[int | Parameter.Type]:
         """Return the type numbers of several parameters."""
         if not all(isinstance(name, str) for name in names):
             raise TypeError('All names must be instances of type str')
@@ -260,12 +260,12 @@ def _prepared(
         descriptor.dynamic_typing = True
     if not name:
         raise InvalidParameterException(name)
-    if isinstance(value, ParameterType):
+    if isinstance(value, Parameter.Type):
         _set_type(name, descriptor, value)
         value = None
     elif not descriptor.dynamic_typing:
         is_message = type(value).__name__ == 'ParameterValue'  # rclpy uses its type, and later rejects it as a value
-        descriptor.type = value.type if is_message else ParameterType.from_parameter_value(value).value
+        descriptor.type = value.type if is_message else Parameter.Type.from_parameter_value(value).value
         if not descriptor.type:
             raise ValueError('Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET')
     if name in overrides:
@@ -294,8 +294,8 @@ def _unpacked(index: int, entry: tuple[Any, ...]) -> tuple[str, Any, ParameterDe
     return name, entry[1] if len(entry) > 1 else None, descriptor
 
 
-def _set_type(name: str, descriptor: ParameterDescriptor, type_: ParameterType) -> None:
-    if type_ is ParameterType.NOT_SET:
+def _set_type(name: str, descriptor: ParameterDescriptor, type_: Parameter.Type) -> None:
+    if type_ is Parameter.Type.NOT_SET:
         raise ValueError(f'Cannot declare parameter {{{name}}} as statically typed of type NOT_SET')
     if descriptor.dynamic_typing:
         raise ValueError(
