@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import os
 import weakref
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 from edulaunch.engine.packages.prefix import is_python
 from edulaunch.engine.packages.reading import (
@@ -85,22 +87,38 @@ class Image:
             return
         self._claimed = True
         users = os.path.join(self.path, '.users')
-        if not _living(users):
-            _remove(self.path)
-        os.makedirs(users, exist_ok=True)
         claim = os.path.join(users, f'{os.getpid()}-{id(self):x}')
-        with open(claim, 'w', encoding='ascii'):
-            pass
+        with _locked(os.path.dirname(self.path)):  # another process must not remove the folder in between
+            if not _living(users):
+                _remove(self.path)
+            os.makedirs(users, exist_ok=True)
+            with open(claim, 'w', encoding='ascii'):
+                pass
         weakref.finalize(self, _release, self.path, claim, os.getpid())
 
 
 def _release(path: str, claim: str, pid: int) -> None:
     if os.getpid() != pid:
         return  # the folder belongs to the parent process, not to a forked child
-    if os.path.exists(claim):
+    if not os.path.exists(claim):
+        return
+    with _locked(os.path.dirname(path)):
         os.unlink(claim)
-    if not _living(os.path.dirname(claim)):
-        _remove(path)
+        if not _living(os.path.dirname(claim)):
+            _remove(path)
+
+
+@contextmanager
+def _locked(folder: str) -> Iterator[None]:
+    """Keep other processes of this user from claiming or removing a prefix in this folder."""
+    if os.name == 'nt':
+        yield
+        return
+    import fcntl
+
+    with open(os.path.join(folder, '.lock'), 'w', encoding='ascii') as file:
+        fcntl.lockf(file, fcntl.LOCK_EX)  # closing the file releases it; flock is refused in a sandbox
+        yield
 
 
 def _remove(path: str) -> None:
