@@ -21,7 +21,7 @@ for _ in range(300):
     except OSError as error:
         lost.append(str(error))
     del image
-sys.exit('\\n'.join(lost[:3]))
+sys.exit('\\n'.join(lost[:3]) or 0)
 """
 
 
