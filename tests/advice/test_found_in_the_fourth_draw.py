@@ -101,3 +101,26 @@ def test_an_entry_point_without_a_function_names_a_module_that_is_there(
     (tmp_path / 'robo' / 'robo' / '__init__.py').touch()
     printed = report(capsys, tmp_path / 'robo')
     assert f"1. the entry point 'walker = {module}' has no function after a colon" in printed and cure in printed
+
+
+def test_a_robot_in_sdf_is_not_called_a_faulty_urdf(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    robot = '<?xml version="1.0"?>\n<!-- made by hand -->\n<sdf version="1.9"><model name="r"><link name="base"/></model></sdf>\n'
+    printed = report(capsys, described(tmp_path, robot, 'Path(path).read_text()'), code=0)
+    assert printed.startswith('1. note: robot_description of robot_state_publisher-1 is written in SDF') and '2.' not in printed
+
+
+def test_a_missing_marker_of_a_package_is_to_be_created(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    listed = "('share/ament_index/resource_index/packages', ['resource/robo']), ('share/robo', ['package.xml'])"
+    files = {'package_xml': MANIFEST.format(more='', kind='ament_python'), 'setup_cfg': CONFIG}
+    write(tmp_path / 'robo', setup_py=f"from setuptools import setup\nsetup(name='robo', data_files=[{listed}])\n", **files)
+    assert 'do:    create the empty file resource/robo, which marks' in report(capsys, tmp_path / 'robo')
+
+
+def test_a_misspelt_key_of_a_parameter_file_is_told_with_its_file_and_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / 'sim.yaml').write_text('/sim:\n  ros_parameters:\n    background_r: 200\n')
+    sim = f"Node(package='turtlesim', executable='turtlesim_node', name='sim', parameters=[{str(tmp_path / 'sim.yaml')!r}])"
+    (tmp_path / 'a.launch.py').write_text(launch_file(sim))
+    printed = report(capsys, tmp_path / 'a.launch.py')
+    assert "1. sim.yaml contains 'ros_parameters' above line 3, which is not a key of parameter files" in printed

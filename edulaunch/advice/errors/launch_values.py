@@ -339,7 +339,10 @@ PARAMETER_FILE_ENCODING = about(
 )
 PARAMETERS_KEY = about(
     'launch.parameters-key',
-    what="'{found}' is not a key of parameter files",
+    what=(
+        "{parameter_file} contains '{found}' above line {at}, which is not a key of parameter files",
+        "'{found}' is not a key of parameter files",
+    ),
     do='write ros__parameters, with two underscores',
     edits=(('{found}', 'ros__parameters'),),
 )

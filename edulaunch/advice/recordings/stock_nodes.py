@@ -130,6 +130,25 @@ def xacro_not_processed(recording: Recording) -> Iterator[Finding]:
 
 
 @rule(
+    'launch.sdf-description',
+    what='robot_description of {process} is written in SDF, but edulaunch reads only URDF',
+    why='with ROS 2, robot_state_publisher can read SDF if the package sdformat_urdf is installed',
+    do='run this launch file on a computer where sdformat_urdf is installed, or write the robot in URDF',
+    lesson='12_urdf',
+    level='info',
+    hides=('programs.died', 'tf.unknown-frame', 'messages.no-joint-states'),
+)
+def sdf_description(recording: Recording) -> Iterator[Finding]:
+    """Report a robot description whose outermost element is `sdf`."""
+    for process in recording.processes:
+        if process.executable == 'robot_state_publisher':
+            first = re.search(r'<[A-Za-z]\w*', _XML_COMMENT.sub('', _description(recording, process)))
+            if first is not None and first[0] == '<sdf':
+                place: dict[str, Any] = {'file': process.file, 'line': process.line, 'time_s': process.started_s}
+                yield found('process', process.name, **place)
+
+
+@rule(
     'launch.joint-type',
     what="the joint '{joint}' of the robot has the type '{given}', which URDF does not have",
     do=("write type='{near}'", 'use one of these types: {types}'),

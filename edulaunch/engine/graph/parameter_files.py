@@ -141,7 +141,9 @@ def _too_early(event: Any, path: str) -> ParameterFileError:
             error, 'launch.parameter-no-space', at=line_of(event), squeezed=f'{name}:{value}', spaced=f'{name}: {value}'
         )
     misspelt = next((name for name in path.split('/') if 'param' in name.lower()), None)
-    return with_facts(error, LAYOUT) if misspelt is None else with_facts(error, 'launch.parameters-key', found=misspelt)
+    if misspelt is None:
+        return with_facts(error, LAYOUT)
+    return with_facts(error, 'launch.parameters-key', found=misspelt, at=line_of(event))
 
 
 def _read_parameters(reader: _Reader, pattern: str, prefix: str, entries: list[Entry]) -> None:
