@@ -9,7 +9,9 @@ from rclpy.impl.c_enum import CEnum
 
 
 class ClockType(IntEnum):
-    """The time of a clock. In a simulation, all three are simulated time; ROS time can also follow /clock."""
+    """The kind of time that a clock shows. In a simulation, all three kinds are simulated time; ROS time can also follow
+    /clock.
+    """
 
     UNINITIALIZED = 0
     ROS_TIME = 1

@@ -1,4 +1,4 @@
-"""Wait for one message of a topic."""
+"""A function that waits for one message of a topic."""
 
 from __future__ import annotations
 

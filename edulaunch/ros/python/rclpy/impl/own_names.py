@@ -1,4 +1,4 @@
-"""Names of a node that rclpy itself needs. A program that uses one of them for something else fails, or gets a warning."""
+"""Attributes of a node that rclpy itself needs. A program that assigns something else to one of them fails, or gets a warning."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ TO_SPIN = ('subscriptions', 'timers', 'clients', 'services', 'guards', 'waitable
 
 
 def check_own_names(node: NodeProtocol, names: tuple[str, ...]) -> None:
-    """Use the attributes of a node under these names as rclpy does.
+    """Read these attributes of a node and use each as rclpy does.
 
-    :raises TypeError, AttributeError: Python's own error, if the attribute is a different object.
+    :raises TypeError, AttributeError: Python's own error, when an attribute contains an object of the wrong kind.
     """
     for name in names:
         held = getattr(node, name)
@@ -32,7 +32,9 @@ def check_own_names(node: NodeProtocol, names: tuple[str, ...]) -> None:
 
 
 def private_names(node: NodeProtocol) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Yield attributes of a program that replace attributes of the real rclpy, which fails when it next uses them."""
+    """Yield a fact for each attribute of a program that replaces a private attribute of rclpy. The real rclpy fails when it next
+    uses the attribute.
+    """
     own = vars(node)
     for name in sorted(_PRIVATE_USES.keys() & own.keys()):
         if not hasattr(own[name], _PRIVATE_USES[name]):
@@ -41,7 +43,9 @@ def private_names(node: NodeProtocol) -> Iterator[tuple[str, dict[str, Any]]]:
 
 
 def _line_of(node: NodeProtocol, name: str) -> dict[str, Any]:
-    """Return the line where the student's class first assigns the name, or None if the class has no constructor."""
+    """Return the file of the node's class, and the line that first assigns the attribute. Return {} if the class has no
+    constructor.
+    """
     code = getattr(type(node).__init__, '__code__', None)
     if code is None or type(node).__init__.__module__.partition('.')[0] == 'rclpy':
         return {}

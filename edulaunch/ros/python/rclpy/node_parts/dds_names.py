@@ -1,4 +1,4 @@
-"""The names of ROS 2's topics and services in DDS, for callers that request them untranslated."""
+"""The names of ROS 2's topics and services in DDS, for callers that request names without demangling."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ _FORMS = {'topic': ('rt', '', ''), 'request': ('rq', 'Request', '_Request'), 're
 
 
 def dds_names_and_types(endpoints: Iterable[Any], directions: Directions) -> NamesAndTypes:
-    """Return (name, sorted types) in DDS form for the topics of endpoints, sorted by name: `rt/chatter`,
+    """Return (name, sorted types) in DDS form for the topics of endpoints, sorted by name, such as `rt/chatter` and
     `pkg::msg::dds_::String_`.
 
-    :param directions: pairs of the kind of an endpoint and what it sends: 'topic', 'request' or 'reply'.
+    :param directions: pairs of the kind of an endpoint and its kind of data, which is 'topic', 'request' or 'reply'.
     """
     found: dict[str, set[str]] = {}
     for end in endpoints:
