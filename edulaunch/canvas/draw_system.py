@@ -1,7 +1,7 @@
-"""A planned or recorded system as an image, and two systems side by side.
+"""Draw a planned or recorded system, or two systems side by side.
 
-Nodes are ovals, topics are boxes, services have a double border, and frames have a thick one. A dashed box has unknown parts. A
-sign before the name marks a difference: + and - exist only in this system, and ~ has changed.
+Nodes are ovals, topics are boxes, services have a double border, and frames have a thick border. A dashed box has unknown parts.
+A sign before the name marks a difference: + and - exist only in this system, and ~ has changed.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def _size(scene: SystemScene) -> tuple[float, float]:
 
 
 def system_sheet(scene: SystemScene) -> Sheet:
-    """Return a sheet with room for each panel, its title above and its legend below."""
+    """Return a sheet with space for each panel, the title above it and the legend below it."""
     width, height = _size(scene)
     if len(scene.panels) == 1:
         return Sheet(width, height, [Box(0, 0, width, height)])
@@ -42,7 +42,7 @@ def system_sheet(scene: SystemScene) -> Sheet:
 
 
 def draw_system(scene: SystemScene, axes: Sequence[Axes]) -> None:
-    """Draw each panel on its axes."""
+    """Draw each panel on the axes of that panel."""
     for ax, panel in zip(axes, scene.panels, strict=True):
         pixel = layout(ax, *_size(scene))
         ax.set_ylim(scene.height + BELOW, -ABOVE)

@@ -1,6 +1,6 @@
-"""Sizes, colours and fonts of all pictures, and the shapes of the turtle and the robot.
+"""The sizes, colours and fonts of all pictures, and the shapes of the turtle and the robot.
 
-A word, a shape or a line style repeats the information of each colour.
+Wherever a colour has a meaning, a word, a shape or a line style has the same meaning.
 """
 
 from __future__ import annotations
@@ -43,17 +43,19 @@ def mono_width(text: str, size: float = TEXT) -> float:
 
 
 def shortened(text: str, most: int = 28) -> str:
-    """Return the string, shortened at its end to at most `most` characters."""
+    """Return a string, shortened at its end to at most `most` characters."""
     return text if len(text) <= most else text[: most - 1] + '…'
 
 
 def oval(x: float, y: float, rx: float, ry: float, turn: float = 0.0, steps: int = 16) -> list[tuple[float, float]]:
     """Return the corners of an ellipse, counter-clockwise and rounded to 0.001.
 
-    :param x, y: the centre.
-    :param rx, ry: half of its length along x and along y, before it is rotated.
-    :param turn: the angle, in radians, by which it is rotated counter-clockwise about its centre.
-    :param steps: the number of corners; the first one is at the end of `rx`.
+    :param x: the x coordinate of the centre.
+    :param y: the y coordinate of the centre.
+    :param rx: half of the length of the ellipse along x, before its rotation.
+    :param ry: half of the length of the ellipse along y, before its rotation.
+    :param turn: the angle of the rotation, in radians, counter-clockwise about the centre.
+    :param steps: the number of corners. The first corner is at the end of `rx`.
     """
     angles = [math.tau * step / steps for step in range(steps)]
     c, s = math.cos(turn), math.sin(turn)
@@ -64,7 +66,9 @@ def oval(x: float, y: float, rx: float, ry: float, turn: float = 0.0, steps: int
 
 
 def turtle() -> list[Part]:
-    """Return the shape of a turtle: flippers, tail, head with eyes, and a shell with six plates around one."""
+    """Return the shape of a turtle: flippers, a tail, a head with eyes, and a shell with one central plate and six plates around
+    it.
+    """
     parts: list[Part] = [('skin', oval(0.27, side * 0.33, 0.21, 0.085, side * 0.95, 12)) for side in (1, -1)]
     parts += [('skin', oval(-0.28, side * 0.29, 0.16, 0.075, -side * 0.85, 12)) for side in (1, -1)]
     parts += [('skin', [(-0.36, 0.06), (-0.54, 0.0), (-0.36, -0.06)]), ('skin', oval(0.46, 0.0, 0.155, 0.12))]
