@@ -16,9 +16,9 @@ class Subject(NamedTuple):
 
     :ivar kind: 'package', 'executable', 'argument', 'launch file', 'parameter', 'topic', 'frame', 'interface', 'interface
         module', 'element' or 'keyword'.
-    :ivar name: its whole name; for an unfinished name, the part up to the cursor is `text[span.start:cursor]`.
-    :ivar owner: the package of an executable or launch file, or 'package/executable' of a parameter or topic. For an interface it
-        is the module, and for a keyword the action.
+    :ivar name: the whole name. For an unfinished name, the part up to the cursor is `text[span.start:cursor]`.
+    :ivar owner: the package of an executable or launch file, or 'package/executable' of a parameter or topic. For an interface,
+        it is the module, and for a keyword, the action.
     """
 
     kind: str
@@ -107,15 +107,17 @@ def _in_python(text: Text, offset: int) -> Subject | None:
 
 
 def _whole(text: Text, start: int, pattern: str) -> tuple[str, Span]:
-    """Return the whole name that begins at an offset, and its place."""
+    """Return the whole name that begins at an offset, and the place of this name."""
     match = re.compile(pattern).match(text.text, start)
     end = start if match is None else match.end()
     return text.text[start:end], Span(start, end)
 
 
 def _string_start(text: Text, offset: int) -> int | None:
-    """Return where the string around an offset begins, after its quotation mark; None outside strings. Strings end with a
-    line."""
+    """Return the offset after the opening quotation mark of the string around an offset. Return None outside strings.
+
+    A string ends at the end of its line.
+    """
     start = text.whole_line(text.place(offset).line).start
     quote, begin = '', 0
     for place in range(start, offset):

@@ -55,7 +55,7 @@ _SIDE = Program('entry_point', '', 'link', 'link', module='edulaunch.extras.netw
 
 
 class RclpyLink:
-    """See `network_link.Link`. It does not know the publisher of a message."""
+    """The link through the real rclpy; see `network_link.Link`. It does not report the publisher of a message."""
 
     title = 'rclpy'
 
@@ -95,9 +95,9 @@ class RclpyLink:
             self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
 
     def _wait(self) -> None:
-        """Wait until the side process is ready.
+        """Wait until the child process is ready.
 
-        :raises LinkError: when it does not start.
+        :raises LinkError: when the child process does not start.
         """
         self._socket.settimeout(LONGEST_START_S)
         try:
@@ -126,7 +126,7 @@ class RclpyLink:
         self._say(wire.NODE_GONE, handle)
 
     def add(self, node: int, kind: str, name: str, interface: Interface, qos: QoS) -> int:
-        """See `Link.add`; if rclpy rejects an endpoint, a :class:`LinkDiagnostic` reports it later."""
+        """Add an endpoint; see `Link.add`. If rclpy rejects the endpoint, a :class:`LinkDiagnostic` reports it later."""
         self._count += 1
         self._kinds[self._count] = f'{kind} {name}'
         message = {
@@ -157,7 +157,7 @@ class RclpyLink:
         self._say(wire.ANSWER, handle, int.from_bytes(who, 'little'), cdr)
 
     def flush(self) -> None:
-        """See `Link.flush`; the rest is sent when the side process accepts it."""
+        """Send waiting frames; see `Link.flush`. Frames that the child process does not accept yet are sent later."""
         try:
             self._out.send(self._socket.send)
         except BlockingIOError:
@@ -214,7 +214,7 @@ class RclpyLink:
         return kind
 
     def _see(self, message: list[list[list[object]]]) -> None:
-        """Update the known nodes and endpoints; an endpoint that existed before is the same object."""
+        """Update the known nodes and endpoints. An endpoint that existed before keeps its object."""
         nodes = {
             (space, name): RemoteNode(bytes.fromhex(str(gid)), str(space), str(name), bool(is_simulated))
             for gid, space, name, is_simulated in message[0]
