@@ -26,14 +26,16 @@ LOOKS: dict[str, tuple[Colour, Colour, float]] = {
     'topic': (style.SAND_TINT, style.SAND, 3.0),
     'service': (style.GREEN_TINT, style.GREEN, 3.0),
 }
-"""Fill colour, edge colour, and radius of the corners."""
+"""The fill colour, the edge colour, and the radius of the corners of each kind of box."""
 LEGEND = 'oval: node   box: topic'
 FRAME_LOOKS: dict[str, tuple[Colour, Colour]] = {
     'root': (style.PAPER, style.INK),
     'static': (style.GREEN_TINT, style.GREEN),
     'dynamic': (style.BLUE_TINT, style.BLUE),
 }
-"""Fill and edge colour of a box; the word in it gives the same information, and a static one is dashed."""
+"""The fill and edge colours of a frame's box. A word in the box gives the same information, and the box of a static frame is
+dashed.
+"""
 
 
 def draw_box(
@@ -152,4 +154,4 @@ def _draw_frame_box(ax: Axes, box: FrameBox, pixel: float) -> None:
 
 
 DRAWINGS: dict[type, tuple[Any, Any]] = {GraphScene: (graph_sheet, draw_graph), TreeScene: (tree_sheet, draw_tree)}
-"""For each kind of scene, the function for its sheet, and the function that draws it on that sheet's axes."""
+"""The function for the sheet of each kind of scene, and the function that draws the scene on that sheet's axes."""

@@ -18,9 +18,9 @@ from edulaunch.canvas.system_scene import ADDED, CHANGED, GONE, SAME, Panel, Sys
 
 ABOVE, BELOW, BETWEEN = 24.0, 20.0, 16.0
 WIDEST_PAIR = 640.0
-"""The largest width of panels that are side by side; wider panels are one above the other."""
+"""The largest width of two panels side by side. Wider panels are one above the other."""
 SIGNS: dict[str, Colour] = {ADDED: style.BLUE, GONE: style.ORANGE, CHANGED: style.INK, SAME: style.MUTED}
-"""Blue and orange differ for colour-blind people, too. Red means an error only."""
+"""The colours of the signs. People with colour blindness can distinguish blue and orange, too. Red is only for errors."""
 KINDS = {'node': 'oval: node', 'topic': 'box: topic', 'service': 'double border: service', 'frame': 'thick border: frame'}
 WORDS = {ADDED: '+ only in this one', GONE: '- only in this one', CHANGED: '~ changed'}
 
@@ -85,4 +85,4 @@ def _draw_box(ax: Axes, box: SystemBox, pixel: float) -> None:
 
 
 DRAWINGS: dict[type, tuple[object, object]] = {SystemScene: (system_sheet, draw_system)}
-"""For each kind of scene, the function for its sheet, and the function that draws it on that sheet's axes."""
+"""The function for the sheet of each kind of scene, and the function that draws the scene on that sheet's axes."""

@@ -32,14 +32,14 @@ SIDE, LEFT, BETWEEN, BELOW, ABOVE = 320, 30, 22, 24, 40
 DASHES = ('-', '--', '-.', ':')
 """Markers on coloured trails identify them without colour, too."""
 TURTLESIM_PX = 500
-"""The size of a real turtlesim window; pen widths refer to it."""
+"""The size of a real turtlesim window in pixels, to which the widths of pens refer."""
 ALONE, BESIDE, VIEW_LEFT, VIEW_BELOW = 420, 340, 34, 40
 AXIS = 30.0
 X_COLOUR: Colour = (204, 36, 29)
 Y_COLOUR: Colour = (46, 140, 48)
 Z_COLOUR: Colour = (38, 92, 178)
 LEAST = 0.05
-"""An axis that points towards the viewer is not drawn."""
+"""The shortest projection of an axis that is drawn. An axis that points towards the viewer is shorter."""
 LEGEND = 'thick: x axis   thin: y axis   dotted: z axis   arrow: to the parent frame (dashed: static)   [m]'
 
 
@@ -177,4 +177,4 @@ def draw_names(ax: Axes, frames: list[FrameMark], pixels: dict[str, tuple[float,
 
 
 DRAWINGS: dict[type, tuple[Any, Any]] = {TurtleScene: (turtles_sheet, draw_turtles), FramesScene: (frames_sheet, draw_frames)}
-"""For each kind of scene, the function for its sheet, and the function that draws it on that sheet's axes."""
+"""The function for the sheet of each kind of scene, and the function that draws the scene on that sheet's axes."""

@@ -16,7 +16,7 @@ from edulaunch.canvas.worlds import World
 GAP, LINE = 8, 16
 NAME_LOOK = 'fill="#ffffff" stroke="#1f2933" stroke-width="2.5" paint-order="stroke"'
 WINDOW_PX = 500
-"""The size of a real turtlesim window; pen widths refer to it."""
+"""The size of a real turtlesim window in pixels, to which the widths of pens refer."""
 
 
 def strip_times(duration_s: float, worlds: int) -> list[float]:

@@ -15,11 +15,11 @@ Vector = tuple[float, float, float]
 Matrix = tuple[Vector, Vector, Vector]
 
 FOOTPRINTS = ('footprint', 'robot_radius')
-"""Parameters of navigation that describe the footprint of a robot."""
+"""The parameters of navigation that describe the footprint of a robot."""
 ROUND = 16
 """The number of corners of a circle."""
 DEEPEST = 200
-"""The maximum number of links in a chain, which stops at loops in a description."""
+"""The maximum number of links in a chain. It prevents an endless loop if a description contains a loop."""
 
 
 class Part(NamedTuple):

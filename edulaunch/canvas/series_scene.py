@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording.recording import Recording
 
 Place = tuple[float, float, float]
-"""Time in seconds, x and y in metres."""
+"""A position: the time in seconds, and x and y in metres."""
 Point = tuple[float, float]
 
 

@@ -22,7 +22,7 @@ from matplotlib.ticker import MaxNLocator
 from edulaunch.canvas.style import GRID, INK, MUTED, PAPER, SCALE, SMALL, TEXT, Colour
 
 COVERING = 300.0
-"""The extra cost of covering anything: more than the distance to the furthest place."""
+"""The additional cost of covering something, which is higher than the cost of the furthest position."""
 DIRECTIONS = ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (-1, 1), (1, -1), (-1, -1))
 PER_INCH = 72
 HALO = [withStroke(linewidth=2.6, foreground='white')]

@@ -24,7 +24,7 @@ RED: Colour = (192, 40, 32)
 RED_TINT: Colour = (255, 240, 238)
 
 SCALE = 2
-"""Image pixels per layout pixel: pictures stay sharp on fine screens."""
+"""The number of image pixels for each layout pixel, with which pictures are sharp on high-resolution screens."""
 
 TEXT = 11.0
 SMALL = 9.5
@@ -32,9 +32,10 @@ MONO_ADVANCE = 0.602
 """The width of any character of the monospaced font, relative to the font size; the layout of ROS names uses it."""
 Part = tuple[str, list[tuple[float, float]]]
 SHELLS: tuple[Colour, ...] = ((112, 173, 88), (236, 152, 70), (204, 74, 62), (158, 126, 190), (64, 176, 172), (240, 206, 72))
-"""The colours of the first turtle of a window, the second ...; names beside the turtles give the same information."""
+"""The colours of the turtles of a window, in order. Names beside the turtles give the same information."""
 LOOKS: dict[str, Colour] = {'skin': (243, 233, 208), 'eye': (31, 41, 51), 'wheel': (31, 41, 51), 'body': (76, 106, 146)}
-"""Fill colours of the parts that are the same on all bodies; a shell has its number's colour, plates are a shade darker."""
+"""The fill colours of the parts that are equal on all bodies. The colour of a shell depends on its number, and plates are darker.
+"""
 
 
 def mono_width(text: str, size: float = TEXT) -> float:

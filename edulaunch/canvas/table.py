@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 HEADS = ('node', 'parameter', 'value', 'origin')
 ALIKE_EVERYWHERE = ('use_sim_time', 'start_type_description_service')
-"""Parameters that each node has; shown only if something has set them."""
+"""The parameters that every node has. A table shows them only if something has set them."""
 MOST_ROWS = 40
 LEVELS = {10: 'DEBUG', 20: 'INFO', 30: 'WARN', 40: 'ERROR', 50: 'FATAL'}
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording.records import Frame
 
 FINENESS = 5000
-"""Trails are exact to this fraction of the window's width, well below an image pixel."""
+"""The tolerance of trails, as a fraction of the window's width. It is well below an image pixel."""
 
 
 class Trail(NamedTuple):

@@ -27,7 +27,7 @@ from .questions import SEALED, questions_file, seal
 from .stored import as_text, without_outputs
 
 STARTER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'starter')
-"""The course that a new course is copied from; it is kept as files, so that it is checked like every course."""
+"""The course from which a new course is copied. It consists of files, so that tests can check it like every course."""
 
 
 def new_course(folder: str) -> list[str]:
@@ -46,9 +46,9 @@ def new_course(folder: str) -> list[str]:
 
 RUBRICS = 'rubrics'
 KEPT_BACK = ('solutions', RUBRICS, '__pycache__', 'my_progress.toml', 'my_progress.toml.bak')
-"""Never handed out, in any folder."""
+"""The names of files that students never get, in any folder."""
 BESIDE = (MANIFEST, 'README.md', 'LICENSE', 'requirements.txt')
-"""Files beside the folders of a course, handed out if the course has its own folder (with its manifest in it)."""
+"""The files beside the folders of a course. Students get them if the course has its own folder, which contains the manifest."""
 
 
 def student_files(course: str, *, rubrics: bool = False) -> dict[str, bytes]:
@@ -133,7 +133,7 @@ def _made(data: bytes, personal: Callable[[str], str]) -> bytes:
 
 
 RECORD = '.edulaunch_course.json'
-"""A file beside the copy: a digest of each copied file, so that a later copy knows which files the student changed."""
+"""A file beside the copy, with a digest of each copied file. A later copy finds the files that the student changed with it."""
 MOST_NAMED = 8
 _NO_DATE = (1980, 1, 1, 0, 0, 0)
 

@@ -14,7 +14,7 @@ from .questions import FILE, find_questions
 LONGEST = 2000
 """The maximum number of characters of a stored explanation."""
 FEWEST = 4
-"""The minimum number of words of an explanation; a shorter one does not open the answer."""
+"""The minimum number of words of an explanation. A shorter one does not open the answer."""
 
 
 def explain(name: str, text: str | EllipsisType = ...) -> Verdict:

@@ -15,7 +15,7 @@ from edulaunch.errors import UnusableInput
 
 KINDS = ('code', 'markdown', 'raw')
 LARGEST = 50 << 20
-"""The largest notebook in bytes that is read."""
+"""The size of the largest notebook that is read, in bytes."""
 _OUTPUTS = {
     'stream': ('text',),
     'error': ('ename', 'evalue', 'traceback'),

@@ -33,7 +33,9 @@ def find_question(name: str) -> Question:
 
 
 _CHOICE = 'margin:.2em 0 .2em 1.5em'
-"""The letters are part of the text, because JupyterLab replaces them by its own numbers in a list."""
+"""The style of a choice. The letters are part of the text of the choice, because JupyterLab replaces letters in a list by its own
+numbers.
+"""
 
 
 class Asked:

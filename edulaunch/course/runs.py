@@ -29,7 +29,7 @@ from .stored import run_notebook, without_place
 
 WRITES = '%%writefile '
 Outputs = dict[str, list[dict[str, Any]]]
-"""The outputs of each code cell of a lesson, by its id."""
+"""The outputs of each code cell of a lesson, by the ID of the cell."""
 Say = Callable[[str], None]
 
 

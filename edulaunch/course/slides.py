@@ -21,7 +21,7 @@ FULL = 16
 _WIDE = 80
 _KEPT_WHOLE = re.compile(r'#|\||[-*] |\d+\. |<|    |\*\*(Predict|Explain|Change|Write|Repair|Find|Fill|Add)')
 _LEADS = re.compile(r'(?!#)[^\n]*[^.!?\s]\n\n- ')
-"""One line without a final stop, such as "After this lesson you can": the list after it stays on its slide."""
+"""A line without a final stop, such as "After this lesson you can". The list after such a line is on the same slide."""
 _PIECES = re.compile(r'(?:^|\n\n)((?:```.*?```|<details>.*?</details>|(?<![.!?])\n\n(?=- )|(?!\n\n).)+)', re.DOTALL)
 
 

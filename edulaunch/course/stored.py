@@ -25,7 +25,7 @@ from .notebook_file import read_notebook, read_outputs_file
 
 FOLDER = '.outputs'
 NOT_KEPT = ('image/png', 'image/svg+xml', 'text/html', 'application/vnd.jupyter.widget-view+json')
-"""For these kinds of data, only their presence is stored."""
+"""The kinds of data of which only the presence is stored."""
 _folders: list[TemporaryDirectory[str]] = []
 _COLOURS = re.compile(r'\x1b\[[0-9;]*m')
 _IN_CELL = re.compile(r' \(line \d+ of cell \[\d+\]\)')

@@ -34,7 +34,7 @@ NEXT = {
 }
 """The next step for each template."""
 WITH = {'jupyterhub': ('docker',)}
-"""Templates that another one builds on."""
+"""The templates on which another template builds."""
 
 
 def write_template(name: str, course: str) -> list[str]:

@@ -16,7 +16,7 @@ DEMOS = (
     ('turtle_tf2_py', 'turtle_tf2_fixed_frame_demo.launch.py', 'A carrot beside turtle1'),
     ('turtle_tf2_py', 'turtle_tf2_dynamic_frame_demo.launch.py', 'A carrot that moves'),
 )
-"""Launch files that come with edulaunch and start something visible."""
+"""The launch files that come with edulaunch and show something in the browser."""
 
 
 def contents(course: str) -> str:

@@ -21,7 +21,7 @@ PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'page')
 LEFT_OUT = ('__pycache__', 'ours')
 BINARY = ('.so', '.pyd', '.pyc')
 WANTED = 'numpy'
-"""Included if the folder of the runtime has it, because messages with arrays of numbers need it."""
+"""A package that is included if the folder of the runtime contains it, because messages with arrays of numbers need it."""
 
 
 def make_site(out: str, runtime: str, course: str) -> list[str]:

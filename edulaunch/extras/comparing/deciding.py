@@ -14,12 +14,12 @@ from edulaunch.extras.comparing.differing import MISSING, NOT_THERE, Difference
 from edulaunch.extras.comparing.observation import Observation, program_of
 
 SLOWNESS = 2.0
-"""A real run may need this many times as long as the simulation."""
+"""How many times as long as the simulation a real run may take."""
 SPARE_S = 5.0
-"""The additional seconds that it may need, not counting the time in which its programs started."""
+"""The additional seconds that a real run may need, without the time in which its programs started."""
 _WAITING = re.compile(r'\b(still )?wait(s|ing)?\b', re.IGNORECASE)
 _NOT_YET = re.compile(r'extrapolation|does not exist|not part of the same tree|[Cc]ould not (find a connection|transform)')
-"""What tf2 reports before a transform has arrived."""
+"""The messages of tf2 before a transform has arrived."""
 
 
 def is_pace(difference: Difference) -> bool:

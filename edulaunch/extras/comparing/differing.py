@@ -15,11 +15,11 @@ from typing import Any, NamedTuple
 from edulaunch.extras.comparing.observation import BRIEFLY, Flow, Line, Observation, Range, Values, program_of
 
 FOUND_S = 3.0
-"""From this time, all programs have found each other."""
+"""The time, in seconds, from which all programs have found each other."""
 YOUNG_S = 1.0
 SHARE = 0.25
 FEWEST, SHORTEST_S = 5, 0.5
-"""This many messages in this time are enough for a rate: fewer may be delayed by a busy computer."""
+"""The number of messages, and the time in seconds, that a rate requires. A busy computer may delay fewer messages."""
 MISSING = 'missing'
 NOT_THERE = (MISSING, 'none', 'still running')
 _CHANCE = (
@@ -37,9 +37,9 @@ _CHANCE = (
     *(f'object {what:9}: ' for what in ('address', 'refcount', 'type', 'repr')),
     'object type name: ',
 )
-"""What a program may print when Ctrl-C interrupts it, or its peers, at a bad moment."""
+"""Messages that a program may print when Ctrl-C interrupts the program or its peers at a bad moment."""
 _CRASHES = (-signal.SIGSEGV, -signal.SIGABRT)
-"""The exit codes of an interruption in C++ code."""
+"""The exit codes of a program that was interrupted in C++ code."""
 
 
 class Difference(NamedTuple):

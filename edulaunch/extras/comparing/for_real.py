@@ -44,12 +44,12 @@ from edulaunch.ros.serialization.cdr import decode
 from edulaunch.runtime.session import Session
 
 END_S = 15.0
-"""Seconds after Ctrl-C until launch kills programs that still run."""
+"""The seconds after Ctrl-C until launch kills programs that still run."""
 LOOK_EVERY_S = 0.5
 DOMAINS = range(70, 100)
 """ROS_DOMAIN_IDs that are safe on every system and rarely used."""
 FIRST_PORT, PORTS_OF_DOMAIN, MOST_PROGRAMS = 7400, 250, 100
-"""The ports of DDS: the first one of a domain is for multicast, and each program has two ports from the tenth."""
+"""The ports of DDS. The first port of a domain is for multicast, and each program has two ports from the tenth on."""
 _OBSERVER = Executable('entry_point', '', 'observer', 'observer', module='edulaunch.extras.native.observer', function='main')
 IsEnough = Callable[[Observation], bool]
 

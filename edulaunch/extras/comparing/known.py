@@ -47,7 +47,7 @@ BY_DESIGN = [
     Known('*', 'the client was gone', 'output', real='*failed to send response (timeout)*', sometimes=True),
     Known('*', 'the client was gone', 'output', real='*self.__service.service_send_response(*', sometimes=True),
 ]
-"""Differences that any launch file may have, and that cannot be avoided."""
+"""The differences that any launch file may have, and that cannot be avoided."""
 
 
 def reason(known: Sequence[Known], words: Sequence[str], difference: Difference) -> Known | None:

@@ -12,7 +12,7 @@ from edulaunch.engine.interfaces.message import Message
 
 ClassOf = Callable[[str], type[Message]]
 NOT_COMPARED = ('/rosout', '/parameter_events')
-"""Topics whose messages appear elsewhere: as output, and as parameters."""
+"""The topics whose messages are compared in another form, as output or as parameters."""
 BRIEFLY = float('inf')
 _HIDDEN_NODE = re.compile(r'/(_|launch_ros_\d)')
 _STAMPED_LOG = re.compile(r'\[\d{9,}\.\d+\]')

@@ -14,7 +14,7 @@ from edulaunch.extras.comparing.observation import Observation
 from edulaunch.extras.comparing.simulated import simulate
 
 PATIENCE_S = 10.0
-"""Extra seconds for the real run, until it has shown everything that the simulation showed."""
+"""The additional seconds for the real run, until it has shown everything that the simulation showed."""
 
 LATE_S = 1.0
 MOST_ORDERS = 8

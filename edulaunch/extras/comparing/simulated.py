@@ -35,7 +35,7 @@ from edulaunch.extras.comparing.observation import (
 from edulaunch.runtime.session import Session
 
 FOUND_S = 3.0
-"""In reality, all programs find a node or endpoint that exists longer than this."""
+"""The time, in seconds, after which all real programs have found a new node or endpoint."""
 END_S = 15.0
 """Seconds after Ctrl-C."""
 

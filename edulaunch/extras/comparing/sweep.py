@@ -16,7 +16,9 @@ from edulaunch.extras.comparing.differing import Difference
 from edulaunch.extras.comparing.known import Known
 
 LONGEST_S = 240.0
-"""Extra seconds beyond `--for` for a comparison, more than the busiest computer needs, so that one that hangs is found."""
+"""The additional seconds for a comparison beyond `--for`. They are more than the busiest computer needs, so that a hanging
+comparison is found.
+"""
 LAUNCH_ENDINGS = ('launch.py', 'launch.xml', 'launch.yaml', 'launch.yml')
 
 

@@ -12,7 +12,7 @@ from edulaunch.extras.editor.programs import file_of, interface_of, launch_files
 from edulaunch.extras.editor.subjects import Subject, subject_at
 
 Values = dict[str, Any]
-"""Values from the last dry run: launch argument -> steps in the form of `edulaunch.advice.plan.why`."""
+"""The values from the last dry run: for each launch argument, the steps in the form of `edulaunch.advice.plan.why`."""
 _DECLARED = re.compile(
     r"""DeclareLaunchArgument\(\s*(?:name\s*=\s*)?['"](?P<python>[\w.-]+)['"]"""
     r"""(?:\s*,\s*default_value\s*=\s*(?P<value>['"][^'"]*['"]|\w+|\[[^\]]*\]))?"""

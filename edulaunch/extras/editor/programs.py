@@ -20,7 +20,7 @@ MOMENT_S = 0.5
 _FRAME = re.compile(r"""frame_id\s*=\s*['"]([\w/]+)['"]|frame-id['"]?,\s*['"]([\w/]+)['"]""")
 MOST_FILES = 400
 HIDDEN = ('qos_overrides.', 'start_type_description_service')
-"""Parameters that ROS 2 itself declares for each node."""
+"""The parameters that ROS 2 itself declares for each node."""
 
 
 class Interface(NamedTuple):

@@ -40,7 +40,7 @@ _BEFORE = [
     (re.compile(r'\bframe_id\s*=\s*$'), 'frame'),
     (re.compile(_SHARE + r'\(\s*["\'](?P<owner>[\w-]+)["\']\s*\)\s*,\s*(?:["\']launch["\']\s*,\s*)?$'), 'launch file'),
 ]  # fmt: skip
-"""Kinds by the text before the string under the cursor."""
+"""The kinds of subjects, by the text before the string under the cursor."""
 _MARKUP = [
     (re.compile(r'\$\(var\s+(?P<name>[\w.-]*)$'), 'argument'),
     (re.compile(r'\$\(find-pkg-(?:share|prefix)\s+(?P<name>[\w-]*)$'), 'package'),
@@ -54,7 +54,7 @@ _MARKUP = [
     (re.compile(r'<(?P<name>[\w-]*)$'), 'element'),
     (re.compile(r'^\s*-\s*(?P<name>[\w-]*)$', re.MULTILINE), 'element'),
 ]
-"""Kinds in XML and YAML, by the text before the cursor, including the beginning of the name."""
+"""The kinds of subjects in XML and YAML, by the text before the cursor, including the beginning of the name."""
 _MODULE = re.compile(r'^from\s+(?P<name>[\w.]*)$', re.MULTILINE)
 _IMPORT = re.compile(
     r'^from\s+(?P<owner>\w+\.(?:msg|srv|action))\s+import\s+(?:\(?[\w\s,]*,\s*|\(\s*)?(?P<name>\w*)$', re.MULTILINE

@@ -17,16 +17,18 @@ from edulaunch.extras.foxglove.server_messages import Message
 from edulaunch.ros.serialization.cdr import encode
 
 MOST_ROWS = 500
-"""The most messages of one topic in one turn."""
+"""The maximum number of messages of one topic in one turn."""
 MOST_BYTES = 12 << 20
-"""The most bytes of messages in one turn."""
+"""The maximum number of bytes of messages in one turn."""
 MOST_WAITING = 4 << 20
-"""The most bytes of answers that wait for a client. A client that sends more requests without reading is disconnected."""
+"""The maximum number of bytes of replies that wait for a client. A client that sends more requests without reading is
+disconnected.
+"""
 MOST_CHANNELS = 1000
-"""The most subscriptions of one client, and the most topics on which it publishes."""
+"""The maximum number of subscriptions of one client, and of topics on which it publishes."""
 ENCODING, SCHEMA = 'cdr', 'ros2msg'
 PUBLISHED = (ENCODING, 'json')
-"""Encodings of the messages that a client publishes."""
+"""The encodings of the messages that a client publishes."""
 
 
 class TooMuch(ValueError):

@@ -9,9 +9,9 @@ from edulaunch.extras.foxglove.protocol import Playback, Value
 from edulaunch.extras.foxglove.server_messages import Graph
 
 Key = tuple[str, str]
-"""Topic and type."""
+"""The name and the type of a topic."""
 Row = tuple[int, Any]
-"""Time in ns since 1970, and wire tuple."""
+"""The time of a message in ns since 1970, and its wire tuple."""
 
 
 class Refused(Exception):

@@ -24,13 +24,13 @@ from edulaunch.ros.serialization.cdr import decode, encode
 from edulaunch.runtime.session import Session
 
 MOST_CALLS = 100
-"""The most requests of one client that wait for their reply."""
+"""The maximum number of requests of one client that wait for their reply."""
 MOST_PROBLEMS = 5
-"""The most parameters in one error message."""
+"""The maximum number of parameters in one error message."""
 ANSWER_NS = 30 * 10**9
-"""Simulated seconds after which a request is given up."""
+"""The simulated nanoseconds after which a request without a reply ends with an error."""
 SLOTS = ('', 'bool', 'integer', 'double', 'string', 'byte_array', 'bool_array', 'integer_array', 'double_array', 'string_array')
-"""The fields of rcl_interfaces/msg/ParameterValue by the number of the type; each ends in '_value'."""
+"""The fields of rcl_interfaces/msg/ParameterValue by the number of the type. The name of each field ends in '_value'."""
 
 
 class LiveFeed:

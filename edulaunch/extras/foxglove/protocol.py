@@ -15,11 +15,11 @@ from typing import Any, NamedTuple, NoReturn
 SDK, OLD = 'foxglove.sdk.v1', 'foxglove.websocket.v1'
 SUBPROTOCOLS = (SDK, OLD)
 LONGEST_MESSAGE = (1 << 20) - 64
-"""The most bytes of one message of a client."""
+"""The maximum number of bytes of one message of a client."""
 MOST_ITEMS = 1000
-"""The most entries of one list."""
+"""The maximum number of entries of one list."""
 LONGEST_TEXT = 512
-"""The most letters of one name."""
+"""The maximum number of characters of one name."""
 FASTEST = 100.0
 """The highest speed of a recording, relative to real time."""
 Value = bool | int | float | str | list[Any]

@@ -23,12 +23,12 @@ from edulaunch.extras.foxglove import protocol, server_messages
 from edulaunch.extras.foxglove.lines import Line
 
 EVERY_S = 1 / 40
-"""Seconds between two turns of a client."""
+"""The seconds between two turns of a client."""
 APP = 'https://app.foxglove.dev'
 TOO_MUCH = 'this client asks for more than it reads'
 PATH = r'/([\w-]+)/'
 Open = Callable[[str], Awaitable[Line]]
-"""Creates the line for a client with a subprotocol."""
+"""A function that creates the connection of a client with a subprotocol."""
 
 
 class Client(Guarded, WebSocketHandler):

@@ -12,9 +12,9 @@ from typing import Any
 Message = str | bytes
 Graph = Mapping[str, Mapping[str, Sequence[str]]]
 INFO, WARNING, ERROR = range(3)
-"""Levels of a status."""
+"""The levels of a status."""
 PLAYING, PAUSED, ENDED = 0, 1, 3
-"""States of a recording."""
+"""The states of a recording."""
 
 
 def op(operation: str, /, **fields: Any) -> str:

@@ -14,7 +14,7 @@ from edulaunch.ros import node_facts
 from edulaunch.ros.serialization.cdr import decode, encode
 
 AT_ONCE = 100
-"""`rcl_spin_ready` runs this many callbacks at once before it checks for later events."""
+"""The number of callbacks that `rcl_spin_ready` runs before it checks for later events."""
 _ITS_OWN = frozenset(('rclpy', 'rcl_interfaces', 'rpyutils', 'rosidl_parser', 'rosidl_pycommon'))
 
 

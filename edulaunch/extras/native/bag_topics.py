@@ -16,7 +16,7 @@ from edulaunch.errors import InterfaceError
 from edulaunch.extras.native.qos import from_rclpy, to_rclpy
 
 AT_ONCE = 100
-"""The number of messages of one topic that one turn of the executor takes; the turn costs more than they do."""
+"""The number of messages of one topic that one turn of the executor takes. A turn costs more than taking these messages."""
 
 
 class BagTopics:

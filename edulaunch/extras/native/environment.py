@@ -21,7 +21,7 @@ from edulaunch.errors import EdulaunchError, UnusableInput
 REQUIREMENT = 'ros-jazzy-rclpy[fastrtps]'
 PLACE_VARIABLE = 'EDULAUNCH_REAL_RCLPY'
 MARK = 'edulaunch.json'
-"""A file in a finished environment that describes its content."""
+"""A file in a complete environment that describes its content."""
 NEEDED_MB = 220
 _PROBE = "import json, rclpy; from importlib.metadata import version; print(json.dumps({'rclpy': version('ros-jazzy-rclpy')}))"
 _OFFLINE_SIGNS = ('Temporary failure in name resolution', 'NewConnectionError', 'Connection refused', 'Network is unreachable')

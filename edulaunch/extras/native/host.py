@@ -24,7 +24,7 @@ from edulaunch.extras.native.loopback import confined
 NATIVE_KINDS = ('entry_point', 'script', 'module')
 ROS2 = Program('ros2', '', 'ros2', 'ros2')
 HERE_COMMANDS = ('launch', 'run', 'component standalone')
-"""Commands of ros2 that only start programs: they run in a simulation whose programs are real, like launch itself."""
+"""The commands of ros2 that only start programs. They run in a simulation whose programs are real, like launch itself."""
 _ROS2_FILE = """#!/bin/sh
 case "$1 $2 " in
 {here}) PYTHONPATH={home} exec {python} -m edulaunch.extras.network.real_command {lock} "$@";;

@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping
 
 PROFILES = ('FASTRTPS_DEFAULT_PROFILES_FILE', 'FASTDDS_DEFAULT_PROFILES_FILE')
-"""The variable for the configuration of Fast DDS."""
+"""The environment variables for the configuration of Fast DDS."""
 _PROFILE = os.path.join(os.path.dirname(__file__), 'loopback.xml')
 
 

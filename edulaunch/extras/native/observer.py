@@ -30,12 +30,14 @@ UNCLAIMED = '_NODE_NAME_UNKNOWN_'
 """ROS 2's name for the node of an endpoint until that node is known."""
 LOOK_EVERY_S = 0.25
 LOOK_AT_ALL_EVERY_S = 1.0
-"""After this many rounds, it asks for the endpoints of nodes even without a new node or topic, because asking is slow."""
+"""The number of rounds after which the observer requests the endpoints of all nodes, even without new names. Each request is
+slow.
+"""
 TAKE_EVERY_S = 0.05
 MOST_MESSAGES = 20_000
-"""The maximum number of messages of one topic; later ones are left out."""
+"""The maximum number of messages of one topic. Later messages are left out."""
 PATIENCE_S = 10.0
-"""Nodes have this many seconds to report their parameters."""
+"""The seconds in which nodes can report their parameters."""
 
 
 class Observer:

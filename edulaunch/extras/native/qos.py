@@ -9,7 +9,7 @@ from rclpy.duration import Duration
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 
 FOREVER_NS = 2**62
-"""rclpy's value for infinite is larger."""
+"""The longest finite duration. rclpy's value for an infinite duration is larger."""
 
 
 def to_rclpy(row: Sequence[Any]) -> QoSProfile:

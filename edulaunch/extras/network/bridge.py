@@ -36,13 +36,13 @@ from edulaunch.ros.serialization.cdr import decode, encode
 from edulaunch.runtime.session import Session
 
 REMEMBERED = 1000
-"""The number of remembered messages that have arrived at one of several subscriptions."""
+"""The number of messages that are remembered after they have arrived at one of several subscriptions."""
 MOST_EARLY = 5000
-"""The number of messages that wait until their sender is known."""
+"""The maximum number of messages that wait until their sender is known."""
 MOST_REQUESTS = 1000
-"""The number of requests from the network that wait for one service."""
+"""The maximum number of requests from the network that wait for one service."""
 CLOCKS_DIFFER_NS = 3 * 10**9
-"""Clocks with a larger difference are reported; a machine at its limit is late by less."""
+"""The smallest difference of clocks that is reported. A machine at its limit is late by less."""
 
 
 class Bridge:

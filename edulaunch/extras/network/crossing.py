@@ -18,7 +18,7 @@ LISTS = {
     'in': 'let only these come in from the network',
     'out': 'let only these go out to the network',
 }
-"""Options and their help."""
+"""The options that take lists of names, with their help."""
 
 
 class Crossing(NamedTuple):

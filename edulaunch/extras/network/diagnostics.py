@@ -8,7 +8,7 @@ from edulaunch.extras.network.network_link import LinkDiagnostic
 
 MOST = 100
 MOST_NAMED = 3
-"""If diagnostics differ only in a name, one line lists up to this many names."""
+"""The maximum number of names in one line, for diagnostics that differ only in a name."""
 
 
 class LinkDiagnostics:

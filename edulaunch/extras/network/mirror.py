@@ -37,7 +37,9 @@ from edulaunch.extras.network.remote import (
 )
 
 CLAIMED_WITHIN_NS = 10**9
-"""After this time, an endpoint that no node has claimed is listed without a node. Most nodes announce theirs a little later."""
+"""The time after which an endpoint that no node has claimed is listed without a node. Most nodes claim their endpoints a little
+later.
+"""
 
 
 class Mirror:
@@ -60,7 +62,7 @@ class Mirror:
         self.graph, self.registry, self.crossing, self.ask, self.diagnostic = graph, registry, crossing, ask, diagnostic
         self.network = Network()
         self.listeners: dict[str, int] = {}
-        """Return the number of real subscriptions of each topic."""
+        """The number of real subscriptions of each topic."""
         self._nodes: dict[RemoteNode, NodeEntry] = {}
         self._ends: dict[bytes, tuple[RemoteEndpoint, Any]] = {}
         self._unclaimed: dict[bytes, int] = {}

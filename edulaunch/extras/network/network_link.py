@@ -17,16 +17,19 @@ if TYPE_CHECKING:
     from edulaunch.engine.interfaces.registry import Registry
 
 MARK = '_edulaunch_link'
-"""The prefix of a link's internal nodes: hidden, like all names with a leading underscore, and never shown."""
+"""The prefix of the names of a link's internal nodes. Names with a leading underscore are hidden, and edulaunch never shows these
+nodes.
+"""
 ENCLAVE = f'/{MARK}'
 """The enclave of a machine's participant, by which machines recognise each other. Only SROS 2 uses enclaves."""
 PUBLISHER, SUBSCRIPTION, SERVICE, CLIENT = 'publisher', 'subscription', 'service', 'client'
 """The kinds of endpoints, with the same names as in `graph`."""
 KEPT = 1000
-"""On this computer, a reliable publisher keeps at least this many messages until all have arrived. A subscriber on a busy
-computer may not run for a while. At 200 messages per second, that may be 5 s. DDS does not announce the number."""
+"""The minimum number of messages that a reliable publisher on this computer stores until all have arrived. A subscriber on a busy
+computer may not run for a while, such as 5 s at 200 messages per second. DDS does not announce this number.
+"""
 WAITING = 1000
-"""At most this many messages wait for their subscription, or as many as its depth; other nodes do not see that."""
+"""The number of messages that may wait for their subscription, unless its depth is larger. Other nodes cannot see this number."""
 
 
 class Interface:

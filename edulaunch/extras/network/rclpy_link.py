@@ -40,17 +40,19 @@ from edulaunch.runtime.framing import Frames
 
 LONGEST_START_S = 30.0
 MOST_WAITING = 32 << 20
-"""The maximum number of bytes that wait for a side process which does not read; later messages are dropped."""
+"""The maximum number of bytes that wait for a child process that does not read. Later messages are dropped."""
 BUFFER = 4 << 20
-"""The size of the socket's own buffer, which must hold everything sent between two turns, such as an image."""
+"""The size of the socket's own buffer, which must hold all data between two turns, such as an image."""
 URGENT = (wire.NODE, wire.ADD)
-"""A new node or endpoint is sent before waiting messages, none of which can refer to it."""
+"""The kinds of frames that are sent before waiting messages. They announce nodes and endpoints, to which no waiting message can
+refer.
+"""
 AT_ONCE = 1 << 20
-"""The number of bytes that are read in one turn of the machine."""
+"""The number of bytes that one turn of the machine reads."""
 AGAIN = '\n  help: type edulaunch network off, then edulaunch network on'
 RENEW = 'read its errors in the log of the machine; edulaunch network install creates its environment again'
 _PROFILE, _LOOPBACK_PROFILE = (os.path.join(os.path.dirname(__file__), f'rclpy_side{end}.xml') for end in ('', '_loopback'))
-"""The settings of Fast DDS for the side process."""
+"""The settings of Fast DDS for the child process."""
 _SIDE = Program('entry_point', '', 'link', 'link', module='edulaunch.extras.network.rclpy_side', function='main')
 
 

@@ -10,7 +10,7 @@ from edulaunch.runtime import framing
 
 _HEAD = struct.Struct('<Iq')
 CHUNK = 1 << 18
-"""Small frames are collected until they have about this many bytes."""
+"""The size, in bytes, up to which small frames are collected before they are sent."""
 
 # Frames of the link.
 NODE, NODE_GONE, ADD, REMOVE, PUBLISH, ASK, ANSWER = range(7)

@@ -21,9 +21,9 @@ from edulaunch.runtime.session import Session
 MOST_MISTAKES = 20
 LONGEST_WAIT_S = 0.01
 SETTLED_NS = 3 * 10**9
-"""Seconds after joining in which the other nodes have been found."""
+"""The time after joining in which the machine finds the other nodes."""
 ALONE_NS = 10 * 10**9
-"""Seconds without other nodes after which the doctor reports that, too."""
+"""The time without other nodes after which the doctor reports that, too."""
 WIDE = {'LOCALHOST': 'this computer alone', 'SUBNET': 'the whole subnet', 'OFF': 'nobody (OFF)'}
 
 

@@ -23,7 +23,7 @@ from edulaunch.extras.testing.machine_plugin import ConftestImports, put_on_mach
 from edulaunch.ros.sourcing import source
 
 SPEAKS_OF_LAUNCH_TESTS = pytest.StashKey[bool]()
-"""For a run: whether any of its test files has launch tests, or the source text of some."""
+"""The key of a flag of the run: whether a test file has launch tests, or contains the source of launch tests."""
 LAZY_PACKAGES = (
     'edulaunch.engine.sim',
     'edulaunch.engine.graph',

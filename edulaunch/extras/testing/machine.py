@@ -30,10 +30,11 @@ from edulaunch.runtime.ambient import ambient_process_on
 from edulaunch.runtime.session import Session, index_for
 
 SHARED = frozenset(PRIVATE_COPIES) - {'concurrent', 'sched'}
-"""Standard modules that a test file shares with pytest, unlike a program: `caplog` needs the same `logging`."""
+"""The standard modules that a test file, unlike a program, shares with pytest. For example, `caplog` needs the same `logging`."""
 LIMIT_S = 900
-"""The maximum duration of a test in simulated seconds; longer than any wait of a launch test, which ends after 600 s by
-itself."""
+"""The maximum duration of a test in simulated seconds. It is longer than any wait of a launch test, which ends after 600 s by
+itself.
+"""
 
 
 class TestImports(ImportLoader):

@@ -11,7 +11,7 @@ import ctypes as c
 from typing import Any
 
 KEPT: list[object] = []
-"""Objects to which C code has pointers; types live as long as the program."""
+"""Objects to which C code has pointers. Types exist until the program ends."""
 
 
 def keep(made: Any) -> Any:
@@ -167,7 +167,7 @@ class ServiceMembers(c.Structure):
 
 
 TO_SUPPORT = c.CFUNCTYPE(c.c_void_p, c.c_void_p, c.c_char_p)
-"""Returns the variant of a type support that an identifier names."""
+"""The type of a C function that returns the variant of a type support for an identifier."""
 GIVES_ADDRESS = c.CFUNCTYPE(c.c_void_p, c.c_void_p)
 
 libc = c.CDLL(None)
@@ -184,7 +184,9 @@ NO_VARIANTS = {
     'message': address_of(runtime.get_message_typesupport_handle_function),
     'service': address_of(runtime.get_service_typesupport_handle_function),
 }
-"""Returns a type support of one kind itself, if its own kind is requested."""
+"""The addresses of the C functions for type supports of a single kind. Each returns the type support itself if this kind is
+requested.
+"""
 
 
 def identifier(of: c.c_char_p) -> int:

@@ -21,7 +21,7 @@ from edulaunch.extras.native.typesupport.services import support_action, support
 ITS_OWN = frozenset(
     ('action_msgs', 'lifecycle_msgs', 'rcl_interfaces', 'rosgraph_msgs', 'service_msgs', 'type_description_interfaces')
 )
-"""Packages whose messages the C++ code of rclpy itself creates and reads."""
+"""The packages whose messages the C++ code of rclpy itself creates and reads."""
 
 
 class SupportedClasses(Registry):
@@ -45,7 +45,7 @@ class _Finder(InterfaceFinder):
 
 
 Layers = Sequence[tuple[Sequence[str], Sequence[str]]]
-"""Share folders, with the packages in them that a lower layer has; the lowest layer first."""
+"""Share folders, each with the packages in it that a lower layer also has. The lowest layer comes first."""
 
 
 def layered(layers: Layers) -> SupportedClasses:

@@ -12,7 +12,9 @@ from types import FrameType
 
 SOON_S = 0.0002
 MOST_TRIES = 50
-"""It is delayed this many times where rclpy may be about to call C code, because it may also be waiting for a service."""
+"""How often Ctrl-C is delayed where rclpy may be about to call C code. It is limited, because rclpy may also be waiting for a
+service.
+"""
 _tries = 0
 _FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), '')
 

@@ -31,11 +31,11 @@ from edulaunch.ros.serialization.cdr import decode, encode
 INFO = 'rmw_dds_common/msg/ParticipantEntitiesInfo'
 MOST_ENDPOINTS, MOST_NODES, MOST_PARTICIPANTS = 4000, 1000, 1000
 AT_ONCE = 200
-"""The number of discovery events handled in one turn of the machine."""
+"""The number of discovery events that one turn of the machine handles."""
 ANY = 0x7F
 """Samples in any state."""
 OwnNode = tuple[str, str, Sequence[bytes], Sequence[bytes]]
-"""Namespace, name, gids of its readers and of its writers."""
+"""A node of this link: its namespace, its name, and the gids of its readers and its writers."""
 
 
 class Discovery:

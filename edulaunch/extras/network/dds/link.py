@@ -46,9 +46,11 @@ from edulaunch.extras.network.network_link import (
 )
 
 HEADER, ID = 4, 16
-"""Bytes before a message, and bytes of the id that rmw_cyclonedds puts between them and a request or reply."""
+"""The number of bytes of the header of a message, and of the ID that rmw_cyclonedds puts between the header and a request or
+reply.
+"""
 AT_ONCE = 100
-"""The number of messages of one subscription that are taken in one turn of the machine."""
+"""The number of messages of one subscription that one turn of the machine takes."""
 SIDES = {PUBLISHER: ('', TOPIC), SUBSCRIPTION: (TOPIC, ''), SERVICE: (REQUEST, REPLY), CLIENT: (REPLY, REQUEST)}
 """The readers and writers of each kind of endpoint."""
 

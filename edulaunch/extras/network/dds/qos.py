@@ -21,7 +21,7 @@ from edulaunch.engine.graph.qos import (
 from edulaunch.extras.network.network_link import KEPT, WAITING
 
 LONGEST_BLOCK_NS = 10_000_000
-"""A reliable publisher waits this long for slow readers before it drops a message; everything else waits meanwhile."""
+"""The longest time that a reliable publisher waits for slow readers before it drops a message. The machine waits meanwhile."""
 NEVER_NS = (1 << 63) - 1
 PLAIN = Policy.DataRepresentation(use_cdrv0_representation=True, use_xcdrv2_representation=False)
 _ENCLAVE = re.compile(r'(?:^|;)enclave=([^;]*);')

@@ -10,7 +10,7 @@ from __future__ import annotations
 from edulaunch.extras.network.network_link import CLIENT, SERVICE, LinkDiagnostic, RemoteGraph
 
 FAST_DDS = b'\x01\x0f'
-"""The first bytes of gids with Cyclone DDS: the number of its vendor."""
+"""The first bytes of gids of Fast DDS, as Cyclone DDS reports them. They are the number of the vendor."""
 HELP = 'only topics cross to Fast DDS here; for all: edulaunch network install, then edulaunch network on --link rclpy'
 
 

@@ -27,7 +27,7 @@ PRIMITIVES: dict[str, Any] = {
     **{name: getattr(idl, name) for name in ('float32', 'float64')},
 }
 TAKEN = ('serialize', 'deserialize', 'serialize_key', 'deserialize_key')
-"""Types with another name in IdlStruct."""
+"""The types that have another name in IdlStruct."""
 
 
 CALL = {'client_guid': idl.uint64, 'sequence_number': idl.int64}

@@ -151,7 +151,7 @@ class Cache(SimpleFilter):
 
 
 Queue = dict[int, Any]
-"""Messages of one topic by their stamp in nanoseconds."""
+"""The messages of one topic by their stamp in nanoseconds."""
 
 
 class TimeSynchronizer(SimpleFilter):

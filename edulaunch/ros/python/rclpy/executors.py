@@ -32,7 +32,8 @@ __all__ = [
 ]
 
 DEFAULT_THREADS = 8
-"""The number of threads. It does not depend on the computer's processors, so that a program behaves the same everywhere."""
+"""The default number of threads. It does not depend on the computer's processors, so that a program behaves the same everywhere.
+"""
 
 
 class SingleThreadedExecutor(Executor):

@@ -44,7 +44,7 @@ _PRIVATE = {
     '_default_callback_group': lambda core: core.default_callback_group,
     '_parameters': lambda core: core.parameters.values,
 }
-"""Private attributes of a node that programs use, if they have no attribute of that name themselves."""
+"""Private attributes of a node that programs use, if they do not define an attribute of that name."""
 
 
 class Node(NodeEntities, NodeParameters, NodeGraphQueries):

@@ -66,8 +66,8 @@ class Future:
         return self.result()
 
     _asyncio_future_blocking = False
-    """An attribute that asyncio's tasks require of an awaited object, so that a coroutine of an asyncio loop may await this
-    one.
+    """An attribute that asyncio's tasks require of an awaited object. With it, a coroutine of an asyncio loop can await this
+    future.
     """
 
     def get_loop(self) -> Any:

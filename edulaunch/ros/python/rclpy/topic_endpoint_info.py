@@ -60,7 +60,7 @@ _FIELDS: dict[str, tuple[Callable[[], Any], Callable[[Any], Any]]] = {
     'endpoint_gid': (list, _bytes),
     'qos_profile': (lambda: qos_profile_unknown, _profile),
 }
-"""The fields of an endpoint: the default of each, and the check of its value."""
+"""The fields of an endpoint, each with its default and the check of its value."""
 
 
 class TopicEndpointInfo:

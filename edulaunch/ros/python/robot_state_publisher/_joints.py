@@ -12,9 +12,11 @@ from edulaunch.engine.tf.quaternions import multiply
 from edulaunch.errors import MissingExtra
 
 MOVING = ('revolute', 'continuous', 'prismatic')
-"""Kinds of joints that move. As in the original, others count as fixed, such as those with several degrees of freedom."""
+"""The kinds of joints that move. As in ROS 2's program, all other kinds count as fixed, including those with several degrees of
+freedom.
+"""
 LIMITED = ('revolute', 'prismatic')
-"""Kinds of joints that the original rejects without <limit>."""
+"""The kinds of joints that ROS 2's program rejects without <limit>."""
 Quaternion = tuple[float, float, float, float]
 
 
@@ -68,7 +70,7 @@ class Joint(NamedTuple):
 
 
 _TRANSMISSIONS = re.compile(r'<transmission\b[^>]*/>|<transmission\b.*?</transmission\s*>', re.DOTALL)
-"""Elements that the original's parser does not read. urdf_parser_py rejects those of ros2_control."""
+"""The elements that ROS 2's parser ignores. urdf_parser_py rejects such elements if they come from ros2_control."""
 
 
 def read_joints(description: str) -> list[Joint]:

@@ -27,7 +27,7 @@ _HOMES = {
     'TransformBroadcaster': 'tf2_ros.transform_broadcaster',
     'TransformListener': 'tf2_ros.transform_listener',
 }
-"""Name -> the module that defines it."""
+"""The module that defines each name."""
 _MODULES = (
     'buffer',
     'buffer_client',

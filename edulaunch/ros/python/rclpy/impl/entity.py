@@ -60,7 +60,7 @@ def check_endpoint(endpoint: Any, context: ContextProtocol, what: str) -> None:
 
 
 WAITABLE, TIMER, SUBSCRIPTION, GUARD, CLIENT, SERVICE = range(6)
-"""The order in which the ready entities of one wait are executed (waitables of all nodes before anything else)."""
+"""The order in which the ready entities of one wait are executed. Waitables of all nodes come before all other entities."""
 
 NEVER_NS = 1 << 63
 

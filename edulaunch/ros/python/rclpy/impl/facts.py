@@ -41,7 +41,8 @@ def node_name(entity: Entity) -> str | None:
 
 
 POLLS = 5
-"""How often one callback may check a future, while simulated time passes, before this counts as waiting for it."""
+"""The number of checks of a future in one callback, while simulated time passes, from which they count as a wait for the future.
+"""
 
 
 def note_wait(waiting: str, entity: Any, line: dict[str, Any] | None = None) -> None:
@@ -126,7 +127,7 @@ def _running_entity(entity: Entity) -> Any:
 
 
 SHORT_S = 0.01
-"""The longest sleep that has no noticeable effect."""
+"""The longest sleep that has no noticeable effect, in seconds."""
 
 
 def note_sleep(seconds: float) -> None:
@@ -143,7 +144,7 @@ def note_sleep(seconds: float) -> None:
 
 
 LONG_NS = 1_000_000_000
-"""How long a client must wait for a server before this is recorded as a fact."""
+"""How long a client must wait for a server before the wait is recorded as a fact."""
 
 
 def note_lost_request(endpoint: Any, name: str, kind: str) -> None:
@@ -172,11 +173,13 @@ def _note_endpoint(what: str, endpoint: Any, name: str, kind: str) -> None:
 
 Facts = Iterator[tuple[str, dict[str, Any]]]
 WAITING_NS = 500_000_000
-"""How long a message or request must wait for a callback before this counts as unusual."""
+"""How long a message or request must wait for a callback before the wait counts as unusual."""
 VERY_LONG_NS = 3_000_000_000
 """A callback that delays a timer for this time is assumed not to end."""
 DEEP = 5
-"""The depth from which a full queue counts. The next message makes it drop one. Smaller queues are often full for a moment."""
+"""The smallest depth at which a full queue counts as unusual, because it drops messages. Smaller queues are often full for a
+moment.
+"""
 GIVEN_BY_ROS = ('use_sim_time', 'start_type_description_service', 'qos_overrides.')
 
 

@@ -65,7 +65,7 @@ _PRIVATE_USES = {
     '_default_callback_group': 'add_entity',
     '_logger': 'debug',
 }
-"""Private attributes of the real rclpy's node, with the attributes that rclpy uses of their values."""
+"""Private attributes of a node in the real rclpy, with the attribute that rclpy uses of each value."""
 _USES: dict[str, Callable[[Any], object]] = {
     'handle': _enter,
     'default_callback_group': lambda group: group.add_entity,

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 OnChange = Callable[[list[Parameter], list[Parameter], list[Parameter]], None]
-"""Called after a transaction with the new parameters, the changed ones and the deleted ones."""
+"""A function that is called after a transaction, with the new, the changed and the deleted parameters."""
 
 EMPTY_LIST = (
     'parameter list cannot be empty, this might be due to pre_set_parameters_callback modifying the original parameters list.'
