@@ -81,7 +81,7 @@ def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None 
     """Shut ROS 2 down.
 
     :raises RuntimeError: when ROS 2 was never initialised.
-    :raises RCLError: when Ctrl-C has already shut it down. `try_shutdown()` accepts that.
+    :raises RCLError: when Ctrl-C has already shut ROS 2 down. In this case, `try_shutdown()` does nothing.
     """
     _end_global_executor()
     _shutdown(context=context)
@@ -135,7 +135,10 @@ def create_node(
 
 
 def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
-    """Execute one callback of the node, or wait until `timeout_sec` is over (None means no limit, 0 means no wait)."""
+    """Execute one callback of the node.
+
+    :param timeout_sec: the longest wait in simulated seconds. None means no limit, and 0 means no wait.
+    """
     executor = _spinning_executor(executor, node, 'spin_once')
     added = executor.add_node(node)
     try:
@@ -162,7 +165,10 @@ def spin(node: Node, executor: Executor | None = None) -> None:
 def spin_until_future_complete(
     node: Node, future: Future, executor: Executor | None = None, timeout_sec: float | None = None
 ) -> None:
-    """Execute the node's callbacks until the future is done or `timeout_sec` is over. Check `future.done()` afterwards."""
+    """Execute the node's callbacks until the future is done. Check `future.done()` afterwards.
+
+    :param timeout_sec: the longest wait in simulated seconds; None means no limit.
+    """
     executor = _spinning_executor(executor, node, 'spin_until_future_complete', None if timeout_sec is not None else future)
     added = executor.add_node(node)
     try:

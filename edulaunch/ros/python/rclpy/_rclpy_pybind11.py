@@ -36,4 +36,4 @@ class NotImplementedByRMWError(Exception):
 
 
 class TimerCancelledError(RCLError):
-    """A program asked a cancelled timer for its next call."""
+    """A program requested the time of the next call of a cancelled timer."""

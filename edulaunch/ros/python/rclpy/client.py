@@ -1,4 +1,4 @@
-"""Call services."""
+"""Clients of services, and the common part of service and action clients."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Asker(Entity):
         raise NotImplementedError
 
     def rcl_awaited(self) -> dict[str, str]:
-        """Return a description of what the client waits for, to be used in a fact."""
+        """Return a description of the awaited service or action, for use in a fact."""
         _, name, kind = self.rcl_asked()
         return {'name': name, 'kind': kind}
 
@@ -124,7 +124,7 @@ class Client(ServiceEnd, Asker):
     def call(self, request: Any, timeout_sec: float | None = None) -> Any:
         """Send a request and wait for the reply. Another thread must spin. Inside a callback, this call waits forever.
 
-        :param timeout_sec: the longest wait in simulated seconds. After it, the method returns None, as in Jazzy.
+        :param timeout_sec: the longest wait in simulated seconds. When it has passed, the method returns None, as in Jazzy.
         :raises TypeError: for a request of another class.
         """
         self._check_request(request)

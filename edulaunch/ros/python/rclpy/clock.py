@@ -133,7 +133,7 @@ class JumpHandle:
 
 
 class Clock:
-    """A clock of the given kind; `Clock(clock_type=ClockType.ROS_TIME)` is a :class:`ROSClock`."""
+    """A clock of the given kind. `Clock(clock_type=ClockType.ROS_TIME)` returns a :class:`ROSClock`."""
 
     _clock_type: ClockType
 

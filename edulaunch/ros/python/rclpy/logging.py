@@ -24,12 +24,12 @@ def get_logger(name: str) -> RcutilsLogger:
 
 
 def initialize() -> None:
-    """Initialize logging. rclpy calls it automatically."""
+    """Initialise logging. rclpy calls this function automatically."""
     logging_state()
 
 
 def shutdown() -> None:
-    """Shut logging down. It has no buffer to flush."""
+    """Do nothing, because logging has no buffer to flush."""
 
 
 def clear_config() -> None:

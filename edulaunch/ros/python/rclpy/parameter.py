@@ -1,4 +1,4 @@
-"""Parameters with a name, a type and a value, and their message and YAML forms."""
+"""Parameters, and the functions that convert parameters from and to messages and YAML."""
 
 from __future__ import annotations
 
@@ -128,7 +128,7 @@ def parameter_value_to_python(parameter_value: Any) -> Any:
 
 
 def get_parameter_value(string_value: str) -> ParameterValue:
-    """Return the value of a YAML 1.1 string (`off` is a bool, `5` an integer), as `ros2 param set` does.
+    """Return the value of a YAML 1.1 string (`off` is a bool, and `5` is an integer), as `ros2 param set` does.
 
     An empty list is a list of bools. A value that YAML cannot parse, or that no parameter can hold, stays a string.
 

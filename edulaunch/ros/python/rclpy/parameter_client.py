@@ -60,7 +60,7 @@ class AsyncParameterClient:
         return all(client.service_is_ready() for client in self._clients)
 
     def wait_for_services(self, timeout_sec: float | None = None) -> bool:
-        """Check for the services every 0.25 s until the timeout, and return whether they exist."""
+        """Check every 0.25 s whether all services exist. Return whether they exist before the timeout."""
         while_looking(self.node.context, self.services_are_ready, timeout_sec)
         return self.services_are_ready()
 

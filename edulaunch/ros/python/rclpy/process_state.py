@@ -1,5 +1,5 @@
-"""The state that rclpy stores in global variables. Here, it belongs to the running process, which keeps simulations and programs
-separate.
+"""The state of rclpy that ROS 2 stores in global variables. Here, it belongs to the running process, which keeps simulations and
+programs separate.
 """
 
 from __future__ import annotations

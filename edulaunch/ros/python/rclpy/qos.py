@@ -77,7 +77,7 @@ class DurabilityPolicy(QoSPolicyEnum):
 
 
 class LivelinessPolicy(QoSPolicyEnum):
-    """The ways in which a publisher asserts that it is alive."""
+    """How a publisher asserts that it is alive."""
 
     SYSTEM_DEFAULT = 0
     AUTOMATIC = 1

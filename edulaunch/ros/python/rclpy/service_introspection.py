@@ -1,4 +1,4 @@
-"""Service events: the published requests and replies of services and clients."""
+"""Service events, which contain the requests and replies of services and clients."""
 
 from __future__ import annotations
 

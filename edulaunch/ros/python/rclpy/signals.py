@@ -83,7 +83,7 @@ class SignalHandlerGuardCondition:
         self.context = context
 
     def destroy(self) -> None:
-        """Remove the guard condition."""
+        """Do nothing, because the guard condition has no resources."""
 
 
 __getattr__ = passed_on(__name__)

@@ -143,7 +143,7 @@ for _name, (_, _check) in _FIELDS.items():
 
 
 def endpoint_info(endpoint: Any) -> TopicEndpointInfo:
-    """Return the info of an endpoint of the graph."""
+    """Return the information about an endpoint of the graph."""
     return TopicEndpointInfo(
         node_name=endpoint.node.name,
         node_namespace=endpoint.node.namespace,

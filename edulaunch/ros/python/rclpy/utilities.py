@@ -27,7 +27,7 @@ def ok(*, context: Context | None = None) -> bool:
 
 
 def shutdown(*, context: Context | None = None) -> None:
-    """Shut a context down. Raise RuntimeError if it was never initialized."""
+    """Shut a context down. Raise RuntimeError if the context was never initialised."""
     (context or get_default_context(shutting_down=True)).shutdown()
 
 

@@ -52,7 +52,7 @@ class Waitable(Entity):
     """The base class of waitables. A subclass overrides `is_ready`, `take_data`, `execute`, `get_num_entities` and
     `add_to_wait_set`.
 
-    An executor checks a waitable only at the start of a wait, so another event (a timer, a message) must end the previous wait.
+    An executor checks waitables only when a wait begins or ends, so another event (a timer, a message) must end a wait.
     """
 
     rcl_category = WAITABLE

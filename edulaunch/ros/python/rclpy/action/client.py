@@ -1,4 +1,4 @@
-"""Send goals to action servers."""
+"""Clients of actions, which send goals to action servers."""
 
 from __future__ import annotations
 
@@ -196,10 +196,10 @@ class ActionClient(Asker, Waitable):
         return future.result()
 
     def send_goal_async(self, goal: Any, feedback_callback: Callable[[Any], Any] | None = None, goal_uuid: Any = None) -> Future:
-        """Send a goal. The result of the future is a :class:`ClientGoalHandle`, available when the server has replied.
+        """Send a goal. The result of the future is a :class:`ClientGoalHandle`, which exists when the server has replied.
 
         :param feedback_callback: called with each feedback message of the goal (`.goal_id`, `.feedback`).
-        :param goal_uuid: the goal's id, a unique_identifier_msgs/UUID; None means a random id.
+        :param goal_uuid: the goal's ID, a unique_identifier_msgs/UUID; None means a random ID.
         :raises TypeError: unless `goal` is an `ActionType.Goal`.
         """
         if not isinstance(goal, self._action_type.Goal):

@@ -1,4 +1,4 @@
-"""Query the actions of the graph."""
+"""Functions that query the actions of the graph."""
 
 from __future__ import annotations
 

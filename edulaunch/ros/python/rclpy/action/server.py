@@ -1,4 +1,4 @@
-"""Serve actions."""
+"""Servers of actions."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ class Handle:
 
 
 def check_alive(endpoint: Any) -> None:
-    """Raise InvalidHandle when an endpoint was destroyed."""
+    """Raise InvalidHandle if an endpoint was destroyed."""
     if endpoint.destroyed:
         raise invalid_handle()
 
@@ -99,7 +99,7 @@ class ReadyList:
 class Entity:
     """The base class of the entities that executors run. An entity has a callback, a group, and a flag for a pending event.
 
-    `_order` sorts the entities of one wait by category, then by creation. `rcl_is_async` is whether a run returns a coroutine.
+    `_order` sorts the entities of one wait by category, then by creation. `rcl_is_async` is True if a run returns a coroutine.
     """
 
     rcl_category = WAITABLE

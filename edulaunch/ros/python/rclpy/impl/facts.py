@@ -1,6 +1,7 @@
 """Functions that record unusual behaviour of a running program as facts, from which edulaunch makes advice.
 
-Examples are waits that can never end, sleeps in callbacks, and requests without a reply: ROS 2 only hangs or reports nothing.
+Examples are waits that can never end, sleeps in callbacks, and requests without a reply. In these cases, ROS 2 hangs or reports
+nothing.
 Further facts about a node are recorded when it is destroyed, or at the end of a recording.
 """
 
@@ -88,14 +89,14 @@ def note_foreign_future(node: NodeProtocol, entity: Any) -> None:
 
 
 def note_no_result(callback: Callable[..., Any]) -> None:
-    """Record a callback for changed parameters that did not return a SetParametersResult."""
+    """Record that a callback for changed parameters did not return a SetParametersResult."""
     code = getattr(callback, '__code__', None)
     place = {} if code is None else {'file': code.co_filename, 'line': code.co_firstlineno}
     _keep('no parameter result', {'callback': getattr(callback, '__name__', 'it'), **place})
 
 
 def note_no_goal_response(node: NodeProtocol, callback: Callable[..., Any], returned: Any) -> None:
-    """Record a callback for new goals that did not return a GoalResponse."""
+    """Record that a callback for new goals did not return a GoalResponse."""
     code = getattr(callback, '__code__', None)
     place = {} if code is None else {'file': code.co_filename, 'line': code.co_firstlineno}
     name = getattr(callback, '__name__', 'it')

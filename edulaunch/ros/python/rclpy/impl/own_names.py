@@ -1,4 +1,6 @@
-"""Attributes of a node that rclpy itself needs. A program that assigns something else to one of them fails, or gets a warning."""
+"""Attributes of a node that rclpy itself needs. A program that assigns a different object to one of them fails or causes a
+warning.
+"""
 
 from __future__ import annotations
 

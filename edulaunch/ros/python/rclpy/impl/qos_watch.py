@@ -12,7 +12,8 @@ if TYPE_CHECKING:
 
 
 class Countdown:
-    """Calls a function when no message or assertion has arrived for a period. The first one starts the countdown.
+    """Calls a function when no message or assertion has arrived for a period. The first message or assertion starts the
+    countdown.
 
     :param repeat: whether to call the function again after each further period.
     """

@@ -10,7 +10,9 @@ from rclpy.lifecycle.state_machine import LifecycleState, TransitionCallbackRetu
 
 
 class ManagedEntity:
-    """The base class of managed entities. Each transition of the node calls the method of the same name on its entities."""
+    """The base class of managed entities. Each transition of a node calls the corresponding method of the node's managed
+    entities.
+    """
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Handle the configuration of the node."""

@@ -18,8 +18,9 @@ _FORMS = {'topic': ('rt', '', ''), 'request': ('rq', 'Request', '_Request'), 're
 
 
 def dds_names_and_types(endpoints: Iterable[Any], directions: Directions) -> NamesAndTypes:
-    """Return (name, sorted types) in DDS form for the topics of endpoints, sorted by name, such as `rt/chatter` and
-    `pkg::msg::dds_::String_`.
+    """Return (name, sorted types) in DDS form for the topics of endpoints, sorted by name.
+
+    For example, a name is `rt/chatter`, and a type is `pkg::msg::dds_::String_`.
 
     :param directions: pairs of the kind of an endpoint and its kind of data, which is 'topic', 'request' or 'reply'.
     """

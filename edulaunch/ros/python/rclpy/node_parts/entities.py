@@ -73,7 +73,7 @@ class NodeEntities:
         yield from self._rclpy.waitables
 
     def add_waitable(self, waitable: Waitable) -> None:
-        """Add a waitable, for which the node's executor then waits."""
+        """Add a waitable. The node's executor then waits for it."""
         core = self._rclpy
         waitable.ready_list = core.ready_list
         waitable.order = core.next_number()
