@@ -68,7 +68,7 @@ def plot_frames(recording: Recording, time_s: float | None = None, *, side: str 
     :param side: the axes of the root that point right and up: 'xy' (from above), 'xz' or 'yz' (from a side).
     :param ax: matplotlib axes to draw on, in metres; a list of axes for several trees.
     :returns: a Picture, or `ax`.
-    :raises ValueError: when no frame was broadcast by then, for another side, or if the numbers of axes and trees differ.
+    :raises ValueError: when no frame was broadcast before `time_s`, for another side, or if the numbers of axes and trees differ.
     """
     from edulaunch.canvas.frames_scene import frames_scene
 
@@ -107,7 +107,7 @@ def plot_graph(recording: Recording, *, unused: bool = False, services: bool = F
 def plot_system(
     system: Any, other: Any = None, changed: Mapping[str, list[str]] | None = None, *, services: bool = False, ax: Any = None
 ) -> Any:
-    """Draw the nodes, topics and frames of a system, such as a launch file plans, or of two systems side by side.
+    """Draw the nodes, topics and frames of a planned or recorded system, or of two systems side by side.
 
     :param system: the system; see `edulaunch.advice.explaining.systems.System`.
     :param other: a second system to compare with the first one; None draws one system.

@@ -162,7 +162,9 @@ def _root_first(root: str, marks: list[FrameMark]) -> list[FrameMark]:
 
 
 def limits_of(marks: list[FrameMark]) -> tuple[float, float, float, float]:
-    """Return a square around all frames with a margin. Its edges are multiples of half a metre, so that it rarely changes."""
+    """Return a square around all frames with a margin. Its edges are multiples of half a metre, so that the square rarely
+    changes.
+    """
     xs, ys = [mark.x for mark in marks], [mark.y for mark in marks]
     side = max(max(xs) - min(xs), max(ys) - min(ys), 1.0) * 1.5
     x, y = (round((max(values) + min(values)) * 2) / 4 for values in (xs, ys))

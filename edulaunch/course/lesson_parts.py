@@ -1,6 +1,6 @@
 """A lesson as the parts of a page or a slide: text, code, pictures, predictions and questions.
 
-A page cannot first ask and then show, so the answers to predictions are folded away. Only teachers see the right answers, and
+A page cannot wait for a prediction, so the answers are folded away. Only teachers see the right answers, and
 questions appear without answers.
 
 nbconvert converts the parts to HTML, with Markdown and syntax colours. It is imported late, because it needs the notebook extra.

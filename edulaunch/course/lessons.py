@@ -160,8 +160,10 @@ def read_notes(course: str) -> dict[str, str]:
 
 
 def time_plan(notes: str) -> list[tuple[int, str]]:
-    """Return the rows of a time plan as pairs of minutes and section heading. A row in the notes is ``| 5 | 1.1 Heading | what
-    |``.
+    """Return the rows of a time plan as pairs of minutes and section heading.
+
+    A row in the notes is ``| 5 | 1.1 Heading | what |``.
+
     """
     return [(int(minutes), section) for minutes, section in _ROW.findall(notes)]
 

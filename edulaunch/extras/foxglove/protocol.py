@@ -42,7 +42,7 @@ class Unsubscribe(NamedTuple):
 
 
 class ClientChannel(NamedTuple):
-    """A topic on which a client wants to publish."""
+    """A topic on which a client publishes."""
 
     id: int
     topic: str
@@ -51,13 +51,13 @@ class ClientChannel(NamedTuple):
 
 
 class Advertise(NamedTuple):
-    """The client wants to publish on these channels."""
+    """An announcement that the client will publish on these channels."""
 
     channels: tuple[ClientChannel, ...]
 
 
 class Unadvertise(NamedTuple):
-    """The client no longer wants to publish on these channels."""
+    """An announcement that the client stops publishing on these channels."""
 
     ids: tuple[int, ...]
 

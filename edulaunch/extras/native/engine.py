@@ -81,7 +81,7 @@ class RealHost:
         return f'domain {domain}, by {get_rmw_implementation_identifier()}'
 
     def discover(self, node: Any) -> None:
-        """Wait until discovery is complete. Wait for this time, and longer until no new information has arrived for a moment.
+        """Wait until discovery is complete: at least `DISCOVERY_S`, and until no new information has arrived for `SETTLED_S`.
 
         A busy computer replies late.
         """

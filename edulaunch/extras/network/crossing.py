@@ -22,7 +22,7 @@ LISTS = {
 
 
 class Crossing(NamedTuple):
-    """The names that cross. A name includes that topic or service, and everything in the namespace of that name; '/' is
+    """The names that cross. A name includes that topic or service, and everything in the namespace of that name; '/' means
     everything.
 
     Incoming data are messages for subscriptions of this machine and calls of its services. Outgoing data are messages of its

@@ -1,4 +1,4 @@
-"""Nodes and endpoints in the machine's graph that represent real ones on the network.
+"""Nodes and endpoints in the machine's graph that represent real nodes and endpoints on the network.
 
 No message passes between two of them, because the real endpoints communicate directly. Two bridges therefore form no loop.
 """

@@ -142,7 +142,7 @@ class Switch:
         return leave
 
     def listen(self, seconds: float) -> None:
-        """Handle the data that have arrived from the network, after waiting for data at most this long."""
+        """Wait for data from the network for at most `seconds`, and handle them."""
         for key, events in self._selector.select(seconds):
             key.data(events)
 

@@ -209,7 +209,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         self.allow_headerless = allow_headerless
 
     def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:
-        """Store one message. If there are near messages of all topics, pass on the set that is nearest to it."""
+        """Store one message. If messages of all topics are near enough, pass on the nearest set."""
         stamp = stamp_of(msg, self.allow_headerless, 'message_filters_approximate')
         if stamp is None:
             return

@@ -22,8 +22,7 @@ if TYPE_CHECKING:
 
 
 def components_of(index: Index, package: str) -> dict[str, str]:
-    """Return the target `module:name` of the factory of each component of a package, by component name, such as
-    `demo_nodes_cpp::Talker`.
+    """Return the factories (`module:name`) of a package's components, by component name (`demo_nodes_cpp::Talker`).
 
     A copy of a ROS 2 package in a workspace has the built-in components.
     """

@@ -81,7 +81,9 @@ def type_refusal(name: str, declared: Parameter.Type, given: Parameter.Type) -> 
 
 
 def range_refusal(name: str, value: Any, descriptor: Any) -> str | None:
-    """Return the reason for rejecting a number outside the descriptor's range or between its steps, or None."""
+    """Return the reason for rejecting a number outside the descriptor's range or between its steps. Return None for an allowed
+    number.
+    """
     for limits in descriptor.integer_range:
         if not _complies(value, limits.from_value, limits.to_value, limits.step, 0):
             return f"Parameter {{{name}}} doesn't comply with integer range."

@@ -27,7 +27,7 @@ from robot_state_publisher._joints import Joint, read_joints
 class RobotStatePublisher(CppNode):
     """Publishes fixed joints on /tf_static once, and moving joints on /tf whenever /joint_states contains them.
 
-    Parameters: `robot_description` (URDF), `publish_frequency` (at most this frequency, 20.0 Hz), `ignore_timestamp` (false),
+    Parameters: `robot_description` (URDF), `publish_frequency` (the highest frequency, 20.0 Hz), `ignore_timestamp` (false),
     `frame_prefix` ('').
     """
 
@@ -143,8 +143,7 @@ def _from_here(path: str) -> str:
 
 
 def run_xacro() -> int:
-    """Run the program xacro, which expands the macros of a robot description with the library of that name, and prints the
-    result.
+    """Run the program xacro: expand the macros of a robot description with the library xacro, and print the result.
 
     `xacro FILE name:=value ... [-o OUT]` returns 2 for a file that the library cannot expand.
     """

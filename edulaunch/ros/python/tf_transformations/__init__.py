@@ -161,7 +161,7 @@ def quaternion_from_matrix(matrix: Any, isprecise: bool = False) -> Quaternion:
 
 
 def quaternion_multiply(quaternion1: Sequence[float], quaternion0: Sequence[float]) -> Quaternion:
-    """Return the rotation by `quaternion0` followed by the one by `quaternion1`."""
+    """Return the rotation by `quaternion0` followed by the rotation by `quaternion1`."""
     return _w_last(_matrices.quaternion_multiply(_w_first(quaternion1), _w_first(quaternion0)))
 
 

@@ -1,4 +1,4 @@
-"""The program waffle_simulator, a robot in place of Gazebo. It drives as /cmd_vel commands, and publishes /odom and tf."""
+"""The program waffle_simulator, a robot in place of Gazebo. It follows the commands on /cmd_vel, and publishes /odom and tf."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class WaffleSimulator(CppNode):
 
     TurtleBot3 accepts TwistStamped since Jazzy, and accepted Twist before. `enable_stamped_cmd_vel` sets the type of a real
     robot. This robot accepts both types, so that old and new programs can drive it. If the parameter is true (the default), a
-    plain Twist causes one warning; if it is false, a TwistStamped does.
+    plain Twist causes one warning. If it is false, a TwistStamped causes the warning.
     """
 
     def __init__(self) -> None:

@@ -149,7 +149,7 @@ class TeleopTurtle(CppNode):
         print(*WELCOME, sep='\n')
 
     def spin(self) -> None:
-        """Handle keys until the program is stopped. Meanwhile, a terminal is read key by key."""
+        """Handle keys until the program is stopped. Meanwhile, the terminal passes on each key when it is pressed."""
         if self._timer is not None:
             rclpy.spin(self)
             return

@@ -21,7 +21,7 @@ from turtlesim.srv import SetPen, TeleportAbsolute, TeleportRelative
 class RotateAbsoluteServer:
     """Accepts every goal and every cancel request immediately. A new goal replaces the previous one.
 
-    The update of the turtle turns the turtle. `goal` is the handle of the current goal, or None.
+    The regular update of the turtle performs the rotation. `goal` is the handle of the current goal, or None.
     """
 
     def __init__(self, node: Node, turtle: Turtle) -> None:

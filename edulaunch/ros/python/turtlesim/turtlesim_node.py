@@ -51,7 +51,7 @@ class TurtleFrame:
         )
 
     def update(self) -> None:
-        """Update all turtles once. The first update after the clock has left 0 changes no turtle."""
+        """Update all turtles once. Change no turtle while the clock shows 0, and in the first update after that."""
         now_ns = self._clock.rcl_now_ns()
         if not self._started:
             self._started = now_ns != 0
