@@ -52,9 +52,9 @@ def series_scene(recording: Recording, topic: str, fields: tuple[str, ...]) -> S
 
 
 class DistanceScene(NamedTuple):
-    """Points (time, distance), the largest distance that counts as close, in metres, and the time of the final approach.
+    """Points (time, distance), the largest distance that counts as close, in metres, and `close_since_s`.
 
-    This is the time since which the distance has stayed close until the end; None if it is not close at the end.
+    `close_since_s` is the time since which the distance has stayed close until the end; None if it is not close at the end.
     """
 
     first: str

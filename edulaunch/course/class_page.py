@@ -1,6 +1,7 @@
 """``edulaunch course class FOLDER``: one page on a class, with each student's progress, difficult exercises and stuck students.
 
-It reads only the files `my_progress.toml` that students handed in. Students can edit these files, so the page proves nothing.
+The command reads only the files `my_progress.toml` that students handed in. Students can edit these files, so the page proves
+nothing.
 """
 
 from __future__ import annotations

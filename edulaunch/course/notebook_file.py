@@ -1,7 +1,7 @@
 """The one reader of notebooks from other people: a lesson of a course author, or a notebook that a student saved.
 
-It checks the parts of Jupyter's format, version 4, that the course tools use: the keys `cells`, `cell_type`, `source`, `id`,
-`metadata` and `outputs`. Each error message is one sentence that names the file, the cell and the key.
+The reader checks the parts of Jupyter's format, version 4, that the course tools use: the keys `cells`, `cell_type`, `source`,
+`id`, `metadata` and `outputs`. Each error message is one sentence that names the file, the cell and the key.
 """
 
 from __future__ import annotations

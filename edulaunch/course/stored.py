@@ -172,7 +172,7 @@ def fresh_progress() -> Iterator[None]:
 def without_place(outputs: Any, folder: str) -> Any:
     """Return outputs without parts that depend on the folder and the front end.
 
-    These are the paths of the notebook's folder and of edulaunch, and line numbers in cells, which need a history of cells.
+    Such parts are the paths of the notebook's folder and of edulaunch, and line numbers in cells, which need a history of cells.
     """
     text = json.dumps(outputs)
     for place in (folder, os.path.dirname(engine_folder())):

@@ -179,7 +179,7 @@ def _rates(kind: str, name: str, here: Flow, there: Flow) -> Iterator[Difference
 def not_up(simulated: Observation, real: Observation) -> set[str]:
     """Return the programs that received a signal in the real run before they had started, or just after (:data:`YOUNG_S`).
 
-    Their behaviour after the signal is a matter of chance.
+    The behaviour of these programs after the signal is a matter of chance.
     """
     found = set()
     for name, program in real.programs.items():

@@ -73,7 +73,7 @@ class RealProgram:
 class LateHost(Host):
     """A host whose programs start as late as in the real run. `delays_s` has the delays by launch name.
 
-    It also records the programs that run directly on this computer, which no recording contains.
+    The host also records the programs that run directly on this computer, which no recording contains.
     """
 
     delays_s: Mapping[str, float] = {}

@@ -97,7 +97,7 @@ def _relative_file(text: Text, offset: int) -> Target | None:
 def references(text: Text, offset: int, around: Around) -> list[Target]:
     """Return all uses of the launch argument at an offset.
 
-    They are in this file, and in launch files that include this file and set the argument.
+    The uses are in this file, and in launch files that include this file and set the argument.
     """
     subject = subject_at(text, offset)
     if subject is None or subject.kind != 'argument':

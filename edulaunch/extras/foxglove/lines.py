@@ -23,7 +23,7 @@ END = frame(_LAST)
 
 
 def packed(message: Message) -> bytes:
-    """Return a message in the form for the connection between the processes of the machine and of the server."""
+    """Return a message as a frame for the connection between the machine's process and the server's process."""
     return frame(TEXT, message.encode()) if isinstance(message, str) else frame(BYTES, message)
 
 

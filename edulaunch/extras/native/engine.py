@@ -1,6 +1,6 @@
 """The parts of the engine that edulaunch's programs need in a real process: real time, real threads, and the process itself.
 
-They are registered under the names of the engine's modules; the engine itself is not loaded.
+The parts are registered under the names of the engine's modules; the engine itself is not loaded.
 """
 
 from __future__ import annotations
@@ -118,7 +118,7 @@ class RealStreams:
 
 
 class RealLifecycle:
-    """The end of this process."""
+    """The lifecycle of this process. It can only end the process."""
 
     def exit_now(self, code: int) -> NoReturn:
         """End the process immediately, with an exit code, or with the signal that a negative code names."""

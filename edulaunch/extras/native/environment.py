@@ -1,7 +1,7 @@
 """The environment of the real rclpy: a virtual environment in the user's cache, which `edulaunch network install` creates.
 
-It must be separate, because its wheels start every Python of their environment twice. Also, a simulation cannot share an
-interpreter with a real rclpy.
+The environment must be separate, because its wheels start every Python of their environment twice. Also, a simulation cannot
+share an interpreter with a real rclpy.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ class Environment(NamedTuple):
 def place() -> str:
     """Return the folder of the environment, which may not exist yet.
 
-    It is $EDULAUNCH_REAL_RCLPY or, without this variable, a folder for this version of Python in the user's cache.
+    The folder is $EDULAUNCH_REAL_RCLPY or, without this variable, a folder for this version of Python in the user's cache.
     """
     given = os.environ.get(PLACE_VARIABLE)
     if given:

@@ -1,6 +1,6 @@
 """A node on the real rclpy that records nodes and messages, for `edulaunch compare`.
 
-It prints a line when it is ready. It replies to each line on its standard input with one line of JSON: the nodes so far,
+The node prints a line when it is ready. It replies to each line on its standard input with one line of JSON: the nodes so far,
 and the messages since the last reply. After 'end', or the end of its input, it first requests the parameters of all nodes.
 """
 

@@ -96,7 +96,7 @@ class StyleTestModule(pytest.File):
 
 
 class StyleTestItem(pytest.Item):
-    """A placeholder for the tests of a file for a style checker."""
+    """A placeholder for the tests in a test file of a style checker."""
 
     parent: StyleTestModule
 

@@ -1,6 +1,6 @@
 """The pytest plugin with the machine of a test run. edulaunch's pytest plugin registers it for the first test file that needs it.
 
-It handles these test files, and the `conftest.py` files, which pytest imports before any test file.
+The plugin handles these test files, and the `conftest.py` files, which pytest imports before any test file.
 """
 
 from __future__ import annotations

@@ -26,7 +26,7 @@ POLL_NS = 250_000_000
 class Asker(Entity):
     """The common part of service and action clients.
 
-    It waits for servers and replies, and records deadlocks and long waits as facts.
+    Such a client waits for servers and replies, and records deadlocks and long waits as facts.
     """
 
     _waited_ns = 0

@@ -8,7 +8,7 @@ HASH_SIZE = 32
 class TypeHash:
     """The hash of a type: a version, and 32 bytes.
 
-    Its string is `RIHS01_...`, or INVALID if the version is missing or the length is wrong.
+    The string form is `RIHS01_...`, or INVALID if the version is missing or the length is wrong.
 
     :raises AssertionError: for a version that is not an int, or a value that is not bytes.
     """

@@ -30,7 +30,7 @@ def report(rejections: tuple[Rejection, ...]) -> None:
 def nanoseconds(value: Any, name: str = 'time') -> int:
     """Return the integer nanoseconds of an rclpy or builtin_interfaces time or duration.
 
-    :raises TypeError: for anything else, numbers included.
+    :raises TypeError: for any other object, including numbers.
     """
     try:
         return value.nanoseconds  # type: ignore[no-any-return]

@@ -93,7 +93,7 @@ SHEAR_IDENTITY = TRANSLATION_IDENTITY
 
 
 def _of_arrays(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a function that converts its sequences to arrays of floats and then calls `function`.
+    """Return a function that converts sequences among its arguments to arrays of floats, and then calls `function`.
 
     With other sequences, `function` would copy arrays under numpy 1, and raise an error under numpy 2.
     """
