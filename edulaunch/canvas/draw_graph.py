@@ -33,9 +33,7 @@ FRAME_LOOKS: dict[str, tuple[Colour, Colour]] = {
     'static': (style.GREEN_TINT, style.GREEN),
     'dynamic': (style.BLUE_TINT, style.BLUE),
 }
-"""The fill and edge colours of a frame's box. A word in the box gives the same information, and the box of a static frame is
-dashed.
-"""
+"""The fill and edge colours of a frame's box, whose word gives the same information. The box of a static frame is dashed."""
 
 
 def draw_box(

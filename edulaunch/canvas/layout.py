@@ -16,8 +16,7 @@ Size = tuple[float, float]
 MARGIN, BETWEEN_LAYERS, BETWEEN_BOXES, JOINT, PORT = 12.0, 44.0, 16.0, 10.0, 9.0
 SWEEPS = 12
 WIDEST = 900.0
-"""The width of a notebook's cell in pixels. Layers go from left to right if they fit into it, and otherwise from top to bottom.
-"""
+"""The width of a notebook's cell in pixels. Layers go from left to right if they fit, and otherwise from top to bottom."""
 
 
 class Layers(NamedTuple):

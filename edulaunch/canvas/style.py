@@ -34,8 +34,7 @@ Part = tuple[str, list[tuple[float, float]]]
 SHELLS: tuple[Colour, ...] = ((112, 173, 88), (236, 152, 70), (204, 74, 62), (158, 126, 190), (64, 176, 172), (240, 206, 72))
 """The colours of the turtles of a window, in order. Names beside the turtles give the same information."""
 LOOKS: dict[str, Colour] = {'skin': (243, 233, 208), 'eye': (31, 41, 51), 'wheel': (31, 41, 51), 'body': (76, 106, 146)}
-"""The fill colours of the parts that are equal on all bodies. The colour of a shell depends on its number, and plates are darker.
-"""
+"""The fill colours of parts that are equal on all bodies. A shell's colour depends on its number, and plates are darker."""
 
 
 def mono_width(text: str, size: float = TEXT) -> float:

@@ -33,9 +33,7 @@ def find_question(name: str) -> Question:
 
 
 _CHOICE = 'margin:.2em 0 .2em 1.5em'
-"""The style of a choice. The letters are part of the text of the choice, because JupyterLab replaces letters in a list by its own
-numbers.
-"""
+"""The style of a choice. Its letter is part of the text, because JupyterLab replaces letters in a list by its own numbers."""
 
 
 class Asked:

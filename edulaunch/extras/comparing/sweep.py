@@ -16,9 +16,7 @@ from edulaunch.extras.comparing.differing import Difference
 from edulaunch.extras.comparing.known import Known
 
 LONGEST_S = 240.0
-"""The additional seconds for a comparison beyond `--for`. They are more than the busiest computer needs, so that a hanging
-comparison is found.
-"""
+"""The seconds for a comparison beyond `--for`, more than the busiest computer needs, to find a hanging comparison."""
 LAUNCH_ENDINGS = ('launch.py', 'launch.xml', 'launch.yaml', 'launch.yml')
 
 

@@ -9,9 +9,7 @@ from typing import Any
 CELLS = 'launch-python'
 """The language of notebook cells that write a launch file, under the name of the lab extension."""
 START = 'import sys; sys.path.pop(0); from edulaunch.desk.commands import edulaunch; sys.exit(edulaunch())'
-"""The command of the server. Unlike `python -m edulaunch`, it leaves out the current folder, so that a student's `json.py` is not
-imported.
-"""
+"""Like `python -m edulaunch`, but without the current folder, so that a student's `json.py` is not imported."""
 
 
 def spec(manager: Any) -> dict[str, Any]:

@@ -21,9 +21,7 @@ MOST_ROWS = 500
 MOST_BYTES = 12 << 20
 """The maximum number of bytes of messages in one turn."""
 MOST_WAITING = 4 << 20
-"""The maximum number of bytes of replies that wait for a client. A client that sends more requests without reading is
-disconnected.
-"""
+"""The maximum number of bytes of waiting replies. A client that sends more requests without reading is disconnected."""
 MOST_CHANNELS = 1000
 """The maximum number of subscriptions of one client, and of topics on which it publishes."""
 ENCODING, SCHEMA = 'cdr', 'ros2msg'

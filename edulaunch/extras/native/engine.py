@@ -23,9 +23,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.packages import Index
 
 DISCOVERY_S, SETTLED_S, LONGEST_DISCOVERY_S = 3.5, 1.0, 15.0
-"""The limits of the wait for discovery. A program that misses the first announcements of a node receives the next one after three
-seconds.
-"""
+"""The limits of discovery. A program that misses the first announcements of a node receives the next one after 3 s."""
 
 
 class SystemTime:

@@ -30,9 +30,7 @@ UNCLAIMED = '_NODE_NAME_UNKNOWN_'
 """ROS 2's name for the node of an endpoint until that node is known."""
 LOOK_EVERY_S = 0.25
 LOOK_AT_ALL_EVERY_S = 1.0
-"""The number of rounds after which the observer requests the endpoints of all nodes, even without new names. Each request is
-slow.
-"""
+"""The number of rounds between two requests for the endpoints of all nodes, which are slow."""
 TAKE_EVERY_S = 0.05
 MOST_MESSAGES = 20_000
 """The maximum number of messages of one topic. Later messages are left out."""

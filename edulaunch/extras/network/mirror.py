@@ -37,9 +37,7 @@ from edulaunch.extras.network.remote import (
 )
 
 CLAIMED_WITHIN_NS = 10**9
-"""The time after which an endpoint that no node has claimed is listed without a node. Most nodes claim their endpoints a little
-later.
-"""
+"""An unclaimed endpoint is listed without a node after this time. Most nodes claim their endpoints a little later."""
 
 
 class Mirror:

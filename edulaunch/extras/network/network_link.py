@@ -17,9 +17,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.interfaces.registry import Registry
 
 MARK = '_edulaunch_link'
-"""The prefix of the names of a link's internal nodes. Names with a leading underscore are hidden, and edulaunch never shows these
-nodes.
-"""
+"""The prefix of the names of a link's internal nodes. They are hidden, and edulaunch never shows them."""
 ENCLAVE = f'/{MARK}'
 """The enclave of a machine's participant, by which machines recognise each other. Only SROS 2 uses enclaves."""
 PUBLISHER, SUBSCRIPTION, SERVICE, CLIENT = 'publisher', 'subscription', 'service', 'client'

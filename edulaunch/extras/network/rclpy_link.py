@@ -44,9 +44,7 @@ MOST_WAITING = 32 << 20
 BUFFER = 4 << 20
 """The size of the socket's own buffer, which must hold all data between two turns, such as an image."""
 URGENT = (wire.NODE, wire.ADD)
-"""The kinds of frames that are sent before waiting messages. They announce nodes and endpoints, to which no waiting message can
-refer.
-"""
+"""The frames that are sent before waiting messages, because no waiting message can refer to their node or endpoint."""
 AT_ONCE = 1 << 20
 """The number of bytes that one turn of the machine reads."""
 AGAIN = '\n  help: type edulaunch network off, then edulaunch network on'

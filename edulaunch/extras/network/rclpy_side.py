@@ -39,12 +39,9 @@ LOOK_EVERY_S = 0.1
 LOOK_CLOSELY_EVERY_S = 0.5
 """The period of checks for all endpoints, even without new names."""
 PAUSE = 9
-"""The pause between two checks, as a multiple of the duration of a check. Without it, thousands of topics would take all the
-time.
-"""
+"""The pause between two checks, in multiples of a check's duration. Thousands of topics would otherwise take all the time."""
 SETTLED_S = 2.0
-"""The time after a change of names in which each check includes all endpoints, because a node creates them one after the other.
-"""
+"""The time after a change of names in which each check includes all endpoints. A node creates them one after the other."""
 AT_ONCE = 100
 """The number of messages of one subscription that one turn takes."""
 _NOT_YET = object()

@@ -32,9 +32,7 @@ from edulaunch.runtime.session import Session, index_for
 SHARED = frozenset(PRIVATE_COPIES) - {'concurrent', 'sched'}
 """The standard modules that a test file, unlike a program, shares with pytest. For example, `caplog` needs the same `logging`."""
 LIMIT_S = 900
-"""The maximum duration of a test in simulated seconds. It is longer than any wait of a launch test, which ends after 600 s by
-itself.
-"""
+"""The maximum duration of a test in simulated seconds. It is longer than the 600 s after which a launch test ends."""
 
 
 class TestImports(ImportLoader):

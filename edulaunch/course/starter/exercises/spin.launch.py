@@ -1,4 +1,4 @@
-"""turtle1 drives in a circle. The launch argument speed sets the speed in m/s; the turtle turns at 1 rad/s."""
+"""turtle1 drives a circle. The launch argument speed sets its speed in m/s; it turns at 1 rad/s."""
 
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument

@@ -184,9 +184,7 @@ NO_VARIANTS = {
     'message': address_of(runtime.get_message_typesupport_handle_function),
     'service': address_of(runtime.get_service_typesupport_handle_function),
 }
-"""The addresses of the C functions for type supports of a single kind. Each returns the type support itself if this kind is
-requested.
-"""
+"""The C functions for type supports of a single kind. Each returns the type support itself if this kind is requested."""
 
 
 def identifier(of: c.c_char_p) -> int:

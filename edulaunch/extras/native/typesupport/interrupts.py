@@ -12,9 +12,7 @@ from types import FrameType
 
 SOON_S = 0.0002
 MOST_TRIES = 50
-"""How often Ctrl-C is delayed where rclpy may be about to call C code. It is limited, because rclpy may also be waiting for a
-service.
-"""
+"""How often Ctrl-C is delayed if rclpy may be about to call C code. rclpy may be waiting for a service instead."""
 _tries = 0
 _FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), '')
 

@@ -16,16 +16,14 @@ MOST_PARTICIPANTS = 32
 """The number of participants on one computer that find each other without multicast, as in ROS 2's Cyclone DDS configuration."""
 LOCALHOST = '127.0.0.1'
 LARGE_FRAGMENTS = '<MaxMessageSize>65500B</MaxMessageSize><FragmentSize>8000B</FragmentSize>'
-"""On the loopback interface, a packet may have UDP's maximum size. An image in the usual fragments of 1.3 kB overflows the
-buffers of its subscriber.
-"""
+"""A packet on the loopback interface may have UDP's maximum size. Images in 1.3 kB fragments overflow the buffers."""
 ANNOUNCED_EVERY = '3s'
 """The period of announcements. A static peer that starts later, or loses a packet, finds this program within this time."""
 REPEATS = (
     '<HeartbeatInterval min="2ms" minsched="2ms" max="100ms">5ms</HeartbeatInterval>'
     '<MaxQueuedRexmitBytes>4MiB</MaxQueuedRexmitBytes>'
 )
-"""The time after which a reliable publisher requests acknowledgements for missing samples; the default is 100 ms."""
+"""The period of heartbeats, after which a reliable publisher repeats missing samples; the default is 100 ms."""
 
 
 class _Joined:

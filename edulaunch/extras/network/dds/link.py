@@ -46,9 +46,7 @@ from edulaunch.extras.network.network_link import (
 )
 
 HEADER, ID = 4, 16
-"""The number of bytes of the header of a message, and of the ID that rmw_cyclonedds puts between the header and a request or
-reply.
-"""
+"""The bytes of a message's header, and of the ID that rmw_cyclonedds puts between header and request or reply."""
 AT_ONCE = 100
 """The number of messages of one subscription that one turn of the machine takes."""
 SIDES = {PUBLISHER: ('', TOPIC), SUBSCRIPTION: (TOPIC, ''), SERVICE: (REQUEST, REPLY), CLIENT: (REPLY, REQUEST)}

@@ -20,6 +20,4 @@ class ClockType(IntEnum):
 
 
 TypeOfTime: Any = CEnum('ClockType', [(kind.name, kind.value) for kind in ClockType])  # type: ignore[call-arg, arg-type]
-"""The type of `Time.clock_type`. It is equal to a :class:`ClockType`, but is a different object, and prints as
-`ClockType.ROS_TIME`.
-"""
+"""The type of `Time.clock_type`. It equals a :class:`ClockType`, but is a different object and prints as `ClockType.ROS_TIME`."""

@@ -32,8 +32,7 @@ __all__ = [
 ]
 
 DEFAULT_THREADS = 8
-"""The default number of threads. It does not depend on the computer's processors, so that a program behaves the same everywhere.
-"""
+"""The default number of threads. It does not depend on the computer, so that a program behaves the same everywhere."""
 
 
 class SingleThreadedExecutor(Executor):

@@ -66,9 +66,7 @@ class Future:
         return self.result()
 
     _asyncio_future_blocking = False
-    """An attribute that asyncio's tasks require of an awaited object. With it, a coroutine of an asyncio loop can await this
-    future.
-    """
+    """An attribute that asyncio's tasks require. With it, a coroutine of an asyncio loop can await this future."""
 
     def get_loop(self) -> Any:
         """Return the running asyncio loop whose task awaits this future."""

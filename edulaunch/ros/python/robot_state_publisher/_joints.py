@@ -12,9 +12,7 @@ from edulaunch.engine.tf.quaternions import multiply
 from edulaunch.errors import MissingExtra
 
 MOVING = ('revolute', 'continuous', 'prismatic')
-"""The kinds of joints that move. As in ROS 2's program, all other kinds count as fixed, including those with several degrees of
-freedom.
-"""
+"""The kinds of joints that move. As in ROS 2's program, joints with several degrees of freedom count as fixed."""
 LIMITED = ('revolute', 'prismatic')
 """The kinds of joints that ROS 2's program rejects without <limit>."""
 Quaternion = tuple[float, float, float, float]

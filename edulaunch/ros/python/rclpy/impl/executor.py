@@ -50,8 +50,7 @@ class Executor(Waiting):
     """
 
     _spins = False
-    """Whether this class executes callbacks. The base class does not execute any, and a custom class defines its own `spin_once`.
-    """
+    """Whether this class executes callbacks. The base class does not, and a custom class defines its own `spin_once`."""
 
     def __init__(self, *, context: Context | None = None) -> None:
         super().__init__(context=context)

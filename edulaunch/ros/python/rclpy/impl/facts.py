@@ -42,8 +42,7 @@ def node_name(entity: Entity) -> str | None:
 
 
 POLLS = 5
-"""The number of checks of a future in one callback, while simulated time passes, from which they count as a wait for the future.
-"""
+"""The number of checks of a future in one callback, during simulated time, that counts as a wait for the future."""
 
 
 def note_wait(waiting: str, entity: Any, line: dict[str, Any] | None = None) -> None:
@@ -178,9 +177,7 @@ WAITING_NS = 500_000_000
 VERY_LONG_NS = 3_000_000_000
 """A callback that delays a timer for this time is assumed not to end."""
 DEEP = 5
-"""The smallest depth at which a full queue counts as unusual, because it drops messages. Smaller queues are often full for a
-moment.
-"""
+"""The smallest depth at which a full queue is unusual, because it drops messages. Smaller queues are often full briefly."""
 GIVEN_BY_ROS = ('use_sim_time', 'start_type_description_service', 'qos_overrides.')
 
 
