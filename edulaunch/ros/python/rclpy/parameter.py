@@ -1,4 +1,4 @@
-"""Parameters with a name, a type and a value, and their message and YAML forms."""
+"""Parameters, and the functions that convert parameters from and to messages and YAML."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ class Parameter:
 
     :param name: the parameter's name.
     :param type_: the parameter's type; None means the type of the value.
-    :raises TypeError: when no parameter can have the value, or `type_` is not a `Parameter.Type`.
-    :raises ValueError: when type and value do not agree.
+    :raises TypeError: when no parameter can hold the value, or `type_` is not a `Parameter.Type`.
+    :raises ValueError: when the type and the value do not agree.
     """
 
     class Type(Enum):
-        """The types of parameters, as `Parameter.Type`."""
+        """The types of parameters."""
 
         NOT_SET = rules.NOT_SET
         BOOL = rules.BOOL
@@ -54,7 +54,7 @@ class Parameter:
 
         @classmethod
         def from_parameter_value(cls, parameter_value: Any) -> Parameter.Type:
-            """Return the type of a value. A bool is not an int, and an empty list is a BYTE_ARRAY.
+            """Return the type of a value. A bool is not an integer, and an empty list is a BYTE_ARRAY.
 
             :raises TypeError: when no parameter can hold the value.
             """
@@ -79,7 +79,7 @@ class Parameter:
 
     @classmethod
     def from_parameter_msg(cls, param_msg: Any) -> Parameter:
-        """Convert a rcl_interfaces/Parameter."""
+        """Return the Parameter for a rcl_interfaces/Parameter."""
         value = param_msg.value
         return cls(param_msg.name, Parameter.Type(value.type), getattr(value, _VALUE_FIELDS[value.type]) if value.type else None)
 
@@ -90,7 +90,7 @@ class Parameter:
     value: ReadOnly[Any] = ReadOnly('The value; None when not set.', '_value')
 
     def get_parameter_value(self) -> ParameterValue:
-        """Return the value as rcl_interfaces/ParameterValue, in the field of its type (`string_value` ...)."""
+        """Return the value as rcl_interfaces/ParameterValue. The field depends on the type (`string_value` ...)."""
         from rcl_interfaces.msg import ParameterValue
 
         number = self._type_.value
@@ -109,7 +109,7 @@ class Parameter:
 
 
 def parameter_value_to_python(parameter_value: Any) -> Any:
-    """Return the Python value of a rcl_interfaces/ParameterValue, with arrays of numbers as lists. Raise RuntimeError for an
+    """Return the Python value of a rcl_interfaces/ParameterValue. Arrays of numbers become lists. Raise RuntimeError for an
     unknown type.
     """
     number = parameter_value.type
@@ -122,11 +122,11 @@ def parameter_value_to_python(parameter_value: Any) -> Any:
 
 
 def get_parameter_value(string_value: str) -> ParameterValue:
-    """Read a string as YAML 1.1 (`off` is a bool, `5` an integer), as `ros2 param set` does with its value.
+    """Return the value of a YAML 1.1 string (`off` is a bool, and `5` is an integer), as `ros2 param set` does.
 
-    An empty list is a list of bools. A value that YAML cannot parse, or that no parameter can have, is a string.
+    An empty list is a list of bools. A value that YAML cannot parse, or that no parameter can hold, stays a string.
 
-    :raises yaml.scanner.ScannerError: when the string is not a valid YAML token, such as `@`. ROS 2 raises it, too.
+    :raises yaml.scanner.ScannerError: when the string is not a valid YAML token, such as `@`. ROS 2 raises this error, too.
     """
     import yaml
 
@@ -148,15 +148,15 @@ def get_parameter_value(string_value: str) -> ParameterValue:
 def parameter_dict_from_yaml_file(
     parameter_file: str, use_wildcard: bool = False, target_nodes: list[str] | None = None, namespace: str = ''
 ) -> dict[str, ParameterMsg]:
-    """Return the parameters of a parameter file as messages, by name with the prefix `namespace`. As in ROS 2, `namespace` must
-    end with a dot.
+    """Return the parameters of a parameter file as messages, by name.
 
-    If several nodes have a parameter, its last value counts. As in ROS 2, a parameter without a value becomes the string 'None'.
+    If several nodes have a parameter, its last value is used. As in ROS 2, a parameter without a value becomes the string 'None'.
 
-    :param use_wildcard: whether entries under `/**` count.
-    :param target_nodes: the full names of the nodes that count; None means all nodes in the file.
-    :raises RuntimeError: when the file lacks one of them, or is not a parameter file.
-    :raises AttributeError: when it is not a mapping.
+    :param use_wildcard: whether to include entries under `/**`.
+    :param target_nodes: the full names of the nodes to include; None means all nodes in the file.
+    :param namespace: a prefix for each name. As in ROS 2, it must end with a dot.
+    :raises RuntimeError: when the file lacks one of the target nodes, or is not a parameter file.
+    :raises AttributeError: when the file is not a mapping.
     """
     import yaml
 

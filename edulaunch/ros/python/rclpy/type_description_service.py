@@ -1,4 +1,4 @@
-"""The service with which other nodes request the definitions of the types that a node uses."""
+"""The service from which other nodes request the definitions of the types that a node uses."""
 
 from __future__ import annotations
 
@@ -21,7 +21,9 @@ START_TYPE_DESCRIPTION_SERVICE_PARAM = 'start_type_description_service'
 
 
 class TypeDescriptionService:
-    """Declares start_type_description_service (read-only), and creates `<node>/get_type_description` unless it is false."""
+    """Declares the read-only parameter start_type_description_service, and creates `<node>/get_type_description` unless it is
+    false.
+    """
 
     def __init__(self, node: NodeProtocol) -> None:
         from rcl_interfaces.msg import ParameterDescriptor

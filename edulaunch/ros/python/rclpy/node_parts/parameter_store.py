@@ -1,4 +1,4 @@
-"""The parameters of one node, the rules for changing them, and the reports of changes: /parameter_events, and the recording."""
+"""The parameters of one node, the rules for changing them, and the reports of changes to /parameter_events and the recording."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 OnChange = Callable[[list[Parameter], list[Parameter], list[Parameter]], None]
-"""Called after a transaction with the new parameters, the changed ones and the deleted ones."""
+"""A function that is called after a transaction, with the new, the changed and the deleted parameters."""
 
 EMPTY_LIST = (
     'parameter list cannot be empty, this might be due to pre_set_parameters_callback modifying the original parameters list.'
@@ -32,9 +32,9 @@ EMPTY_LIST = (
 
 
 class ParameterStore:
-    """Values and descriptors by name, and the callbacks that may reject a change.
+    """The values and descriptors of parameters by name, and the callbacks that may reject a change.
 
-    :param check_alive: called before each transaction; raises an error if the node was destroyed.
+    :param check_alive: called before each transaction; it raises an error if the node was destroyed.
     :param on_change: called after each successful transaction, when the values are set.
     """
 
@@ -51,7 +51,7 @@ class ParameterStore:
     def descriptor(self, name: str) -> ParameterDescriptor:
         """Return the descriptor of a parameter.
 
-        :raises ParameterNotDeclaredException: when it was not declared, and undeclared ones are not allowed.
+        :raises ParameterNotDeclaredException: when the parameter is not declared, and undeclared parameters are not allowed.
         """
         if name in self.descriptors:
             return self.descriptors[name]
@@ -62,9 +62,10 @@ class ParameterStore:
         return ParameterDescriptor()
 
     def declare(self, parameter: Parameter, descriptor: ParameterDescriptor) -> None:
-        """Add a parameter. Its value is checked as in a change, but it may be missing, and a read-only parameter may be set.
+        """Add a parameter, and check its value as in a change. Unlike in a change, the value may be missing, and the parameter
+        may be read-only.
 
-        :raises InvalidParameterTypeException, InvalidParameterValueException: when the value is refused.
+        :raises InvalidParameterTypeException, InvalidParameterValueException: when the value is rejected.
         """
         result = self._checked([parameter], {parameter.name: descriptor}, check_read_only=False)
         if result.successful:
@@ -75,7 +76,7 @@ class ParameterStore:
             raise InvalidParameterValueException(parameter.name, parameter.value, result.reason)
 
     def set_atomically(self, parameters: list[Parameter]) -> SetParametersResult:
-        """Change several parameters, or none if one change is refused."""
+        """Change several parameters, or none if one change is rejected."""
         if self.pre_callbacks:
             parameters = [parameter for callback in self.pre_callbacks for parameter in callback(parameters)]
             if not parameters:
@@ -87,7 +88,7 @@ class ParameterStore:
         return result
 
     def check_declared(self, parameters: Iterable[Parameter]) -> None:
-        """Refuse undeclared parameters, unless they are allowed.
+        """Check that all parameters are declared, unless undeclared parameters are allowed.
 
         As in rclpy, the message leaves out the first name, because the test for an empty iterator has consumed it.
 
@@ -122,7 +123,7 @@ class ParameterStore:
         return _result(None)
 
     def problem(self, parameter: Parameter, descriptor: ParameterDescriptor, check_read_only: bool) -> str | None:
-        """Return the reason why a descriptor does not allow a value, in rclpy's words, or None."""
+        """Return the reason why a descriptor does not allow a value, with rclpy's wording; None if the value is allowed."""
         type_ = parameter.type_
         if check_read_only and descriptor.read_only:
             return f'Trying to set a read-only parameter: {parameter.name}.'
@@ -166,7 +167,7 @@ class ParameterStore:
 
 
 def undeclared(name: str, declared: Iterable[str], shown: list[str] | None = None) -> ParameterNotDeclaredException:
-    """Return the error for undeclared parameters. `shown` is the list of names in its message (default: `name`)."""
+    """Return the error for undeclared parameters. `shown` is the list of names in the message (default: `name`)."""
     error = ParameterNotDeclaredException(name if shown is None else shown)
     return with_facts(error, 'programs.parameter-undeclared', parameter=name, declared=list(declared))
 
@@ -200,7 +201,7 @@ class ParameterEvents:
 
     @staticmethod
     def from_arguments(parameters: Iterable[Parameter]) -> dict[str, Override]:
-        """Return the constructor's `parameter_overrides`, in the form of command-line values."""
+        """Return the constructor's `parameter_overrides` in the form of command-line values."""
         return {parameter.name: Override(parameter.value, 'parameter_overrides') for parameter in parameters}
 
     def publish(self, new: list[Parameter], changed: list[Parameter], deleted: list[Parameter]) -> None:
@@ -236,9 +237,7 @@ class ParameterEvents:
         return tuple([self._to_wire(parameter.to_parameter_msg()) for parameter in parameters])
 
     def _origin(self, parameter: Parameter) -> str:
-        """Return the origin of a value in words. At its declaration, it is an outside source or the program; later, it is a
-        change.
-        """
+        """Return a description of the origin of a value: the override or the program at the declaration, and a change later."""
         if parameter.name in self._declared:
             return 'set_parameters'
         self._declared.add(parameter.name)
