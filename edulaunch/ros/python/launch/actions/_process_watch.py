@@ -1,4 +1,4 @@
-"""Watches a process after its action was executed: its start, output, signals, respawn and end."""
+"""Watches a process after its action was executed: its start, output, signals, restarts and end."""
 
 from __future__ import annotations
 
@@ -46,11 +46,11 @@ as long. Without it, a program with `respawn` and a missing module would start f
 
 
 class ProcessWatch(BaseEventHandler):
-    """Runs the program of one action, and handles all events that concern it.
+    """Runs the program of one action, and handles all events for this program.
 
-    :param details: the action's `process_details`; gets `pid` when the process runs.
-    :ivar completed: done when the process has ended for good.
-    :ivar return_code: of the last run, None before its end.
+    :param details: the `process_details` of the action; `pid` is added when the process runs.
+    :ivar completed: a future that is done when the process has ended and will not be restarted.
+    :ivar return_code: the exit code of the last run; None before the first run has ended.
     """
 
     def __init__(
@@ -82,7 +82,7 @@ class ProcessWatch(BaseEventHandler):
         return get_logger(self._details['name'])
 
     def text_of(self, stream: str) -> str:
-        """Return the output on 'stdout' or 'stderr' so far."""
+        """Return the output so far on the stream 'stdout' or 'stderr'."""
         lines = self._lines.get(stream)
         return '' if lines is None else lines.text
 
@@ -105,9 +105,9 @@ class ProcessWatch(BaseEventHandler):
     # -- running
 
     def begin(self, context: LaunchContext) -> None:
-        """Start the program, unless launch has cancelled all waiting starts. Launch's loop calls this method.
+        """Start the program, unless launch has cancelled all starts that have not happened yet. Launch's loop calls this method.
 
-        An error here ends the action, and the launch service reports it.
+        An error here ends the action, and the launch service reports the error.
         """
         self._respawn = None
         self._began_s = self._loop.time()
@@ -306,7 +306,7 @@ def _wants_terminal(context: LaunchContext, options: ProcessOptions) -> bool:
 
 
 def start_failure(error: Exception, action: ExecuteLocal, details: dict[str, Any]) -> str:
-    """Return Python's own last line about `error`, and a line of help with the place of the action.
+    """Return the last line of Python's report about `error`, and a line of help with the place of the action.
 
     ROS 2 shows a traceback of launch instead, which contains no code of the student.
     """

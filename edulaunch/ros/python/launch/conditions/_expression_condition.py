@@ -1,4 +1,4 @@
-"""The base class of conditions that read a string as a boolean."""
+"""The base class of conditions that convert a string to a boolean."""
 
 from __future__ import annotations
 

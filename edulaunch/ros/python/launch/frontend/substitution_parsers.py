@@ -1,6 +1,6 @@
 """The built-in `$(name ...)`: the class that each creates, and its number of arguments.
 
-An argument is a list of substitutions. A wrong number of arguments raises the errors of upstream, which have two types.
+An argument is a list of substitutions. As in upstream, a wrong number of arguments raises one of two error types.
 """
 
 from __future__ import annotations
@@ -35,7 +35,9 @@ class LateSubstitution:
 
 
 def takes(text: str, minimum: int, *names: str, error: type[Exception] = TypeError) -> Keywords:
-    """Return keyword arguments by position, from `minimum` up to all of `names`. Raise `error` with `text` for another number."""
+    """Return keyword arguments by position, from `minimum` up to the length of `names`. Raise `error` with `text` for any other
+    number.
+    """
 
     def keywords(arguments: list[Argument]) -> dict[str, Any]:
         if not minimum <= len(arguments) <= len(names):

@@ -1,6 +1,6 @@
-"""Convert YAML text to plain data whose mappings store their lines.
+"""Converts YAML text to plain data whose mappings contain their lines.
 
-Launch files can come from strangers, so the size of expanded aliases and the depth of nesting are limited.
+Launch files can come from untrusted sources, so the size of expanded aliases and the depth of nesting are limited.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from edulaunch.engine.facts import with_facts
 class Mapping(dict):  # type: ignore[type-arg]
     """A mapping in the file, with its line.
 
-    :ivar line: the line of its first key, from 1.
+    :ivar line: the line of the first key, from 1.
     """
 
     __slots__ = ('line',)
@@ -39,8 +39,8 @@ SAFE_DEPTH = 1_000
 def read(text: str) -> Any:
     """Return the data of the single document in `text`, as `yaml.safe_load` returns it; dicts are :class:`Mapping`.
 
-    :raises yaml.YAMLError: when the text is not (plain, single-document) YAML.
-    :raises ValueError: when it is nested too deeply, its aliases make it too large, or a date is impossible.
+    :raises yaml.YAMLError: when the text is not a single YAML document with plain data.
+    :raises ValueError: when the data are nested too deeply, aliases make them too large, or a date is impossible.
     """
     loader_class: Any = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
     depth = _possible_depth(text)
@@ -61,7 +61,7 @@ def read(text: str) -> Any:
 
 
 def read_file(text: str, name: str) -> Any:
-    """Return the data in a file like :func:`read`. Errors contain the name of the file."""
+    """Return the data in a file, like :func:`read`. Errors contain the name of the file."""
     try:
         return read(text)
     except yaml.YAMLError as error:
