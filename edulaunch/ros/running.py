@@ -17,7 +17,7 @@ def spin(make_node: Callable[[], Node], args: list[str] | None = None) -> None:
 def run(body: Callable[[], object], args: list[str] | None = None) -> None:
     """Call `body` between init and shutdown.
 
-    :param args: the arguments of `rclpy.init`. The default is those of the command line.
+    :param args: the arguments of `rclpy.init`. By default, they are those of the command line.
     """
     try:
         rclpy.init(args=args)

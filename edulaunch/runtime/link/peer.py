@@ -88,7 +88,7 @@ class Peer:
         self.await_token(key[0] if key[1] != BEFORE_ALL else key[0] - 1)
 
     def await_token(self, grant_ns: int) -> None:
-        """Let the other peer run until it passes the token, at most until the time is `grant_ns`."""
+        """Let the other peer run until it passes the token, but not beyond the time `grant_ns`."""
         self._grant_ns = grant_ns
         self._take_until(FrameKind.TOKEN)
         self._grant_ns = self.sim.now_ns

@@ -283,7 +283,10 @@ class Replica:
         client.on_ready()
 
     def answered(self, client: Any, sequence: int, wire: Any) -> None:
-        """Deliver a reply from the other peer to a client of this peer. Record the reply if this peer records."""
+        """Record a reply from the other peer to a client of this peer.
+
+        Only the trusted peer replaces this method, which does nothing here.
+        """
 
 
 def _name(value: Any, before: str = '') -> str:

@@ -27,7 +27,7 @@ def absent_file(path: str) -> dict[str, Any]:
 
 
 def _share() -> str:
-    """Return the folder that would have the share folders of such packages, with a separator at its end."""
+    """Return the folder that would contain the share folders of missing well-known packages, with a separator at its end."""
     return os.path.join(running_process().index.absent_prefix, 'share', '')
 
 

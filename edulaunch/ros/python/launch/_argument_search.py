@@ -91,7 +91,7 @@ def _findings(entities: Iterable[LaunchDescriptionEntity], conditional: bool, lo
     """Return all arguments below the entities, up to the first `ResetLaunchConfigurations`.
 
     As in upstream, only arguments directly in a conditional branch count as conditional. The arguments of a file that is included
-    under a condition do not, and are checked even when the condition is false.
+    under a condition do not count as conditional, and are checked even when the condition is false.
     """
     findings: list[Finding] = []
     for entity in entities:

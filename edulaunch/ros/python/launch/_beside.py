@@ -85,7 +85,7 @@ def _is_notebook() -> bool:
 
 
 def _has_run_alone(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], has_others: Callable[[], bool]) -> bool:
-    """Run to the end without a break if no other code runs; otherwise, return False."""
+    """Run the task to its end if no other code runs, and return whether this was possible."""
     if has_others():
         return False
     try:
@@ -102,7 +102,7 @@ def _has_run_alone(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], has
 
 
 def _run_slice(loop: asyncio.AbstractEventLoop) -> float:
-    """Run the loop for a slice of simulated time; return the remaining seconds of real time in the slice."""
+    """Run the loop for a slice of simulated time. Return the remaining real time of the slice in seconds."""
     began = time.monotonic()
     end = loop.call_later(SLICE_S, loop.stop)
     try:

@@ -146,7 +146,10 @@ def _about_file(path: str) -> dict[str, Any]:
 
 
 def _below(folder: str, name: str) -> str | None:
-    """Return the path of the only file of that name in a folder of a package's share folder, seen from it; otherwise None."""
+    """Return the path of the only file of that name below a folder of a package's share folder, or None.
+
+    The path is relative to the folder.
+    """
     if not os.path.isfile(os.path.join(folder, 'package.xml')):
         return None
     inside = [one for one in sorted(os.listdir(folder)) if os.path.isfile(os.path.join(folder, one, name))]
@@ -154,7 +157,7 @@ def _below(folder: str, name: str) -> str | None:
 
 
 def _class_that_was_made(error: BaseException) -> dict[str, Any]:
-    """Return the class whose constructor passes on an unknown argument, and the arguments that exist."""
+    """Return the class whose constructor passes on an unknown argument, and the arguments that the class accepts."""
     made = next((frame.f_locals.get('self') for frame, _ in frames_of(error) if frame.f_code.co_name == '__init__'), None)
     if made is None:
         return {}

@@ -57,7 +57,9 @@ def caller_outside_launch(made: object) -> Place | None:
 
 
 def _calls_around(frame: FrameType) -> list[tuple[str, Place]]:
-    """Return the functions around a frame that their own file calls, each with the place of its call, the innermost first."""
+    """Return the functions around a frame that are called from their own file, each with the place of its call. The innermost is
+    first.
+    """
     found: list[tuple[str, Place]] = []
     file, outer = frame.f_code.co_filename, frame.f_back
     while outer is not None and outer.f_code.co_filename == file and len(found) < _MOST_CALLS:
@@ -68,7 +70,7 @@ def _calls_around(frame: FrameType) -> list[tuple[str, Place]]:
 
 
 def _makes(code: CodeType, frame: FrameType, made: object) -> bool:
-    """Return whether the frame runs a constructor, such as that of a student's subclass, of exactly this object."""
+    """Return whether the frame runs a constructor of exactly this object, such as that of a student's subclass."""
     return bool(code.co_argcount) and frame.f_locals.get(code.co_varnames[0]) is made
 
 

@@ -34,7 +34,7 @@ def note_include(path: str) -> None:
 
 
 def note_undeclared(names: Iterable[str], declared: Iterable[str], file: str, origin: Origin | None) -> None:
-    """Record arguments that an included file does not declare in `launch.undeclared`. ROS 2 sets them without a message."""
+    """Add the arguments that an included file does not declare to `launch.undeclared`. ROS 2 sets them without a message."""
     known = list(declared)
     rows: list[tuple[str, list[str], str, Origin | None]] = process_state('launch.undeclared', list)
     rows += [(name, known, file, origin) for name in names if name not in known]

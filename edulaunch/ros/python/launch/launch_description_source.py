@@ -84,7 +84,7 @@ class LaunchDescriptionSource:
             return None
 
     def _get_launch_description(self, location: str) -> LaunchDescription:
-        """Load the file. Subclasses override it.
+        """Load the file. Subclasses override this method.
 
         :raises RuntimeError: always in this base class.
         """

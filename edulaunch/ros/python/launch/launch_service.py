@@ -335,7 +335,9 @@ class LaunchService:
 
 
 def _check_thread() -> None:
-    """Check the thread: the main thread is the real one of a plain script, or the first task of a simulated process."""
+    """Raise an error outside the main thread. This is the real main thread of a plain script, or the first task of a
+    simulated process.
+    """
     task = running_process().lifecycle.task
     in_main = threading.current_thread() is threading.main_thread() or not isinstance(task, AmbientTask)
     if not in_main or current_task() is not task:

@@ -1,7 +1,7 @@
 """Launch actions for ROS nodes: the interface of ROS 2's launch_ros.
 
-ROS 2's launch_ros depends on `lifecycle_msgs`, `composition_interfaces` and other interface packages. Here, too, these packages
-can be imported wherever this package can be imported, also if a user has added the underlay to the path.
+ROS 2's launch_ros depends on `lifecycle_msgs`, `composition_interfaces` and other interface packages. These packages can be
+imported wherever this package can be imported, even if a user has added the underlay to the path.
 """
 
 from typing import TYPE_CHECKING

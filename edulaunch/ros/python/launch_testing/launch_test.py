@@ -15,7 +15,7 @@ from .test_result import TestResult, is_pytest_outcome
 
 
 class LaunchTest:
-    """One run of a test file. It can be created anywhere, but :meth:`run` must be called inside a simulated process.
+    """One run of a test file. The object can be created anywhere, but :meth:`run` must be called inside a simulated process.
 
     :param path: the path of the test file.
     :param arguments: launch arguments of the form `name:=value`.

@@ -17,7 +17,7 @@ def keep_alive(test_description: T) -> T:
 
 
 def retry_on_failure(*, times: int, delay: float | None = None) -> Callable[[T], T]:
-    """Repeat a test method that fails. If it always fails, the last failure is reported.
+    """Repeat a test method that fails with an AssertionError. If all attempts fail, the last failure counts.
 
     :param times: the maximum number of attempts.
     :param delay: simulated seconds between two attempts; None means no pause.

@@ -24,7 +24,7 @@ def message_to_ordereddict(
 def message_to_yaml(
     msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False, flow_style: bool = False
 ) -> str:
-    """Return the message as YAML, as `ros2 topic echo` prints it. The other arguments are those of
+    """Return the message as YAML, as `ros2 topic echo` prints it. For the other parameters, see
     :func:`message_to_ordereddict`.
 
     :param flow_style: whether to write the message on one line in braces.
@@ -33,7 +33,7 @@ def message_to_yaml(
 
 
 def message_to_csv(msg: Any, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False) -> str:
-    """Return all values of the message, separated by commas. The other arguments are those of :func:`message_to_ordereddict`."""
+    """Return all values of the message, separated by commas. For the other parameters, see :func:`message_to_ordereddict`."""
     return message_csv(msg, Shortening(truncate_length, no_arr, no_str))
 
 

@@ -39,7 +39,7 @@ class ProcessRun:
         self._process.send_signal(signum)
 
     def _take(self, stream: str, text: str) -> None:
-        """Receive output of the program; the program calls this in its own turn."""
+        """Receive output of the program, which calls this method."""
         if self._loop.is_closed():
             return
         self._pending.append((stream, text))

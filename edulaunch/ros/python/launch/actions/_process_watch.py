@@ -87,7 +87,7 @@ class ProcessWatch(BaseEventHandler):
         return '' if lines is None else lines.text
 
     def _lines_of(self, stream: str) -> OutputLines:
-        """Return the lines of a stream. The object is created with the first output, because many programs never print."""
+        """Return the line splitter of a stream. It is created at the first output, because many programs never print."""
         lines = self._lines.get(stream)
         if lines is None:
             stdout, stderr = get_output_loggers(self._details['name'], self._output)
@@ -139,9 +139,10 @@ class ProcessWatch(BaseEventHandler):
         self._run.complete.add_done_callback(lambda complete: self._end(context, complete.result()))
 
     def _end(self, context: LaunchContext, returncode: int, patience: int = PATIENCE) -> None:
-        """Log the end of the program if its output goes to the screen, and start it again if requested.
+        """Log the end of the program if its output goes to the screen, and start the program again if requested.
 
-        :param patience: how many more rounds of the loop to wait for output events, because launch handles none after the end.
+        :param patience: the number of further rounds of the loop in which to wait for output events, because launch handles none
+            after the end.
         """
         if self._unshown and patience:
             self._loop.call_soon(self._end, context, returncode, patience - 1)
@@ -190,7 +191,7 @@ class ProcessWatch(BaseEventHandler):
             self.begin(context)
 
     def _finish(self, error: Exception | None = None) -> None:
-        """End the action."""
+        """End the action: mark its future as done."""
         if not self.completed.done():
             if error is None:
                 self.completed.set_result(None)
@@ -278,7 +279,7 @@ class ProcessWatch(BaseEventHandler):
         self._run.send_signal(Signals[event.signal_name])
 
     def _shut_down(self, context: LaunchContext, *, send_sigint: bool) -> Entities | None:
-        """Start to end the process: send the first signal, and return the timers for stronger signals."""
+        """Send the first signal to the process, and return the timers that send stronger signals."""
         if self._is_asked_to_end or self.completed.done():
             return None
         if self._run is None:
@@ -298,7 +299,10 @@ class ProcessWatch(BaseEventHandler):
 
 
 def _wants_terminal(context: LaunchContext, options: ProcessOptions) -> bool:
-    """Return the action's setting, unless a launch configuration `emulate_tty` exists. Its value must be a boolean."""
+    """Return whether the program runs in a terminal: the launch configuration `emulate_tty`, or else the action's setting.
+
+    The launch configuration must be a boolean.
+    """
     wanted = context.launch_configurations.get('emulate_tty')
     if wanted is None:
         return bool(options.emulate_tty)

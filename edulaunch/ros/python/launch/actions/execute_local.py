@@ -227,7 +227,7 @@ class ExecuteLocal(Action):
 
 @lru_cache(maxsize=1)
 def _watch_type() -> type[ProcessWatch]:
-    """Import the class when the first process is scheduled, because the statement takes time."""
+    """Import and return the class when the first process is scheduled, because the import takes time."""
     from ._process_watch import ProcessWatch
 
     return ProcessWatch

@@ -43,7 +43,9 @@ class ExecuteProcess(ExecuteLocal):
 
     @classmethod
     def _parse_cmdline(cls, cmd: str, parser: ParserProtocol) -> list[Substitutions]:
-        """Return the words of a command line as XML and YAML write it; extensions of launch call this by upstream's name."""
+        """Return the words of a command line in the form of XML and YAML. Extensions of launch call this method by upstream's
+        name.
+        """
         from ..frontend.elements import words_of
 
         return words_of(cmd, parser)

@@ -90,9 +90,10 @@ class Entity(ABC):
         """Raise ValueError if attributes or children were not requested. The message contains their names."""
 
     def _unexpected(self, what: str, names: list[str], kind: str | None = None) -> ValueError:
-        """Return the error for unread names; the format is Python's format of a set, but in order.
+        """Return the error for names that were not requested. The message lists them as Python shows a set, but in order.
 
-        :param kind: 'attribute' or 'element', if the element knows the first of them as that.
+        :param kind: 'attribute' or 'element' if the element has an attribute or element with the first of these names; otherwise
+            None.
         """
         listed = '{' + ', '.join(repr(name) for name in sorted(names)) + '}'
         error = ValueError(f'Unexpected {what} found in `{self.type_name}`: {listed}')
@@ -100,7 +101,7 @@ class Entity(ABC):
         return places.at(error, self, 'launch.unknown-attribute', attribute=name, kind_of=kind, near=nearest(name, self._known))
 
     def _missing(self, error: AttributeError, name: str) -> AttributeError:
-        """Return the error for a required name, with the names that the element has."""
+        """Return the error for a missing required name. The facts list the names in the file that were not requested."""
         kind, _, wanted = name.rpartition(' ')
         present = [str(one) for one in self._names if one not in self.asked]
         return places.at(error, self, 'launch.missing-attribute', needed=wanted.strip("'"), given_names=present)
@@ -112,7 +113,7 @@ class Entity(ABC):
 
     @property
     def _names(self) -> Collection[str]:
-        """The names of all attributes or keys that the file gives."""
+        """The names of all attributes or keys in the file."""
         return ()
 
 

@@ -71,9 +71,9 @@ def _parse_method_of(exposed: Any, name: str, exposed_type: str) -> ParseMethod:
 
 
 def _same_code(known: ParseMethod, new: ParseMethod) -> bool:
-    """Return whether both come from one definition.
+    """Return whether two parse functions have the same definition.
 
-    A launch file that exposes its own element may be executed many times in one interpreter; upstream, each run has a new
+    A launch file that exposes its own element may be executed many times in one interpreter. In upstream, each run has a new
     interpreter. All versions of a notebook's cell count as one definition.
     """
     return _place(known) == _place(new)

@@ -105,7 +105,7 @@ class _Reader:
         return Call(name.group(), tuple(arguments))
 
     def argument(self) -> Template:
-        """Return one argument, bare or in quotes."""
+        """Return one argument, with or without quotes."""
         quote = self.text[self.position : self.position + 1]
         if self.quote or quote not in ("'", '"'):
             pieces = self.pieces(_BARE[self.quote])
@@ -255,7 +255,7 @@ _shared = lru_cache(maxsize=4096)(_built)
 
 @lru_cache(maxsize=4096)
 def _is_built_in(template: Template) -> bool:
-    """Return whether all calls are of built-in substitutions, whose names nothing else can take."""
+    """Return whether all calls are calls of built-in substitutions. No other code can take their names."""
     return all(
         isinstance(substitution_parse_methods.get(piece.name), LateSubstitution) and all(map(_is_built_in, piece.arguments))
         for piece in template

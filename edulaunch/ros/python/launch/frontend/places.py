@@ -50,7 +50,7 @@ def complete_unreadable(error: Any, file: str) -> None:
 
 
 def _first_or_bad_line(error: Exception) -> int:
-    """Return the place of a byte that is not UTF-8. Any other problem concerns the whole file, so its place is line 1."""
+    """Return the line of a byte that is not UTF-8. Any other problem concerns the whole file, so return line 1."""
     return error.object.count(b'\n', 0, error.start) + 1 if isinstance(error, UnicodeDecodeError) else 1
 
 

@@ -63,7 +63,7 @@ def _takes_expression(arguments: list[Argument]) -> dict[str, Any]:
 
 
 def _module_names(argument: Argument) -> list[str]:
-    """Return the modules in a comma-separated literal; substitutions are not possible there."""
+    """Return the modules in a comma-separated literal. Substitutions are not possible in this argument."""
     text = argument[0].perform(None) if argument else ''
     return [name.strip() for name in text.split(',')] if text else []
 

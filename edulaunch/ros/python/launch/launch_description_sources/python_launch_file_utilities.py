@@ -46,7 +46,7 @@ def get_launch_description_from_python_launch_file(python_launch_file_path: str)
 
 
 def _no_function(path: str, module: ModuleType) -> InvalidPythonLaunchFileError:
-    """Return the error, with the line of a function whose name is nearly right."""
+    """Return the error for a missing function, with the line of a function with a similar name."""
     from edulaunch.engine.facts import with_facts
     from edulaunch.engine.nearest import nearest
 

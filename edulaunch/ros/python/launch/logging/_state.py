@@ -23,8 +23,8 @@ def _get_logging_directory() -> str:
 
 
 def _make_unique_log_dir(*, base_path: str) -> str:
-    """Create `base_path/YYYY-MM-DD-HH-MM-SS-microseconds-HOST-PID` with the simulated time, and append `-2`, `-3` ... if it
-    already exists.
+    """Create `base_path/YYYY-MM-DD-HH-MM-SS-microseconds-HOST-PID` with the simulated time. Append `-2`, `-3` and so on if the
+    folder already exists.
     """
     from socket import gethostname
 
@@ -64,7 +64,9 @@ def _free_number(first: str) -> int:
 
 
 def _renew_latest_log_dir(*, log_dir: str) -> bool:
-    """Let the link `latest` beside `log_dir` point to it. Return False if another file has that name."""
+    """Set the link `latest` in the parent folder of `log_dir` to `log_dir`. Return False if that name belongs to a file that
+    is not a link.
+    """
     link = os.path.join(os.path.dirname(log_dir), 'latest')
     if os.path.lexists(link):
         if not os.path.islink(link):

@@ -53,7 +53,7 @@ class _Combined(Substitution):
         self._operands = [normalize_to_list_of_substitutions(arg) for arg in args]
 
     def describe(self) -> str:
-        """`AndSubstitution(left right)`."""
+        """Return a description such as `AndSubstitution(left right)`."""
         return f'{type(self).__name__}({" ".join(describe_all(operand) for operand in self._operands)})'
 
     def perform(self, context: LaunchContext) -> str:

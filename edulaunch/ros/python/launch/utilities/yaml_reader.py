@@ -70,7 +70,7 @@ def read_file(text: str, name: str) -> Any:
 
 def _error_in_full(text: str, name: str) -> yaml.YAMLError | None:
     """Return the error that users of upstream see. libyaml reads several times as fast, but the errors of PyYAML's own reader
-    contain more.
+    are more detailed.
     """
     if len(text) > LONGEST_READ_TWICE:
         return None
@@ -88,7 +88,7 @@ def _error_in_full(text: str, name: str) -> yaml.YAMLError | None:
 
 
 def _data_of(node: Any, loader: Any) -> Any:
-    """Return the data that PyYAML's constructor makes of a node. For the usual tags, this function is several times as fast."""
+    """Return the data that PyYAML's constructor creates from a node. For common tags, this function is several times as fast."""
     tag = node.tag
     if tag == 'tag:yaml.org,2002:str' and isinstance(node, yaml.ScalarNode):
         return node.value
@@ -115,7 +115,7 @@ def _mapping_of(node: Any, loader: Any) -> Mapping:
 
 
 def _possible_depth(text: str) -> int:
-    """Return a quick upper bound of the nesting, so that nearly all files need no closer examination.
+    """Return a quickly computed upper bound of the nesting, so that nearly all files need no closer examination.
 
     A bracket opens one level. It does not count if its own line certainly closes it, without a quotation mark or comment nearby.
     An indentation by one column opens two levels at most.
@@ -152,7 +152,7 @@ def _refused(text: str, line: int) -> ValueError:
 
 
 class _Size:
-    """Counts the values below a node. A node to which several aliases refer counts each time, but is visited once."""
+    """Counts the values below a node. A node with several aliases counts once for each alias, but is visited only once."""
 
     def __init__(self, limit: int) -> None:
         self.limit = limit
