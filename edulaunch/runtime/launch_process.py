@@ -98,7 +98,7 @@ class LaunchRun:
     def raise_error(self) -> None:
         """Raise the error of the launch file, if there was an error.
 
-        :raises LaunchFileError: with ROS 2's message, the place and one line of help.
+        :raises LaunchFileError: when there was an error. It has ROS 2's message, the place and one line of help.
         """
         error = self.error
         if error is not None:

@@ -97,7 +97,7 @@ def _decided(result: Result, decisions: Mapping[tuple[str, str], Decision], late
 def read_decisions(path: str) -> dict[tuple[str, str], Decision]:
     """Return the rows of the teacher's file, by student (name or number) and exercise. Without such a file, the result is empty.
 
-    :raises UnusableInput: with the invalid line.
+    :raises UnusableInput: when the columns are missing or a line is invalid. The message contains the number of the line.
     """
     if not os.path.exists(path):
         return {}

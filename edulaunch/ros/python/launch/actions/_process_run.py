@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 class ProcessRun:
     """A program that was started through the simulation's host.
 
-    :param on_output: called on the loop as on_output('stdout' | 'stderr', text). Output that the program writes
-        without a pause arrives in one call, as from a pipe.
+    :param on_output: a function that is called on the loop as on_output('stdout' | 'stderr', text). Output that the program
+        writes without a pause arrives in one call, as from a pipe.
     :raises OSError: when the program cannot be started.
     """
 
@@ -66,7 +66,7 @@ class ProcessRun:
 class OutputLines:
     """Splits output that arrives in pieces into lines, and passes each complete line on.
 
-    :param emit: called with each line, without its line end.
+    :param emit: a function that is called with each line, without its line end.
     :param cached: whether to store all output for :attr:`text`.
     """
 

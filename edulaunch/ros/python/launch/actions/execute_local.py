@@ -141,14 +141,14 @@ class ExecuteLocal(Action):
     def get_stdout(self) -> str:
         """Return the standard output so far.
 
-        :raises RuntimeError: without `cached_output`.
+        :raises RuntimeError: when `cached_output` is not set.
         """
         return self.__cached_text('stdout')
 
     def get_stderr(self) -> str:
         """Return the standard error output so far.
 
-        :raises RuntimeError: without `cached_output`.
+        :raises RuntimeError: when `cached_output` is not set.
         """
         return self.__cached_text('stderr')
 

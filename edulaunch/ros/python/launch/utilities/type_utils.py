@@ -251,7 +251,8 @@ def ensure_argument_type(argument: Any, types: type | Iterable[type], argument_n
     """Check that `argument` is an instance of one of `types`.
 
     :param caller: the function or class named in the message.
-    :raises TypeError: with the caller, the argument, the expected types and the actual type in its message.
+    :raises TypeError: when the type is wrong. The message contains the caller, the argument, the expected types and the actual
+        type.
     """
     expected = types if isinstance(types, tuple) else (types,) if isinstance(types, type) else tuple(types)
     if isinstance(argument, expected):
