@@ -30,7 +30,7 @@ class Ending:
 
     :param stop: a function that is called at the first signal.
     :ivar came: the first signal that arrived, or None.
-    :ivar watched: confirms a signal that has arrived.
+    :ivar watched: the pipe that confirms each signal that has arrived.
     :ivar is_saving: whether the run is over and its recording is being written. Further signals then have no effect.
     """
 

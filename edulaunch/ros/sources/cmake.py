@@ -1,6 +1,6 @@
 """Determines what a CMakeLists.txt installs, without running CMake.
 
-It evaluates these commands: project, set, list(APPEND), file(GLOB), get_filename_component, foreach,
+This module evaluates these commands: project, set, list(APPEND), file(GLOB), get_filename_component, foreach,
 install(PROGRAMS | FILES | DIRECTORY | TARGETS),
 rosidl_generate_interfaces, ament_python_install_package, ament_auto_package(INSTALL_TO_SHARE ...). It evaluates all branches of
 `if` except those of BUILD_TESTING.

@@ -32,7 +32,8 @@ class PeerSimulation(Simulation):
     """The clock and agenda of one peer.
 
     :ivar other: the key of the other peer's next item, as far as this peer knows it.
-    :ivar pass_token: passes the token and the key of this peer's next item to the other peer, and waits until the token returns.
+    :ivar pass_token: a function that passes the token and the key of this peer's next item to the other peer, and waits until
+        the token returns.
     """
 
     def __init__(self, seed: int = 0, start_ns: int = EPOCH_NS) -> None:

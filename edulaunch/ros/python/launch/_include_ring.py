@@ -32,10 +32,10 @@ def enter_include(open_includes: list[Include] | None, entered: Include) -> None
 
     A file may include itself if the recursion ends, for example through a condition on an argument that counts down.
 
-    :param open_includes: the files that are being visited, the outermost first. None if there is no walk, because the end of a
-        visit is then unknown; the call then has no effect.
+    :param open_includes: the files that are being visited, the outermost first. None outside of a walk, where the end of a visit
+        is unknown. The call then has no effect.
     :raises RecursionError: when the file would include itself without end, because no launch configuration has changed since its
-        last include, or because the depth exceeds the limit. The message names the files of the ring.
+        last include, or because the depth exceeds the limit. The message names the files of the cycle.
     """
     if open_includes is None:
         return

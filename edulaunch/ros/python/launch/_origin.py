@@ -1,4 +1,4 @@
-"""Find the launch file and the line that created an action.
+"""Finds the launch file and the line that created an action.
 
 ROS 2 does not record this place. Errors, `edulaunch doctor` and grades use it. Every action needs its place, so finding it must
 take very little time. The search stores two numbers, and converts them to a readable form on request.

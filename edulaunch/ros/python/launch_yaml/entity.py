@@ -170,7 +170,7 @@ class Entity(BaseEntity):
 
 
 def _as_wanted(value: Any, data_type: Any) -> str | None:
-    """Return how to write a value of that type, or None if the type has no description."""
+    """Return an explanation of how to write a value of that type, or None."""
     if data_type is str and isinstance(value, (int, float)):
         return f"'{str(value).lower() if isinstance(value, bool) else value}'"
     if data_type is str and isinstance(value, list) and all(isinstance(item, str) for item in value):
@@ -181,5 +181,5 @@ def _as_wanted(value: Any, data_type: Any) -> str | None:
 
 
 def _type_of(value: Any) -> type:
-    """Return the name of the value's type for users. A mapping that stores its line is a `dict` for them."""
+    """Return the name of the value's type as errors show it. For a mapping that stores its line, the name is `dict`."""
     return dict if isinstance(value, dict) else type(value)

@@ -49,8 +49,9 @@ class Member(NamedTuple):
 def unpack(archive: str, folder: str, bounds: Bounds = OF_A_STUDENT) -> None:
     """Unpack a zip or tar archive into a new folder.
 
-    :raises UnusableInput: when a member is refused; the message names this member. It is not a file or directory, is outside of
-        the folder, has an invalid name, appears twice, or is too large. Files that were written before it remain.
+    :raises UnusableInput: when a member is refused. Reasons are another kind than file or folder, a path outside of the given
+        folder, an invalid or repeated name, and the size. The message names the member. Files that were written before it
+        remain.
     """
     try:
         _refuse_size(archive, bounds)

@@ -118,9 +118,7 @@ class ExecuteLocal(Action):
 
     @property
     def output(self) -> Any:
-        """The target of the output: a dictionary, or substitutions for a name. After execution, the name instead of
-        substitutions.
-        """
+        """The target of the output: a dictionary or a name. Before execution, substitutions stand for the name."""
         is_given_name = isinstance(self.__output, str) and not self.__executed
         return normalize_to_list_of_substitutions(self.__output) if is_given_name else self.__output
 

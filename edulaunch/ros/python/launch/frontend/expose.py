@@ -1,4 +1,4 @@
-"""The tables of elements and `$(...)`, and of the functions that parse them."""
+"""The tables of elements and substitutions, with the functions that parse them."""
 
 from __future__ import annotations
 

@@ -127,7 +127,8 @@ class Parser:
     def load_with(cls, file: str | os.PathLike[str] | TextIO, root_of: Callable[[str], Entity]) -> tuple[Entity, Parser]:
         """Load a file with a function of the subclass, as part of the :meth:`load` of the subclass. (edulaunch only.)
 
-        :param root_of: creates the root element from the content of the file. The place in the file is added to its errors.
+        :param root_of: a function that creates the root element from the content of the file. The place in the file is added to
+            the errors of this function.
         """
         if isinstance(file, (str, os.PathLike)):
             with open(inside(file), encoding='utf-8') as stream:

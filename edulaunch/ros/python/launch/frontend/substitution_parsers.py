@@ -18,7 +18,7 @@ Keywords = Callable[[list[Argument]], dict[str, Any]]
 class LateSubstitution:
     """Parses `$(name ...)` for a class that is imported on first use.
 
-    :param keywords: converts the arguments of the `$(...)` to the keyword arguments of the class.
+    :param keywords: a function that converts the arguments of the `$(...)` to the keyword arguments of the class.
     """
 
     def __init__(self, module: str, class_name: str, keywords: Keywords) -> None:

@@ -29,7 +29,7 @@ def plain_text(value: Any) -> str | None:
 def normalize_to_list_of_substitutions(subs: SomeSubstitutionsType) -> list[Substitution]:
     """Return a string, a substitution, or an iterable of both, as a list. Plain strings become :class:`TextSubstitution`.
 
-    :raises TypeError: for any other item, naming its type.
+    :raises TypeError: for any other item. The message contains the type of the item.
     """
     if isinstance(subs, str):
         return [TextSubstitution(text=subs)]

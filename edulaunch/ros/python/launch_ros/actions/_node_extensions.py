@@ -67,7 +67,7 @@ def instantiate_extension(
 ) -> NodeActionExtension | None:
     """Create an extension and store it in `extensions`. If that fails, log a warning and return None.
 
-    :param unique_instance: always create a new extension, and do not store it.
+    :param unique_instance: whether to create a new extension each time, without storing it.
     """
     if not unique_instance and extension_name in extensions:
         return extensions[extension_name]
