@@ -1,4 +1,4 @@
-"""Find launch files as `ros2 launch` does."""
+"""Finds launch files as `ros2 launch` does."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ LAUNCH_SUFFIXES = ('.py', '.xml', '.yaml', '.yml', '.launch')
 
 
 def find_launch_file(index: Index, path_or_package: str | os.PathLike[str], file: str | None) -> str:
-    """Return the absolute path of a launch file, given as for `ros2 launch`.
+    """Return the absolute path of a launch file, which is given as for `ros2 launch`.
 
-    :raises UnusableInput: with the message of `ros2 launch`, and the nearest name.
+    :raises UnusableInput: when there is no such file, with the message of `ros2 launch` and the nearest name.
     """
     first = os.fspath(path_or_package)
     if file is None and (os.path.exists(first) or os.sep in first or first.endswith(LAUNCH_SUFFIXES)):
@@ -63,7 +63,7 @@ def _existing_file(path: str, index: Index) -> str:
 
 
 def _package_with(index: Index, name: str) -> str | None:
-    """Return the only package of the workspaces that installs a launch file of that name; None if there are several or none."""
+    """Return the only package of the workspaces that installs a launch file of that name. Otherwise, return None."""
     own = [package for package in index.packages() if index.source_folder(package) is not None]
     owners = [one for one in own if os.path.isfile(os.path.join(index.share(one) or '', 'launch', name))]
     return owners[0] if len(owners) == 1 else None
@@ -101,9 +101,9 @@ def launch_argument(word: str) -> tuple[str, str]:
 
 
 def launch_files_of(index: Index, package: str) -> list[str]:
-    """Return the names of the launch files in a package's share, in alphabetical order.
+    """Return the names of the launch files in a package's share folder, in alphabetical order.
 
-    Files that end in plain .py, .xml or .yaml count only in a folder named launch.
+    Files whose names end in plain .py, .xml or .yaml count only in a folder named launch.
     """
     return sorted(
         {

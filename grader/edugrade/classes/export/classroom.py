@@ -1,4 +1,4 @@
-"""GitHub Classroom: ``edugrade classroom EXERCISE...`` writes the autograding of an assignment's template repository.
+"""GitHub Classroom: ``edugrade classroom EXERCISE...`` writes the autograding files for an assignment's template repository.
 
 Formats: github.com/education/autograding (``.github/classroom/autograding.json``) and github.com/classroom-resources
 (``autograding-command-grader``, ``autograding-grading-reporter``), one test for each check that has points.
@@ -91,7 +91,7 @@ def tests(exercise: str) -> list[Test]:
 
 
 def workflow(found: Sequence[Test], install: str) -> str:
-    """Return ``.github/workflows/classroom.yml``, which GitHub Classroom runs today."""
+    """Return the content of ``.github/workflows/classroom.yml``, which GitHub Classroom runs today."""
     steps: list[dict[str, object]] = [
         {'name': 'Checkout code', 'uses': 'actions/checkout@v4'},
         {'uses': 'actions/setup-python@v5', 'with': {'python-version': '3.12'}},
@@ -122,7 +122,7 @@ def workflow(found: Sequence[Test], install: str) -> str:
 
 
 def autograding(found: Sequence[Test], install: str) -> str:
-    """Return ``.github/classroom/autograding.json``, the older form, which other tools still read."""
+    """Return the content of ``.github/classroom/autograding.json``, the older form, which other tools still read."""
     tests = [
         {
             'name': test.name,
