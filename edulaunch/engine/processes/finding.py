@@ -201,7 +201,7 @@ def _flawless(source: bytes, path: str, filters: tuple[Any, ...]) -> CodeType | 
 
     The code is cached for the next run, because a notebook or a grader runs a file many times. Errors and warnings are not
     cached, because they should appear each time. (`catch_warnings` cannot be used here, because it makes Python forget which
-    warnings were shown. A first run would then show more warnings than a second run.)
+    warnings it has shown. A first run would then show more warnings than a second run.)
 
     :param filters: the active filters, which decide which warnings appear.
     """
