@@ -26,8 +26,8 @@ def written_bags(home: str, end_ns: int, published: Published) -> list[dict[str,
     :param home: the folder of a run.
     :param end_ns: the simulated time in ns; later messages do not count.
     :param published: a function that returns how often each message, as CDR bytes, was published on a topic.
-    :return: for each bag `folder` and `topics`. `topics` maps the name of a topic to two numbers: the messages in the bag, and how
-        many of these messages were published in the run. A bag that cannot be read has no topics.
+    :return: for each bag `folder` and `topics`. For each topic, `topics` has the number of messages in the bag. A second number
+        states how many of these messages were published in the run. A bag that cannot be read has no topics.
     """
     return [
         {'folder': os.path.relpath(folder, home)[:LONGEST_NAME], 'topics': _topics(folder, end_ns, published)}
