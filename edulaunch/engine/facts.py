@@ -1,8 +1,7 @@
 """Facts about an error in addition to its message, as plain data. `edulaunch.advice` turns these facts into sentences.
 
-The module is in no package of the engine, because processes, the graph and the ROS packages attach facts, and
-recordings store
-facts.
+The module is in no package of the engine, because processes, the graph and the ROS packages attach facts, and recordings
+store facts.
 """
 
 from __future__ import annotations

@@ -8,8 +8,8 @@ In reading order:
 
 - submissions: `submission.py`, `source.py`, `files.py`
 - input: `rubric.py`, `evidence.py`, `library/`, `rubrics/`, `course.py`, `variant.py`
-- runs: `grading.py`, `runner.py`, `job.py`, `places.py`,
-  `child_run.py`, `starter_link.py`, `sandbox/`, and `in_place.py` for systems without fork
+- runs: `grading.py`, `runner.py`, `job.py`, `places.py`, `child_run.py`, `starter_link.py`, `sandbox/`, and `in_place.py` for
+  systems without fork
 - results: `verdicts.py`, `worker.py`, `judging.py`, `repeated.py`, `results.py`
 - output: `reports/`, `attempts.py`, `progress_file.py`
 - entry points: `cli.py` with `options.py`, `notebook.py` with `turn.py`, `pytest_plugin.py`, `course_check.py`

@@ -37,7 +37,7 @@ TO_REPAIR = {'some failed': 'FAILED', 'unusable input': 'UNUSABLE', 'grader brok
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Grade launch files and print the reports. Returns the exit code."""
+    """Grade launch files and print the reports. Return the exit code."""
     words = sys.argv[1:] if argv is None else list(argv)
     try:
         code = _command(words)

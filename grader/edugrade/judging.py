@@ -90,7 +90,7 @@ def broken(error: Exception) -> CheckResult:
 
 
 def no_mark(reason: str, try_: str = 'find out who changes files there, and grade again') -> CheckResult:
-    """Return the only result of a submission without a mark. The student did not cause the reason."""
+    """Return the only result of a submission that gets no mark, for a reason that the student did not cause."""
     return CheckResult(LAUNCHES, LAUNCHES_SENTENCE, GRADER_BROKE, reason=reason, try_=try_)
 
 

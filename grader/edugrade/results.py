@@ -65,8 +65,9 @@ class CheckResult:
 
     @property
     def earned(self) -> float:
-        """The earned points: all points of a passed check, or the share that a failed check still earns. An integer where
-        possible.
+        """The earned points: all points of a passed check, or the share that a failed check still earns.
+
+        The value is an integer where possible.
         """
         return rounded(self.points * (1.0 if self.status == PASSED else self.share))
 

@@ -51,7 +51,7 @@ class Tracer:
         """A reply was sent to its client."""
 
     def incompatible(self, publisher: Any, subscription: Any, policy: str) -> None:
-        """Two endpoints of one topic are incompatible because of `policy` ('TYPE' when their types differ)."""
+        """Two endpoints of one topic are incompatible because of `policy` ('TYPE' if their types differ)."""
 
     def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
         """A parameter was declared, changed or undeclared. The value None means undeclared."""

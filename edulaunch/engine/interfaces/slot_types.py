@@ -1,4 +1,4 @@
-"""The entries of `SLOT_TYPES`. The classes have the names of those in rosidl_parser.definition."""
+"""The entries of `SLOT_TYPES`. The classes have the same names as in rosidl_parser.definition."""
 
 from __future__ import annotations
 

@@ -47,5 +47,5 @@ def add_workspaces(folders: Sequence[str], read_source: SourceReader) -> None:
 
 
 def sourced_index(prefixes: Sequence[str] = ()) -> Index:
-    """Return an index of the sourced source workspaces, of `prefixes`, and of the underlay, searched in this order."""
+    """Return an index of the workspaces that were sourced, of `prefixes`, and of the underlay, searched in this order."""
     return Index(prefixes, _SOURCED.workspaces, read_source=_SOURCED.read_source)

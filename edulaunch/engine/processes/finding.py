@@ -101,7 +101,7 @@ class Finder:
         return top in names or f'{top}.py' in names
 
     def _program_path(self) -> tuple[list[str], list[str]]:
-        """Return the folders that the program added to its `sys.path`: those before the shared folders, and those after them."""
+        """Return two lists of folders that the program added to its `sys.path`: before the shared folders, and after them."""
         view = self._loaded.get('sys')
         return ([], []) if view is None else view.private_path()
 

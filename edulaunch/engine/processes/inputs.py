@@ -162,10 +162,10 @@ class Input:
         return False
 
     def flush(self) -> None:
-        """Do nothing."""
+        """Do nothing, because an input has no buffer to write."""
 
     def close(self) -> None:
-        """Do nothing."""
+        """Do nothing, because the input does not use a resource of the operating system."""
 
 
 class SilentPipe(Input):

@@ -86,7 +86,7 @@ def entry_function(process: Process, program: Program) -> Callable[[], object]:
 def _modules_beside(process: Process, program: Program) -> list[str]:
     """Return the full names of the modules in the Python package that an entry point names.
 
-    If that package does not exist, return those in the package with the name of the ROS package.
+    If that package does not exist, use the Python package with the name of the ROS package.
     """
     parent = program.module.rpartition('.')[0]
     package = process.loader.modules.get(parent)

@@ -57,8 +57,9 @@ def refuse_dead(run: Evidence) -> None:
 
 
 def refuse_gone(run: Evidence) -> None:
-    """Fail if something ended a program before the end of its run although the program never ends by itself. No error is
-    necessary.
+    """Fail if a program ended before the end of its run although it never ends by itself.
+
+    The program may have ended without an error.
 
     Otherwise, a node that exists only for a moment could pass the checks of names, parameters and subscriptions.
 

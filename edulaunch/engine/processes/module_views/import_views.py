@@ -30,7 +30,7 @@ def make_builtins(view: ModuleType, process: Process) -> ModuleType:
 
 
 def _private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str, Any]:
-    """Return Python's builtins, in which functions such as `print`, `open` and `__import__` are those of this process."""
+    """Return Python's builtins with this process's versions of functions such as `print`, `open` and `__import__`."""
 
     def private_print(
         *values: object, sep: str | None = None, end: str | None = None, file: Any = None, flush: bool = False
@@ -92,7 +92,7 @@ class ImportlibView(ModuleType):
 
 
 def make_importlib(view: ModuleType, process: Process) -> ModuleType:
-    """Make an `importlib` in which `import_module`, `reload` and `__import__` are those of this program."""
+    """Make an `importlib` with this program's versions of `import_module`, `reload` and `__import__`."""
     loader = process.loader
 
     def import_module(name: str, package: str | None = None) -> ModuleType:
