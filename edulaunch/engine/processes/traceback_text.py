@@ -156,10 +156,10 @@ CONTEXT = '\nDuring handling of the above exception, another exception occurred:
 def student_traceback(error: BaseException) -> tuple[str, Origin | None]:
     """Return the traceback that Python would print without frames of the engine, and the last place in a student's file or None.
 
-    If all frames belong to the engine, they all stay, because the mistake is then in edulaunch. Errors that edulaunch raises
-    deliberately never show frames of the engine: an error with facts, an error of rclpy, and Ctrl-C. The same applies to a file that Python
-    could not parse, because none of its code ran. Newer versions of Python print marks under a line. These are left out, so
-    that recordings are equal with all versions.
+    If all frames belong to the engine, they all stay, because the mistake is then in edulaunch. Errors that edulaunch
+    raises deliberately never show frames of the engine: an error with facts, an error of rclpy, and Ctrl-C. The same
+    applies to a file that Python could not parse, because none of its code ran. Newer versions of Python print marks under
+    a line. These are left out, so that recordings are equal with all versions.
     """
     return ''.join(_chain(error, [])), _place(error)
 

@@ -59,9 +59,8 @@ def refuse_dead(run: Evidence) -> None:
 def refuse_gone(run: Evidence) -> None:
     """Fail if a program ended before the end of its run although it never ends by itself.
 
-    The program may have ended without an error.
-
-    Otherwise, a node that exists only for a moment could pass the checks of names, parameters and subscriptions.
+    The program may have ended without an error. Without this check, a node that exists only for a moment could pass the
+    checks of names, parameters and subscriptions.
 
     :raises Failure: with the program and the time of its end.
     """
