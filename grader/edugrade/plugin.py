@@ -1,5 +1,5 @@
-"""The grader as a plug-in of edulaunch: it adds `edulaunch.check`, completion of `edugrade`, and the verbs that every grader
-has.
+"""The grader as a plug-in of edulaunch. It adds `edulaunch.check`, completion of `edugrade`, and the verbs of `edugrade`
+itself.
 """
 
 from __future__ import annotations

@@ -1,5 +1,6 @@
-"""The simulation of a lesson's turn, with what the rubric hides from the student: programs that cannot start, and messages of
-the grader. The trusted peer does the same for an exercise.
+"""The simulation of a lesson's turn, with the parts that the rubric hides from the student.
+
+These parts are programs that cannot start, and messages of the grader. For an exercise, the trusted peer adds them.
 """
 
 from __future__ import annotations
@@ -30,17 +31,17 @@ class _Visitor(NamedTuple):
 
 
 class TurnHost(Host):
-    """Starts programs, except those whose first start fails.
+    """A host on which the first start of some programs fails.
 
-    :ivar fails: as in `Scenario.fails`.
+    :ivar fails: the programs, as in `Scenario.fails`.
     """
 
     fails: Sequence[str] = ()
 
     def start(self, spec: Any, *others: Any, **more: Any) -> Any:
-        """Implement `Host.start`.
+        """Start a program like `Host.start`.
 
-        :raises BlockingIOError: for a program of `fails`, as when a computer has too many processes.
+        :raises BlockingIOError: for the first start of a program in `fails`, as if the computer had too many processes.
         """
         known = self.known_command(spec, more.get('index'))
         program = known.program if known is not None else None
@@ -53,19 +54,19 @@ class TurnHost(Host):
 
 
 class TurnSession(Session):
-    """A session of a turn."""
+    """The session of a turn."""
 
     host_class = TurnHost
     host: TurnHost
 
     def hide(self, scenario: Scenario) -> None:
-        """Prepare the failing programs and the messages of a run."""
+        """Prepare the programs that must fail, and the messages that the grader sends in a run."""
         self.host.fails = list(scenario.fails)
         for topic, (time_s, text) in scenario.sent.items():
             self.sim.schedule(self.sim.start_ns + round(time_s * 1e9), partial(self._visit, topic, text))
 
     def end(self, executable: str) -> None:
-        """Stop a program as Ctrl-C does, and let time pass."""
+        """Send SIGINT to the programs of an executable, as Ctrl-C does, and continue the run for ENDED_S simulated seconds."""
         for process in list(self.host.processes):
             if process.spec.executable == executable:
                 process.send_signal(signal.SIGINT)

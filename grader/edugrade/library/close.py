@@ -1,4 +1,4 @@
-"""Compares numbers with a tolerance, and gives part of the points for a number that is nearly right."""
+"""Compares numbers with a tolerance, and gives a share of the points for a number that is nearly right."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def require_close(
     """Require a number within a tolerance. NaN never passes.
 
     :param near: a wider tolerance, or 0. Within it, the check fails but gives `share` of its points.
-    :raises Mismatch: with both numbers and the tolerance.
+    :raises Mismatch: with both numbers and the tolerance, if the number is outside the tolerance.
     """
     off = abs(seen - wanted)
     if off <= tolerance:

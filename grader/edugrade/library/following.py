@@ -14,7 +14,7 @@ LEAST_SHARE = 0.4  # share of the distance of a moving goal; a follower that tak
 
 
 def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound_m: float, since_s: float, try_: str) -> None:
-    """Require that a follower is never more than `bound_m` metres from its goal after a time.
+    """Require that a follower is never more than `bound_m` metres from its goal after `since_s` simulated seconds.
 
     :param goal: the position of the goal over time.
     :param follower: the turtle, such as ``/turtle2``.
@@ -38,7 +38,8 @@ def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound
 def require_arrival(run: Evidence, scenario: str, follower: str, try_: str) -> None:
     """Require that a turtle has driven to a goal that does not move.
 
-    :raises Failure: for a turtle that was at the goal from the beginning.
+    :param follower: the turtle, such as ``/turtle2``.
+    :raises Failure: if the turtle drove no distance, because it was at the goal from the beginning.
     """
     track = driven_track(run, scenario, follower)
     if not length(track) >= LEAST_WAY_M:
@@ -54,8 +55,9 @@ def require_arrival(run: Evidence, scenario: str, follower: str, try_: str) -> N
 def require_driver(run: Evidence, turtle: str, package: str, executable: str | None = None) -> None:
     """Require that only one program sends commands to a turtle, so that its movement shows the behaviour of this program.
 
-    :param turtle: such as ``/turtle2``, or '' for the robot.
-    :param executable: the only program of that package that may do so (default: all of them).
+    :param turtle: the turtle, such as ``/turtle2``, or '' for the robot.
+    :param package: the package of the program.
+    :param executable: the only program of the package that may send commands (default: all of its programs).
     :raises Failure: with the name of another node that commands the turtle.
     """
     place_topic, usual = f'{turtle}/pose' if turtle else '/odom', f'{turtle}/cmd_vel'
@@ -76,11 +78,13 @@ def require_driver(run: Evidence, turtle: str, package: str, executable: str | N
 
 
 def require_pursuit(run: Evidence, scenario: str, goal: str, follower: str, since_s: float, try_: str) -> None:
-    """Require that a turtle drives towards a moving one, for at least LEAST_SHARE of the distance that the goal drives.
+    """Require that a turtle drives towards a moving turtle, for at least LEAST_SHARE of the distance that this turtle drives.
 
     A turtle that waits in the middle of the goal's path is near the goal, but does not follow it.
 
-    :param goal: the moving turtle, such as ``/turtle1``; `follower` likewise.
+    :param goal: the moving turtle, such as ``/turtle1``.
+    :param follower: the turtle that must follow, such as ``/turtle2``.
+    :param since_s: the simulated time in seconds from which the distances count.
     :raises Failure: with both distances.
     """
     recording = run[scenario]
@@ -98,8 +102,11 @@ def require_pursuit(run: Evidence, scenario: str, goal: str, follower: str, sinc
 
 
 def require_copy(run: Evidence, original: str, copy: str, try_: str, hint_seen: str = '') -> None:
-    """Require that a turtle drives as far as the turtle that it copies, within 5 %. The original must move.
+    """Require that a turtle drives as far as the turtle that it copies, within 5 %. The original must drive at least half a
+    metre.
 
+    :param original: the turtle to copy, such as ``/turtle1``.
+    :param copy: the turtle that must copy it.
     :param hint_seen: another observation that explains the failure.
     :raises Failure: with both distances.
     """
@@ -117,7 +124,10 @@ def require_copy(run: Evidence, original: str, copy: str, try_: str, hint_seen: 
 
 
 def driven_track(run: Evidence, scenario: str, turtle: str) -> Track:
-    """Return the track of a turtle that drives. Raise Failure for a turtle that was teleported."""
+    """Return the track of a turtle that drives.
+
+    :raises Failure: if the turtle was teleported.
+    """
     track = turtle_track(run[scenario], f'{turtle}/pose')
     if not fastest(track) <= FASTEST_M_S:
         raise Failure(

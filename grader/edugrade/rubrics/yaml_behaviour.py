@@ -1,4 +1,4 @@
-"""Checks of YAML rubrics that compare the output of a program with the worlds and the topics."""
+"""Checks of YAML rubrics that compare the output of a program with the simulated worlds and the topics."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def _fits(wanted: Wanted, lines: Iterable[str]) -> bool:
 
 @kind('{executable} counts the messages of {topics}', 'package executable pattern topics')
 def counts(run: Evidence, wanted: Wanted) -> None:
-    """Require that a program prints the number of messages of some topics. The first group of `pattern` is the number."""
+    """Require that a program prints the number of messages on some topics. The first group of `pattern` is the number."""
     for one in wanted.of_each(run):
         times = sorted(time_s for topic in _topics(one) for time_s in _message_times(one, topic))
         lines = _lines(one)
@@ -94,7 +94,9 @@ def counts(run: Evidence, wanted: Wanted) -> None:
 
 @kind('{executable} counts to {at_least}', 'package executable pattern topics at_least')
 def counts_up(run: Evidence, wanted: Wanted) -> None:
-    """Require that a program prints numbers that never fall, reach `at_least`, and never exceed the number of messages sent."""
+    """Require that a program prints numbers that never decrease, reach `at_least`, and never exceed the number of messages
+    sent.
+    """
     for one in wanted.of_each(run):
         times = sorted(time_s for topic in _topics(one) for time_s in _message_times(one, topic))
         newest, program = 0.0, wanted['executable']
@@ -113,7 +115,7 @@ def counts_up(run: Evidence, wanted: Wanted) -> None:
 
 @kind('{executable} prints the messages of {topic}', 'package executable pattern topic', 'example')
 def repeats(run: Evidence, wanted: Wanted) -> None:
-    """Require that a program prints messages of a topic as they come. The first group of `pattern` is the message's `data`."""
+    """Require that a program prints each message of a topic soon after it arrives. The first group of `pattern` is the `data`."""
     for one in wanted.of_each(run):
         topic, lines, program = one.text('topic'), _lines(one), wanted['executable']
         if not lines:
@@ -142,7 +144,8 @@ def repeats(run: Evidence, wanted: Wanted) -> None:
 def tells_place(run: Evidence, wanted: Wanted) -> None:
     """Require that a program prints an earlier position of a turtle. The groups of `pattern` are x, y and the age in seconds.
 
-    With `frame`, the program must have the position from tf2, so that it knows none before the first transform of this frame.
+    With `frame`, the program must get the position from tf2, so it cannot print a position before the first transform of this
+    frame.
     """
     for one in wanted.of_each(run):
         track = turtle_track(one.recording, f'/{one.text("turtle").strip("/")}/pose')
@@ -172,7 +175,7 @@ def tells_place(run: Evidence, wanted: Wanted) -> None:
 
 
 def _first_transform_s(one: OfRun) -> float:
-    """Return the time of the first transform of `frame`, or 0.0 for a check without it."""
+    """Return the time of the first transform of `frame`, or 0.0 for a check without `frame`."""
     frame = one.wanted['frame']
     sent = transforms(one.run, one.scenario).get(frame, ()) if frame else ()
     return min((item.time_s for item in sent), default=inf if frame else 0.0)
@@ -188,7 +191,7 @@ def _message_times(one: OfRun, topic: str) -> list[float]:
 
 
 def _lines(one: OfRun) -> list[tuple[float, re.Match[str]]]:
-    """Return the lines of the program's output that match the pattern, with their times."""
+    """Return (time, match) for each line of the program's output that matches the pattern."""
     pattern, found = re.compile(str(one.wanted['pattern'])), []
     for row in rows_of(one.recording, 'output', one.wanted['package'], one.wanted['executable']):
         output = one.recording.output[row]
@@ -207,7 +210,10 @@ def _at(track: Track, time_s: float) -> tuple[float, float, float] | None:
 
 
 def _distance(track: Track, time_s: float, x: float, y: float) -> float:
-    """Return the distance of a position from the turtle at about that time in m. It is infinite without a pose."""
+    """Return the larger coordinate difference, in metres, between a position and the turtle at about that time.
+
+    Without a pose at that time, the result is infinite.
+    """
     near = [sample for sample in track if abs(sample[0] - time_s) <= 0.05]
     return min((max(abs(sample[1] - x), abs(sample[2] - y)) for sample in near), default=float('inf'))
 
@@ -215,7 +221,8 @@ def _distance(track: Track, time_s: float, x: float, y: float) -> float:
 @kind('The robot description has a joint from {parent} to {child}', 'child parent', 'joint')
 def described(run: Evidence, wanted: Wanted) -> None:
     """Require a joint between two links in the robot description on /robot_description, and transforms that follow from it.
-    `joint` is movable, or a type.
+
+    The value of `joint` is 'movable' or a joint type.
     """
     for one in wanted.of_each(run):
         found = require_topic(one.run, one.scenario, '/robot_description', try_=wanted.try_)
@@ -235,7 +242,7 @@ def described(run: Evidence, wanted: Wanted) -> None:
 
 @kind('A bag contains the messages on {topic}', 'topic', 'package')
 def bag(run: Evidence, wanted: Wanted) -> None:
-    """Require a bag with the messages of a topic, from a package, after launch has received Ctrl-C."""
+    """Require a bag with the messages of a topic after launch has received Ctrl-C. Only `package` may publish the topic."""
     for one in wanted.of_each(run):
         topic, bags = one.text('topic'), run.bags[one.scenario]
         require_topic(one.run, one.scenario, topic, None, wanted['package'] or None, wanted.try_)
@@ -256,7 +263,7 @@ def bag(run: Evidence, wanted: Wanted) -> None:
 
 @kind('The launch file is written in {format}', 'format')
 def written_in(run: Evidence, wanted: Wanted) -> None:
-    """Require this format of the file, and of the files that start its nodes. Files of edulaunch may have any format."""
+    """Require that the launch file and the files that start its nodes have a format. Files of edulaunch may have any format."""
     ending = f'.{str(wanted["format"]).lower()}'
     for one in wanted.of_each(run):
         started = [process.file for process in one.recording.processes if process.file]
