@@ -27,7 +27,11 @@ class Stepper:
         self._place: tuple[str, int] | None = None
 
     def go(self, way: str, place: tuple[str, int] | None = None) -> None:
-        """Continue until the stop that `way` names. For 'line', `place` contains the file (a name or a path) and the line."""
+        """Continue until the stop that `way` names.
+
+        :param way: the kind of stop.
+        :param place: for 'line', the file (a name or a path) and the line.
+        """
         self.way, self._place = way, place
         self._depth = self.at.depth if way == NEXT and self.at is not None else None
 
@@ -43,6 +47,9 @@ class Stepper:
         return self._depth is None or step.depth <= self._depth
 
     def stops_at(self, event: Step) -> bool:
-        """Return whether to stop before this event. The actions that follow an event are not part of an earlier include."""
+        """Return whether to stop before this event.
+
+        Forget the depth, because actions after an event are not part of an earlier include.
+        """
         self._depth = None
         return self.way == EVENT

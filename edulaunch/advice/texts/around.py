@@ -1,4 +1,4 @@
-"""The packages around a file: those of its workspace and the built-in ones."""
+"""The packages that a file can use: the packages of its workspace, and the built-in packages."""
 
 from __future__ import annotations
 
@@ -17,10 +17,11 @@ if TYPE_CHECKING:
 
 
 class Around:
-    """The packages that a launch of the text would find. They are read once. A new object reads them again.
+    """The packages that launch would find for a file. Each object reads the packages once.
 
-    :param path: the path at which the text is stored.
-    :param workspaces: folders with packages. The default is the folders that a command beside the file would find.
+    :param path: the path of the file.
+    :param workspaces: folders with packages (default: the folders that a command in the folder of the file would find).
+    :param env: the environment variables that determine these folders.
     """
 
     def __init__(self, path: str, workspaces: Sequence[str] = (), env: Mapping[str, str] | None = None) -> None:
@@ -36,7 +37,7 @@ class Around:
 
     @cached_property
     def index(self) -> Index:
-        """The packages."""
+        """The index of the packages."""
         from edulaunch.ros.sources import read_source
 
         built, sources = install_folders(self.workspaces)
@@ -44,7 +45,7 @@ class Around:
 
     @cached_property
     def registry(self) -> Any:
-        """The messages, services and actions of all packages."""
+        """The registry of the messages, services and actions of all packages."""
         return interfaces_of(self.index)[1]
 
     @cached_property
@@ -71,15 +72,16 @@ class Around:
         return found
 
     def unknown_package(self, package: str) -> dict[str, Any] | None:
-        """Return facts about a misspelt package; None for an existing package, or one that may be elsewhere."""
+        """Return facts about a misspelt package. Return None if the package exists, or may exist elsewhere."""
         if package in self.packages or self.index.absent(package) is not None:
             return None
         near = nearest_spelling(package, self.packages)
         return {'about': 'packages.unknown', 'package': package, 'near': near, 'searched': self.workspaces} if near else None
 
     def unknown_executable(self, package: str, executable: str) -> dict[str, Any] | None:
-        """Return facts about an executable that a package does not have; None if the package has it, or is not
-        known well enough.
+        """Return facts about an executable that a package does not contain.
+
+        Return None if the package contains it, or if the executables of the package are unknown.
         """
         from edulaunch.ros.sources.missing import missing_executable
 
