@@ -104,7 +104,7 @@ def _sign(level: str, reader: Reader) -> str:
 
 
 def _worded(templates: Iterable[str], facts: dict[str, Any], reader: Reader) -> str:
-    """Return the first template whose facts are all known, with the facts filled in. Return an empty string if no template fits."""
+    """Return the first template whose facts are all known, with the facts filled in, or an empty string."""
     for template in templates:
         if all(facts.get(name) not in (None, [], ()) for name in fields_of(template)):
             return reader.says(template).format_map({name: _listed(value, reader) for name, value in facts.items()})

@@ -204,7 +204,7 @@ class Broadcasts:
     def look(self, start_ns: int, sec: int, nanosec: int, pose: tuple[float, ...]) -> None:
         """Count one transform, and check it for mistakes.
 
-        :param start_ns: the time of the broadcast in nanoseconds.
+        :param start_ns: the time at which the simulation started, in nanoseconds since the epoch.
         :param sec: the seconds of the transform's time stamp.
         :param nanosec: the nanoseconds of the transform's time stamp.
         :param pose: x, y, z in metres, and the quaternion x, y, z, w.

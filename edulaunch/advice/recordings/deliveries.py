@@ -174,7 +174,7 @@ GOAL = '/_action/send_goal'
     level='error',
 )
 def asked_too_early(recording: Recording) -> Iterator[Finding]:
-    """Report a request to a service that was created only later."""
+    """Report a request to a service that did not exist until later."""
     offered: dict[str, float] = {}
     for end in recording.ends:
         if end.kind == 'service':

@@ -201,10 +201,7 @@ def dependency_missing(source: PackageInWorkspace) -> Iterator[Finding]:
     level='info',
 )
 def launch_not_named(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report the first package that a launch file needs and that package.xml does not list.
-
-    Report it once for each package.xml.
-    """
+    """Report a package whose launch files need dependencies that package.xml does not list. Name only the first dependency."""
     for name, file, line, _ in _missing(source):
         if _is_of_launch(name, file):
             yield found('dependency', name, file=file, line=line)

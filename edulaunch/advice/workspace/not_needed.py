@@ -46,8 +46,13 @@ _SHOWN = 5
 def answer(words: Sequence[str], folder: str = os.curdir) -> str | None:
     """Return the explanation of a command that is not needed here, or None for any other command.
 
-    The commands are `colcon`, `rosdep`, `vcs`, `apt` with packages of ROS, `source` of setup files, `ls` of folders that only a
-    build creates, and programs that open a window.
+    These commands have an explanation:
+
+    - `colcon`, `rosdep` and `vcs`
+    - `apt` with packages of ROS
+    - `source` of setup files
+    - `ls` of folders that only a build creates
+    - programs that open a window
 
     :param words: the command line, including `sudo`.
     :param folder: the current folder of the command.

@@ -101,7 +101,7 @@ def _is_committed(path: str) -> bool:
     level='info',
 )
 def package_is_repository(workspace: Workspace) -> Iterator[Finding]:
-    """Report a package.xml in the top folder of a git repository that is used as a workspace."""
+    """Report a package in the top folder of a git repository, if the doctor checks this folder as a workspace."""
     for package in workspace.packages:
         if package.folder == workspace.path and os.path.isdir(os.path.join(workspace.path, '.git')):
             yield found('package', package.name, file=package.manifest_file)
