@@ -69,6 +69,6 @@ def keywords_of(cls: type) -> list[str]:
             continue
         count = code.co_argcount + code.co_kwonlyargcount
         found += [name for name in code.co_varnames[1:count] if name not in found]
-        if not code.co_flags & 0x08:  # without **kwargs it passes no arguments on
+        if not code.co_flags & 0x08:  # without **kwargs, the constructor passes no arguments to its base class
             break
     return found

@@ -50,12 +50,12 @@ GROUPS = ('launch', 'programs', 'messages', 'packages', 'tf', 'time', 'turtlesim
 LEVELS = ('error', 'warning', 'info')
 """The levels, worst first: it does not work, it works only by chance or not as written, or it is worth knowing."""
 CONFIDENCES = ('stated', 'asked')
-"""A rule that states is certain. A rule that asks may be wrong about the intention, so its sentence is a question or contains
-'if'.
+"""A 'stated' finding is certain. An 'asked' finding may be wrong about the student's intention, so its sentence is a question or
+contains 'if'.
 """
 
 Sentence = str | tuple[str, ...]
-"""A template with facts in braces, as for `str.format`. Among several, the first one whose facts are all known counts."""
+"""A template with facts in braces, as for `str.format`, or several. The first one whose facts are all known is used."""
 
 
 EditForm = tuple[str, str, str]
@@ -147,8 +147,9 @@ def failure_of(error: BaseException) -> Failure:
 
 
 KINDS = ('errors', 'plans', 'recordings', 'scripts', 'sources', 'workspaces')
-"""The kinds of subjects of rules, each with a folder: a Failure, a Rehearsal, a Recording, launch files as syntax trees, a
-Source, a Workspace.
+"""The kinds of things that rules check, each with a folder of rules.
+
+They are a Failure, a Rehearsal, a Recording, launch files as syntax trees, a PackageInWorkspace, and a Workspace.
 """
 
 

@@ -18,7 +18,7 @@ Script = tuple[str, ast.Module]
 LONGEST = 400_000
 """The maximum size, in bytes, of a file that is parsed. Files written by hand are smaller."""
 SIDE_BY_SIDE = re.compile(r"""[\w/]['"]{1,3}[ \t]*[A-Za-z]{0,2}['"]{1,3}[\w/]""")
-"""Where a literal that ends like a name may be followed by one that starts like a name."""
+"""Matches a string literal that ends like a name, followed by a literal that starts like a name."""
 
 
 def launch_scripts(recording: Recording) -> list[Script]:

@@ -19,7 +19,7 @@ Place = tuple[str | None, int | None]
 NOWHERE: Place = (None, None)
 _ORIGIN = re.compile(r'(.+) line (\d+)')
 INTERRUPTS = ('KeyboardInterrupt', 'ExternalShutdownException')
-"""Exit codes of a program that Ctrl-C has ended, which is not a mistake of the program."""
+"""The exceptions with which Ctrl-C ends a program. They are not mistakes of the program."""
 ROS_OWN = ('/parameter_events', '/rosout', '/clock', '/tf', '/tf_static')
 """Topics that every node has, or that have their own rules."""
 

@@ -120,7 +120,7 @@ def local_not_attribute(failure: Failure) -> Iterator[Finding]:
         return
     for owner in ast.walk(tree):
         if isinstance(owner, ast.ClassDef) and owner.name == match[1]:
-            added = {id(node.target) for node in ast.walk(owner) if isinstance(node, ast.AugAssign)}  # needs a value before
+            added = {id(node.target) for node in ast.walk(owner) if isinstance(node, ast.AugAssign)}  # += needs an earlier value
             stores = [node for node in ast.walk(owner) if isinstance(node, (ast.Name, ast.Attribute)) and id(node) not in added]
             local = [node for node in stores if isinstance(node, ast.Name) and node.id == match[2] and _is_stored(node)]
             attributes = [
@@ -211,7 +211,8 @@ def attribute_never_set(failure: Failure) -> Iterator[Finding]:
         return
     for owner in (node for node in ast.walk(tree) if isinstance(node, ast.ClassDef) and node.name == match[1]):
         inner = list(ast.walk(owner))
-        added = {id(node.target) for node in inner if isinstance(node, ast.AugAssign)}  # += needs a value
+        added = {id(node.target) for node in inner if isinstance(node, ast.AugAssign)}  # += needs an earlier value
+
         uses = [node for node in inner if isinstance(node, ast.Attribute) and node.attr == match[2]]
         is_set = any(_is_stored(node) and id(node) not in added for node in uses)
         is_called = any(name_of_call(node) == match[2] for node in inner)

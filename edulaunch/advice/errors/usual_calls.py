@@ -32,7 +32,7 @@ LAUNCH_FORMS = (
     (r'LaunchDescription\.(add_action)\(\) takes 2 positional', '{}(action) once for each action'),
     (r'(generate_launch_description)\(\) missing \d+ required', 'def {}() without parameters'),
 )
-"""The same for launch files."""
+"""The same for functions that launch files call."""
 
 
 @rule(

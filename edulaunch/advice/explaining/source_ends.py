@@ -24,7 +24,7 @@ MAKERS = {
     'ActionServer': ('service', 1, 2),
     'ActionClient': ('client', 1, 2),
 }
-"""For each call, the kind of the endpoint, and the positions of its type and its name."""
+"""For each call, the kind of the endpoint, and the positions of the arguments with its type and its name."""
 KEYWORDS = {
     'create_publisher': 'topic',
     'create_subscription': 'topic',

@@ -227,7 +227,7 @@ def _hear(event: str, arguments: tuple[Any, ...]) -> None:
         return
     if (event == 'open' and not _writes(arguments)) or (event == 'ctypes.dlsym' and not OF_C.fullmatch(str(arguments[1]))):
         return
-    if arguments[:1] == (os.devnull,):  # at the exit of Python, too, when there are no tasks any more
+    if arguments[:1] == (os.devnull,):  # also at the exit of Python, when no tasks exist any more
         return
     task = running_task()
     closed = getattr(getattr(getattr(task, 'owner', None), 'host', None), 'closed', None)
@@ -240,7 +240,7 @@ def _writes(arguments: tuple[Any, ...]) -> bool:
     if not isinstance(path, (str, bytes)) or not isinstance(flags, int) or os.path.isdir(path):
         return False  # `tempfile` passes a folder here, and then creates a file in it
     if flags & os.O_EXCL and os.path.lexists(path):
-        return False  # the file exists, so the call fails without our help
+        return False  # the file exists, so the call fails anyway
     return bool(flags & WRITING) and not (NOWHERE and flags & NOWHERE == NOWHERE)
 
 

@@ -9,8 +9,14 @@ if TYPE_CHECKING:
     from edulaunch.advice.plan.steps import Step
 
 GO, INTO, NEXT, EVENT, LINE = 'go', 'into', 'next', 'event', 'line'
-"""Never stop. Stop before the next action. Stop before the next action after this include or group. Stop before the next event.
-Stop before an action that a line of a file creates, itself or by a function.
+"""The ways to continue a launch:
+
+- GO: never stop.
+- INTO: stop before the next action.
+- NEXT: stop before the next action after this include or group.
+- EVENT: stop before the next event.
+- LINE: stop before an action that a line of a file creates, directly or by calling a function.
+
 """
 
 

@@ -30,7 +30,7 @@ _EVENTS = {'ProcessStarted': 'when {name} has started', 'ProcessExited': 'when {
 MOST_REACTIONS = 20_000
 """How often event handlers may return actions. Launch handles events that follow from events in one step."""
 _NO_BRANCH = ('IncludeLaunchDescription', 'TimerEvent')
-"""Events whose consequences belong directly to the action."""
+"""Events whose consequences belong to the branch of the action itself."""
 
 
 class Watch:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
 
 FEWEST = 5
-"""The number of one-letter words from which a command line is suspicious, because programs rarely get five of them."""
+"""With at least this many one-letter words, a command line is suspicious, because programs rarely receive five of them."""
 ROS_FLAGS = ('-p', '--param', '--params-file')
 """Options that need --ros-args. A remapping without it is deprecated, but ROS 2 applies it and logs how to write it."""
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 LESSON = '09_broadcaster_and_listener'
 ENOUGH = 5
-"""The number of transforms from which two equal series have one cause."""
+"""With at least this many equal transforms, two series have the same cause."""
 
 
 @rule(

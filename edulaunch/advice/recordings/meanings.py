@@ -50,7 +50,7 @@ lookup.
 
 
 FAR = 0.98
-"""The cosine of half the angle between heading and rotation. Below it, they differ: by more than 23 degrees."""
+"""A limit for the cosine of half the angle between heading and rotation. Below this value, the angle is more than 0.4 rad."""
 
 
 @rule(
@@ -175,7 +175,7 @@ def _turned(recording: Recording) -> list[tuple[Broadcasts, str, list[tuple[floa
     hides=('turtlesim.wall', 'tf.lookup-swapped'),
 )
 def other_yaw(recording: Recording) -> Iterator[Finding]:
-    """Report a turtle's frame whose rotation differs from the turtle's heading by 0.2 rad or more in nine of ten transforms.
+    """Report a turtle's frame whose rotation differs from the turtle's heading by more than 0.4 rad in nine of ten transforms.
 
     The frame must have the position of the turtle.
     """

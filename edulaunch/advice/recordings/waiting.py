@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 LESSON = '09_broadcaster_and_listener'
 OFTEN = 3
-"""The number of late calls from which they form a pattern, because the first calls of nodes are often late."""
+"""With at least this many late calls, they form a pattern. The first calls of nodes are often late."""
 
 
 def _of(recording: Recording, kind: str) -> list[Fact]:

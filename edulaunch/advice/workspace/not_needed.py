@@ -20,7 +20,7 @@ WINDOWS = {
     'rqt_tf_tree': 'tree',
     'rviz2': 'frames',
 }
-"""Commands or packages, with the tab of the live view that replaces each."""
+"""Commands and packages with a window, and the tab of the live view that replaces it."""
 
 
 def shown_by(name: str) -> str:

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 SECONDS = 20.0
 ELSEWHERE = 'launch.needs-elsewhere'
-"""A rule about a launch file that needs a package or module of others. For a folder, one line says so."""
+"""A rule about a launch file that needs a missing package or module. For a folder, the doctor prints one line about it."""
 NOT_PYTHON = 'packages.not-python'
 """A rule that is less specific than the findings of a dry run at the same place."""
 OF_FOLDER_S = 8.0

@@ -17,7 +17,7 @@ from edulaunch.errors import UnusableInput
 _RULE = re.compile(rf'({"|".join(GROUPS)})\.[a-z][a-z0-9-]*')
 _FACT = re.compile(r'\{(\w+)\}')
 EXAMPLES = os.path.join(os.path.dirname(rule_module.__file__), 'examples.json')
-"""For each rule, the example of `tests/advice/examples`: the difference to the healthy file, and the report."""
+"""For each rule, the example of `tests/advice/examples`: the difference from the correct file, and the report."""
 
 
 def is_rule(word: str) -> bool:

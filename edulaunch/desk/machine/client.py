@@ -19,7 +19,7 @@ from edulaunch.desk.machine.starting import CannotConnect, connect, open_connect
 from edulaunch.runtime.framing import Frames, frame
 
 ANSWER_S = 3.0
-"""A running machine has this many seconds to answer `edulaunch machine ...`; then the guardian answers."""
+"""A running machine has this many seconds to answer `edulaunch machine ...`. After that, the terminal stops waiting."""
 STOP_S = 5.0
 """A guardian has this many seconds to end its machine."""
 END_S = 15.0
@@ -61,7 +61,9 @@ def _follow(connection: socket.socket, address: Address, words: Sequence[str], p
             if words[:1] != ['machine']:
                 sys.stderr.write('\nthe machine does not answer; this terminal has left it\n')
             return error.code
-    if code is None and (follower.is_welcome or follower.has_explained or _complaint()):  # a new machine would hide its end
+    if code is None and (
+        follower.is_welcome or follower.has_explained or _complaint()
+    ):  # a new machine would hide why this one has ended
         return _failed(f'the machine has ended{_reason()}')
     return code
 

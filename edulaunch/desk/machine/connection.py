@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.processes.process import Process
 
 MOST_UNREAD = 32 << 20
-"""If more bytes wait for a terminal that does not read, the terminal is considered dead."""
+"""If more bytes than this wait for a terminal that does not read, the connection is closed."""
 CHUNK = 1 << 16
 SOON_S = 0.02
 

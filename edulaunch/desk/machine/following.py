@@ -23,10 +23,10 @@ if TYPE_CHECKING:
 
 PASSED_ON = ('SIGINT', 'SIGTERM', 'SIGQUIT')
 MOST_PRESSES = 3
-"""After this many unanswered signals, a terminal leaves the machine."""
+"""After this many unanswered signals, a terminal stops waiting for the machine."""
 LOOK_S = 1.0
 ANSWER_S = 1.5
-"""A machine has this many seconds to answer a signal; then the terminal explains the state, and leaves after SIGTERM."""
+"""A machine has this many seconds to answer a signal. After that, the terminal explains the state, and ends after SIGTERM."""
 EXPLAINED_S, LONG_S, GIVE_UP_S = 2.0, 20.0, 60.0
 """After this many seconds without a first answer, a terminal prints what the guardian knows, and gives up."""
 BROKEN_PIPE = 141

@@ -38,7 +38,7 @@ TURN_LIMIT_S = 2.0
 INTERRUPT, END = 5, 8
 """Python may be silent for this many turn limits before its program is interrupted, and before the machine is killed."""
 BUSY_INTERRUPT, BUSY_END = 12, 30
-"""The same while Python still runs: the watchdog inside the machine acts first."""
+"""The same limits while Python still runs. In this case, the watchdog inside the machine acts first."""
 STOP_S = 1.0
 """A machine has this many seconds to end by itself when a user stops it."""
 ENGINE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))) + os.sep

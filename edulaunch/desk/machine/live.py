@@ -111,7 +111,7 @@ class LiveMachine(ViewedMachine):
         for page in list(self.pages):
             page.show()
 
-    # -- requests of its pages
+    # -- requests of pages
 
     def soon(self, action: Callable[[], object]) -> None:
         """Run a function on the machine's thread. Any thread may call this method."""

@@ -10,7 +10,7 @@ from typing import Any, Protocol
 from edulaunch.runtime import plugins
 
 FARTHEST_NS = 24 * 3600 * 10**9
-"""If the clock differs from real time by more than this, the machine cannot join: its recording would have such a gap."""
+"""The largest difference from real time, in nanoseconds, with which a machine can join. Its recording would contain this gap."""
 
 
 def is_walls_time(now_ns: int) -> bool:

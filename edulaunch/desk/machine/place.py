@@ -18,9 +18,9 @@ HEARTBEAT = 4
 BEATS = 3
 """The file descriptor of the guardian's end of that pipe."""
 IDLE_SIGN, BUSY_SIGN = '+\n', '-\n'
-"""The bytes in the pipe: no long turn, or a program has not yielded since the last byte."""
+"""The messages in the pipe: the machine waits for terminals, or a program has not yielded since the last message."""
 LONGEST_SOCKET_PATH = 103
-"""macOS allows no longer path of a socket; Linux allows 107 bytes."""
+"""The longest path of a socket on macOS, in bytes. Linux allows 107 bytes."""
 BACKLOG = 256
 
 

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 LONGEST_SLEEP_S = 0.02
 KEPT_S = 600.0
 COMMAND_S = 5.0
-"""Ctrl-C is pressed for a command after this many simulated seconds."""
+"""A command receives SIGINT after this many simulated seconds."""
 
 
 class Machine(LiveMachine):
@@ -49,7 +49,7 @@ class Machine(LiveMachine):
     """
 
     can_continue = True
-    """True until it joins a real network, because messages from there cannot be repeated."""
+    """True until the machine joins a real network, because messages from the network cannot be repeated."""
 
     def __init__(
         self, make: Callable[[int], Session], speed: float = 1.0, keep_s: float | None = None, *, step: bool = False

@@ -86,7 +86,7 @@ class _Socket(Guarded, WebSocketHandler):
                     *lines, line = (line + payload).split(b'\n')
                     for text in lines:
                         await self.write_message(text)
-        except Exception:  # one side has closed: close the other one
+        except Exception:  # one connection has ended, so close the other one
             self.close()
 
     def on_message(self, message: str | bytes) -> None:

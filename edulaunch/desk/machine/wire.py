@@ -21,7 +21,7 @@ ERRORS = ord(b'2')
 MODE = ord(b'M')
 """The mode of the keyboard: a sum of CANONICAL, ECHO and SIGNALS."""
 READ = ord(b'R')
-"""A program reads: pass on the keyboard from now on."""
+"""A program reads, so the terminal must send its keyboard input from now on."""
 EXIT = ord(b'X')
 
 CANONICAL, ECHO, SIGNALS = 1, 2, 4

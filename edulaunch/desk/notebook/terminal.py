@@ -17,10 +17,10 @@ from edulaunch.errors import UnusableInput
 ONLY_SHOWS = {'-h', '--help', '-s', '--show-args', '--show-arguments', '-p', '--print', '--print-description'}
 """With one of these options, `ros2 launch` starts nothing."""
 LISTS = (['node', 'list'], ['topic', 'list'], ['service', 'list'], ['param', 'list'], ['action', 'list'])
-"""These commands find nothing on an idle machine, and ROS 2 prints nothing then."""
+"""Commands that print nothing if no program runs, as in ROS 2."""
 NOTHING_RUNS = 'note: no program runs yet; start one with %ros2 launch PACKAGE FILE, or %ros2 run PACKAGE EXECUTABLE &\n'
 SAID_ALWAYS = ('warning:', 'error:', 'note:')
-"""Output that `--quiet` does not hide."""
+"""The beginnings of the lines that `--quiet` does not hide."""
 
 
 class CellTerminal:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 SIGNS = {'+': ('new', 'only in the second'), '-': ('gone', 'only in the first'), '~': ('changed', 'differs')}
-"""The class and the meaning of each sign."""
+"""The CSS class and the meaning of each sign."""
 STYLE = """
 :root { color-scheme: light dark; --ink: #1b1b1b; --paper: #fff; --new: #265cb2; --gone: #964e00; --changed: #1b1b1b; }
 @media (prefers-color-scheme: dark) {

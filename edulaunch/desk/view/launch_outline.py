@@ -20,7 +20,7 @@ SCOPES = frozenset(
 DEEPEST = 40
 MOST_ROWS = 1000
 MOST_EVENTS = 200
-"""Limits for a page that stays readable: levels of the tree, steps, and events."""
+"""The largest numbers of levels, steps and events with which the page is still readable."""
 STYLE = """<style>
 .launch-outline{--bad:#a3231f;--lit:#8a4500;--soft:#555;--rule:#8a8a8a;overflow-wrap:anywhere}
 @media(prefers-color-scheme:dark){.launch-outline{--bad:#ff8f86;--lit:#ffb454;--soft:#b4b8be;--rule:#767b84}}

@@ -27,7 +27,7 @@ FILES = (
     'launch.js',
     'desk.js',
 )
-"""The script files in the order of their dependencies; together they are one script."""
+"""The script files in the order of their dependencies. They are joined to one script."""
 
 POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; connect-src 'self'"
 """What a page may load: itself, and the connection to the server that sent it."""
@@ -86,7 +86,7 @@ def recorded_page(delta: dict[str, Any], title: str, tab: str = 'graph', *, smal
 
 def _without_script(delta: dict[str, Any], title: str) -> str:
     """Return the launch as HTML. If scripts run, the page replaces this HTML."""
-    from edulaunch.desk.view.launch_outline import launch_outline  # late, because a live view has no such part
+    from edulaunch.desk.view.launch_outline import launch_outline  # imported here, because a live view does not need it
 
     outline = launch_outline(delta.get('launches', ()), delta['now'])
     style = 'color-scheme: light dark; color: CanvasText; background: Canvas; font: 16px/1.45 system-ui, sans-serif; padding: 1em'

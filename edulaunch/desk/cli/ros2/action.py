@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from rclpy.node import Node
 
 CANCEL_PATIENCE_S = 1.0
-"""Ctrl-C often ends the server too; then no result will come."""
+"""After Ctrl-C, wait this many seconds for the result, because Ctrl-C often ends the server, too."""
 STATUS_WORDS = ('UNKNOWN', 'ACCEPTED', 'EXECUTING', 'CANCELING', 'SUCCEEDED', 'CANCELED', 'ABORTED')
 
 

@@ -17,7 +17,7 @@ from edulaunch.engine.processes.current import current_process
 from edulaunch.errors import MissingExtra
 
 EVENT_TOPIC, EVENT_TYPE = '/_service_event', '_Event'
-"""The endings of the topic of a service's events, and of its type."""
+"""The endings of the name and of the type of the topic with a service's events."""
 WIDTH = 19
 LOG_LEVELS = ('debug', 'info', 'warn', 'error', 'fatal')
 SORTED_BY: dict[str, Callable[[dict[str, Any]], Any]] = {

@@ -29,7 +29,7 @@ ACCEPTED = (
     (('--storage-config-file',), 'the storage has its usual settings'),
     (('--wait-for-all-acked',), 'a message arrives before the next one is published'),
 )
-"""Options of ROS 2 without an effect in a simulation: their names, and what happens instead."""
+"""Options of ROS 2 that have no effect in a simulation: the names of each option, and what happens instead."""
 
 
 class Player:

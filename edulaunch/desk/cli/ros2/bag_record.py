@@ -34,7 +34,7 @@ ACCEPTED = (
     (('--compression-threads',), 'the bag is compressed at the end'),
     (('--compression-threads-priority',), 'the bag is compressed at the end'),
 )
-"""Options of ROS 2 without an effect in a simulation: their names, and what happens instead."""
+"""Options of ROS 2 that have no effect in a simulation: the names of each option, and what happens instead."""
 
 
 class BagTopic:

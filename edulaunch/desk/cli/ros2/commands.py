@@ -149,7 +149,7 @@ MODULES = {
     'topic hz': 'topic_measuring',
     'wtf': 'system_checks',
 }
-"""Verbs with a file of their own, and commands in the file of another command."""
+"""The file of each verb that has its own file, and of each command that is in the file of another command."""
 NOT_HERE = {
     'control': 'edulaunch has no ros2_control',
     'plugin': 'plugins are C++ libraries, which cannot run here',
