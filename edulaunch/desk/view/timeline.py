@@ -197,7 +197,7 @@ class Timeline:
 
         :param name: the name of the part, such as 'nodes'.
         :param row_of: a function that converts a row to plain data.
-        :param end: the index or key of a value of the row. Until the row ends, this value is None.
+        :param end: the index or key of a value of the row. This value stays None until the row ends.
         """
         numbers, new = self._source.numbers(name), self._new(name)
         rows = self._source.part(name)
