@@ -50,9 +50,7 @@ GROUPS = ('launch', 'programs', 'messages', 'packages', 'tf', 'time', 'turtlesim
 LEVELS = ('error', 'warning', 'info')
 """The levels, worst first: it does not work, it works only by chance or not as written, or it is worth knowing."""
 CONFIDENCES = ('stated', 'asked')
-"""A 'stated' finding is certain. An 'asked' finding may be wrong about the student's intention, so its sentence is a question or
-contains 'if'.
-"""
+"""A 'stated' finding is certain. An 'asked' finding may be wrong about the intention, so its sentence asks or contains 'if'."""
 
 Sentence = str | tuple[str, ...]
 """A template with facts in braces, as for `str.format`, or several. The first one whose facts are all known is used."""

@@ -139,8 +139,7 @@ HOMES = {
     'nav_msgs.msg': 'Odometry',
     'turtlesim.srv': 'Kill SetPen Spawn TeleportAbsolute TeleportRelative',
 }
-"""Names that tutorials import, by module. `Pose` is the message of geometry_msgs, because a user of turtlesim's `Pose` notices
-the difference."""
+"""Names that tutorials import, by module. `Pose` is the one of geometry_msgs: users of turtlesim's notice the difference."""
 _HOME_OF = {name: home for home, names in HOMES.items() for name in names.split()}
 
 

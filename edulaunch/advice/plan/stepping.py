@@ -9,13 +9,9 @@ if TYPE_CHECKING:
     from edulaunch.advice.plan.steps import Step
 
 GO, INTO, NEXT, EVENT, LINE = 'go', 'into', 'next', 'event', 'line'
-"""The ways to continue a launch:
+"""Where to stop next: GO nowhere, INTO before the next action, NEXT after this include or group, EVENT before the next event.
+LINE stops before an action that a line of a file creates, directly or by calling a function.
 
-- GO: never stop.
-- INTO: stop before the next action.
-- NEXT: stop before the next action after this include or group.
-- EVENT: stop before the next event.
-- LINE: stop before an action that a line of a file creates, directly or by calling a function.
 
 """
 

@@ -61,9 +61,7 @@ def _follow(connection: socket.socket, address: Address, words: Sequence[str], p
             if words[:1] != ['machine']:
                 sys.stderr.write('\nthe machine does not answer; this terminal has left it\n')
             return error.code
-    if code is None and (
-        follower.is_welcome or follower.has_explained or _complaint()
-    ):  # a new machine would hide why this one has ended
+    if code is None and (follower.is_welcome or follower.has_explained or _complaint()):  # a new machine would hide the reason
         return _failed(f'the machine has ended{_reason()}')
     return code
 

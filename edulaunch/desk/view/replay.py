@@ -65,9 +65,7 @@ class RecordingSource:
         from edulaunch.engine.recording.canonical import canonical
 
         for topic in recording.topics:
-            recording.wires(
-                topic, recording.topics[topic].type
-            )  # raises an error if messages of a damaged file do not fit their type
+            recording.wires(topic, recording.topics[topic].type)  # rejects messages of a damaged file
         self._content = canonical(recording._content)
         self._lines = recording.lines
         self._class = recording.message_class
