@@ -146,7 +146,6 @@ def failure_of(error: BaseException) -> Failure:
 
 KINDS = ('errors', 'plans', 'recordings', 'scripts', 'sources', 'workspaces')
 """The kinds of things that rules check, each with a folder of rules.
-
 They are a Failure, a Rehearsal, a Recording, launch files as syntax trees, a PackageInWorkspace, and a Workspace.
 """
 
