@@ -313,7 +313,7 @@ def not_an_action(failure: Failure) -> Iterator[Finding]:
     lesson='01_first_launch',
 )
 def condition_object(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `condition=LaunchConfiguration('x')`."""
+    """Report an object that is not a condition, as in `condition=LaunchConfiguration('x')`."""
     match = re.match(r"'(\w+)' object has no attribute 'evaluate'", failure.message)
     if match is not None and failure.process is None:
         yield report(failure, given=match[1])
@@ -326,7 +326,7 @@ def condition_object(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def no_event_actions(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `on_exit='shutdown'` in Python."""
+    """Report a string in place of actions, as in `on_exit='shutdown'` in Python."""
     if failure.message.startswith("expected all items in 'on_event' iterable"):
         yield report(failure)
 
@@ -341,7 +341,10 @@ def no_event_actions(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def value_too_early(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `LaunchConfiguration('count') > 1`, and a call of `.perform()` without a context."""
+    """Report a substitution that is used like its value, as in `LaunchConfiguration('count') > 1`.
+
+    Also report a call of `.perform()` without a context.
+    """
     match = re.match(r"'[<>]=?' not supported between instances of '(\w+)'|(\w+)\.perform\(\) missing 1 req", failure.message)
     counted = re.match(r"'(\w+)' object cannot be interpreted as an integer", failure.message)
     name = counted[1] if counted is not None else None if match is None else match[1] or match[2]
@@ -356,7 +359,10 @@ def value_too_early(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def default_no_choice(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `choices='true false'`, which Python reads as a list of letters, or `choices=[True, False]`."""
+    """Report a default that is not among the choices, as with `choices=[True, False]`.
+
+    Python reads `choices='true false'` as a list of letters.
+    """
     match = re.match(r'Provided default_value "(.*)" is not in provided choices', failure.message)
     if match is not None:
         yield report(failure, default=match[1])
@@ -369,7 +375,7 @@ def default_no_choice(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def bool_wanted(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `respawn='yes'`."""
+    """Report a string for a boolean argument, as in `respawn='yes'`."""
     match = re.match(r"value=(.*) is not an instance of <class 'bool'>", failure.message)
     if match is not None and failure.process is None:
         yield report(failure, value=match[1])
@@ -383,7 +389,7 @@ def bool_wanted(failure: Failure) -> Iterator[Finding]:
     hides=('launch.element',),
 )
 def number_wanted(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `period='2 s'`."""
+    """Report a string that is not a number where launch expects a number, as in `period='2 s'`."""
     match = re.match(r"could not convert string to float: '(.*)'", failure.message)
     if match is not None and failure.process is None:
         yield report(failure, value=match[1])
@@ -396,7 +402,7 @@ def number_wanted(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def text_is_bytes(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `'ready' in event.text` in a handler of OnProcessIO."""
+    """Report a string that a handler of OnProcessIO compares with bytes, as in `'ready' in event.text`."""
     match = re.match(
         'a bytes-like object is required|argument should be integer or bytes-like|.*must be bytes or', failure.message
     )
@@ -411,6 +417,6 @@ def text_is_bytes(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def target_no_action(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `target_action='sim'`."""
+    """Report a string in place of an action, as in `target_action='sim'`."""
     if failure.message.startswith("action_matcher must be an '"):
         yield report(failure)

@@ -265,7 +265,7 @@ def import_name(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def relative_import(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `from .other import x`."""
+    """Report a relative import in a launch file, such as `from .other import x`."""
     if failure.process is None and failure.message.startswith('attempted relative import'):
         yield report(failure)
 

@@ -46,7 +46,7 @@ def other_node(failure: Failure) -> Iterator[Finding]:
     edits=(('{given}', '{meant}'),),
 )
 def set_for_dictionary(failure: Failure) -> Iterator[Finding]:
-    """Report `launch_arguments={'red', '200'}.items()`."""
+    """Report a set in place of a dictionary, as in `launch_arguments={'red', '200'}.items()`."""
     is_set = failure.process is None and failure.message == "'set' object has no attribute 'items'"
     for node in ast.walk(script_of(failure.file) or ast.Module([], [])) if is_set else ():
         value = node.value if isinstance(node, ast.Attribute) and node.attr == 'items' else None

@@ -239,8 +239,10 @@ _JOINED = re.compile(
     hides=('programs.sign-in-name',),
 )
 def joined_too_early(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `'carrot_' + LaunchConfiguration('leader')`, an f-string that contains a substitution, or a minus sign
-    in front of a substitution.
+    """Report a substitution that is joined to a string, as in `'carrot_' + LaunchConfiguration('leader')` or in an f-string.
+
+    Also report a minus sign in front of a substitution.
+
     """
     match = _JOINED.match(failure.message)
     given = (

@@ -84,7 +84,7 @@ def result_too_early(failure: Failure) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def path_too_early(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `os.path.join(FindPackageShare('robo'), 'config')` or `open(LaunchConfiguration('file'))`."""
+    """Report a substitution in place of a path, as in `os.path.join(FindPackageShare('robo'), 'config')`."""
     match = re.match(r'(?:expected str, bytes or os.PathLike object|.*should be string.*), not (\w+)', failure.message)
     if match is not None and hasattr(class_named(match[1]), 'perform'):
         yield report(failure, given=match[1])
@@ -248,7 +248,7 @@ ELSEWHERE = {
     level='error',
 )
 def other_module(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `rclpy.remove_ros_args(...)`."""
+    """Report a name such as `rclpy.remove_ros_args` that is not in `rclpy` itself, but in one of its modules."""
     match = re.match(r"module 'rclpy' has no attribute '(\w+)'", failure.message)
     if match is not None and match[1] in ELSEWHERE:
         yield report(failure, part=match[1], module=ELSEWHERE[match[1]])

@@ -145,7 +145,7 @@ def future_no_answer(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def goal_handle_no_result(failure: Failure) -> Iterator[Finding]:
-    """Report `future.result().result` for the future of send_goal_async()."""
+    """Report `future.result().result` for the future of send_goal_async(). Its result is a goal handle."""
     if failure.process is not None and failure.message.startswith("'ClientGoalHandle' object has no attribute 'result'"):
         yield report(failure)
 

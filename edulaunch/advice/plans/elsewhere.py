@@ -123,7 +123,10 @@ def needs_keyboard(rehearsal: Rehearsal) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def needs_variable(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a required environment variable: EnvironmentVariable without a default, or os.environ['NAME']."""
+    """Report a missing environment variable that a launch file needs.
+
+    The launch file reads it with EnvironmentVariable without a default, or with os.environ['NAME'].
+    """
     error = rehearsal.plan['error']
     if error is None or (error.get('facts') or {}).get('near'):
         return

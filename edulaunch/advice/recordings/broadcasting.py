@@ -192,7 +192,7 @@ def zero_rotation(recording: Recording) -> Iterator[Finding]:
     hides=('tf.empty-buffer',),
 )
 def not_a_number(recording: Recording) -> Iterator[Finding]:
-    """Report nan in a translation or rotation."""
+    """Report a translation or rotation that contains nan."""
     return _odd(recording, 'nan')
 
 

@@ -90,7 +90,7 @@ def made_after_spin(recording: Recording) -> Iterator[Finding]:
     hides=('programs.never-spun', 'messages.not-taken', 'programs.after-shutdown'),
 )
 def spun_in_turn(recording: Recording) -> Iterator[Finding]:
-    """Report two calls of rclpy.spin() in one block, for two nodes."""
+    """Report a block that calls rclpy.spin() twice, for two nodes."""
     for file, tree in program_scripts(recording):
         for body in (getattr(node, 'body', None) for node in walked(tree)):
             calls = [call for line in body for call in _calls(line)] if isinstance(body, list) else []

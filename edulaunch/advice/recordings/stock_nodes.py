@@ -125,7 +125,7 @@ def _urdf_place(recording: Recording, description: str, sign: str) -> tuple[str,
     hides=('programs.died', 'launch.joint-type', 'tf.unknown-frame', 'messages.no-joint-states'),
 )
 def xacro_not_processed(recording: Recording) -> Iterator[Finding]:
-    """Report a robot description whose elements begin with `xacro:`."""
+    """Report a robot description that still contains elements of xacro, such as `xacro:property`."""
     for process in recording.processes:
         if process.executable == 'robot_state_publisher':
             tag = re.search(r'<(xacro:\w+)', _description(recording, process))

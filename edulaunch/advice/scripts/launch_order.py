@@ -115,7 +115,7 @@ LONG_S = 300.0
     confidence='asked',
 )
 def timer_in_milliseconds(scripts: list[Script]) -> Iterator[Finding]:
-    """Report a literal timer period of 300 or more."""
+    """Report a literal timer period of 300 s or more. The student probably meant milliseconds."""
     for file, tree in scripts:
         for call in walked(tree):
             if isinstance(call, ast.Call) and name_of_call(call) == 'TimerAction':

@@ -32,7 +32,7 @@ class Around:
 
     @cached_property
     def workspaces(self) -> list[str]:
-        """Folders with packages."""
+        """The folders that contain the packages."""
         return self._workspaces or find_workspaces(os.path.dirname(self.path), self._env, self.path)
 
     @cached_property

@@ -10,7 +10,7 @@ SCRIPTS = {shell: (SHELLS / f'completion.{shell}').read_text('utf-8') for shell 
 
 
 def completion_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the name of the shell, and the option that the completion script uses."""
+    """Add the argument for the shell, and the option that the completion script uses."""
     parser.add_argument('shell', choices=sorted(SCRIPTS), help='print the script for this shell')
     parser.add_argument('--line', metavar='TEXT', help='print the candidates for the end of this line (for the script)')
 

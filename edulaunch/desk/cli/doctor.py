@@ -41,7 +41,7 @@ ENDINGS = ('.launch.py', '.launch.xml', '.launch.yaml', '.launch.yml', '_launch.
 
 
 def doctor_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the file, folder, package or recording to examine, and the options for the form of the report."""
+    """Add the argument for the file, folder, package or recording to examine, and the options of the report."""
     parser.add_argument(
         'target',
         metavar='FILE | FOLDER | RECORDING | PACKAGE',

@@ -36,7 +36,7 @@ EXAMPLES = """examples:
 
 
 def explain_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the launch file, as for `edulaunch launch`, and the node, parameter or launch argument to explain."""
+    """Add the arguments for the launch file, and for the node, parameter or launch argument to explain."""
     parser.epilog = EXAMPLES
     parser.add_argument('package_or_path', metavar='PACKAGE | PATH | RULE', help='package of the launch file, or its path')
     parser.add_argument(

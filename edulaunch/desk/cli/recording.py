@@ -204,7 +204,7 @@ def write_picture(recording: Recording, path: str, what: str | None = None, time
 
 
 def diff_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the two recordings, and the paths for a picture and a page."""
+    """Add the arguments for the two recordings, and the options for a picture and a page."""
     _file_arguments(parser)
     parser.add_argument('other', metavar='OTHER', help='the recording to compare with')
     parser.add_argument('--png', metavar='OUT', help='write a picture of both graphs with their differences')

@@ -30,13 +30,14 @@ class RosMagics(Magics):
         """Run `ros2` on the simulated machine. `%%ros2` runs several commands, one on each line, and returns the last Recording::
 
         %ros2 launch PACKAGE FILE name:=value --for 20     start a new machine, run 20 simulated seconds, return the Recording
-        %ros2 topic list                                   any other command, beside the programs that still run
+        %ros2 topic list                                   run any other command, together with the programs that still run
         %ros2 topic echo /turtle1/pose --for 2             press Ctrl-C after 2 simulated seconds
-        %ros2 run turtlesim draw_square &                  run it in the background; a program that reads keys gets buttons
+        %ros2 run turtlesim draw_square &                  run it in the background; buttons appear for a program that reads keys
         %ros2 view frames                                  show the live view with its tab Frames; time passes while it is visible
         %ros2 jobs      %ros2 stop      %ros2 wait 5       list jobs, end them, let simulated seconds pass
 
-        --quiet after a launch or a run shows only errors. Tab completes. Brackets and dollar signs are passed on unchanged.
+        With --quiet, a launch or a run shows only errors. The Tab key completes words. `ros2` receives brackets and dollar signs
+        unchanged.
         """
         return self._printing(lambda: self.terminal.ros2(line) if cell is None else self.terminal.several(line, cell))
 

@@ -127,7 +127,7 @@ def event_kind(data: bytes) -> int:
 
 
 def info_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the bag, and the options that choose what to print."""
+    """Add the argument for the bag, and the options that choose what to print."""
     parser.add_argument('bag_path', help='Bag to open')
     parser.add_argument('-t', '--topic-name', action='store_true', help='Only display topic names.')
     parser.add_argument('--sort', choices=tuple(SORTED_BY), default='name', help='Configuration for sorting of output.')

@@ -19,13 +19,13 @@ CONTAINER_PACKAGE, CONTAINER_EXECUTABLE, CONTAINER_NAME = 'rclcpp_components', '
 
 
 def _container_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the name of the container."""
+    """Add the argument for the container."""
     cli_node.add_arguments(parser)
     parser.add_argument('container_node_name', help='Container node name')
 
 
 def _component_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the component, and the options for its node."""
+    """Add the arguments for the component, and the options for its node."""
     parser.add_argument('package_name', help='Package name where the component can be found')
     parser.add_argument('plugin_name', help='Type name of the component, such as composition::Talker')
     parser.add_argument('-n', '--node-name', help='Component node name')
@@ -116,7 +116,7 @@ def _parameter(text: str) -> Any:
 
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the container. If the user names none, the verb lists all containers."""
+    """Add the argument for the container. If the user names none, the verb lists all containers."""
     cli_node.add_arguments(parser)
     parser.add_argument('container_node_name', nargs='?', help='Container node name to list components from')
     parser.add_argument('--containers-only', action='store_true', help='List found containers nodes only')
@@ -134,7 +134,7 @@ def list_verb(arguments: argparse.Namespace) -> None:
 
 
 def load_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the container and the component."""
+    """Add the arguments for the container and the component."""
     _container_arguments(parser)
     _component_arguments(parser)
 
@@ -146,7 +146,7 @@ def load_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def standalone_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the component, and an option for the name of the container."""
+    """Add the arguments for the component, and an option for the name of the container."""
     cli_node.add_arguments(parser)
     _component_arguments(parser)
     parser.add_argument('-c', '--container-node-name', default=None, help='Name of the container node')
@@ -173,7 +173,7 @@ def standalone_verb(arguments: argparse.Namespace) -> str | int | None:
 
 
 def types_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the package. If the user names none, the verb lists the components of all packages."""
+    """Add the argument for the package. If the user names none, the verb lists the components of all packages."""
     parser.add_argument('package_name', nargs='?', help='Package name to list components from')
 
 
@@ -207,7 +207,7 @@ def _registered() -> dict[str, list[str]]:
 
 
 def unload_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the container, and the numbers of the components."""
+    """Add the arguments for the container and for the numbers of the components."""
     _container_arguments(parser)
     parser.add_argument('component_uid', nargs='+', type=int, help='Unique ID of the component node to be unloaded')
 

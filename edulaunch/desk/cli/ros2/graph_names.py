@@ -37,7 +37,7 @@ def node_names(node: Node, include_hidden: bool = True) -> list[str]:
 
 
 def add_name_arguments(parser: argparse.ArgumentParser, what: str, purpose: str, example: str) -> None:
-    """Add the options for discovery, and the name of a topic, service or action.
+    """Add the options for discovery, and the argument for the name of a topic, service or action.
 
     :param parser: the parser to extend.
     :param what: 'topic', 'service' or 'action'.

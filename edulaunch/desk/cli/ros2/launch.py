@@ -1,4 +1,7 @@
-"""`ros2 launch` runs a launch file in this process; `edulaunch launch` has the same options. `ros2 run` runs a program."""
+"""`ros2 launch` runs a launch file in its own process, and `ros2 run` runs a program.
+
+`edulaunch launch` has the same options as `ros2 launch`.
+"""
 
 from __future__ import annotations
 
@@ -55,7 +58,7 @@ def prefix_arguments(arguments: argparse.Namespace) -> dict[str, str]:
 
 
 def launch_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the launch file, the options and the launch arguments."""
+    """Add the arguments of `ros2 launch`: the launch file, the options and the launch arguments."""
     add_launch_arguments(parser)
     parser.add_argument('--view', action='store_true', help='open the live view in a browser while it runs')
     parser.add_argument('package_name', help='Name of the ROS package which contains the launch file, or path of a launch file')

@@ -42,7 +42,7 @@ class NodeNotFound(RuntimeError):
 
 
 def add_node_arguments(parser: argparse.ArgumentParser, *, optional: bool = False) -> None:
-    """Add the name of the node, and the time to wait for the node.
+    """Add the argument for the node, and the option for the time to wait for the node.
 
     :param parser: the parser to extend.
     :param optional: whether the user may leave out the name.

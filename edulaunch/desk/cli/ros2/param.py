@@ -64,7 +64,7 @@ def _lines(descriptor: Any) -> list[str]:
 
 
 def dump_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the node, and the options for the output."""
+    """Add the argument for the node, and the options for the output."""
     node_parameters.add_node_arguments(parser)
     parser.add_argument('--output-dir', help='The folder where the generated file is saved, as NODE.yaml')
     parser.add_argument('--print', action='store_true', help='accepted; without --output-dir everything is printed')

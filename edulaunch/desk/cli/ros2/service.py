@@ -143,7 +143,7 @@ def _request(node: Node, client: Client, request: Any, rate: float | None) -> No
 
 
 def echo_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the service, its type, and the options for the output."""
+    """Add the arguments for the service and its type, and the options for the output."""
     graph_names.add_name_arguments(parser, 'service', 'echo', '/add_two_ints')
     parser.add_argument('service_type', nargs='?', help="Type of the ROS service (e.g. 'example_interfaces/srv/AddTwoInts')")
     listening.add_printing_arguments(parser)

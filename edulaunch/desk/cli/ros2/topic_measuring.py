@@ -28,7 +28,7 @@ class Measure(Protocol):
 
 
 def _common_arguments(parser: argparse.ArgumentParser, window: int) -> None:
-    """Add the topic, and the size of the window.
+    """Add the argument for the topic, and the option for the size of the window.
 
     :param parser: the parser to extend.
     :param window: the default size of the window, in messages.
