@@ -33,7 +33,7 @@ class PackageInWorkspace(NamedTuple):
 
     @property
     def installed(self) -> dict[str, str]:
-        """For each file that a build installs unchanged, the real path in the sources -> the path below the prefix."""
+        """The path below the prefix of each file that a build installs unchanged, by its real path in the sources."""
         return {os.path.realpath(path): name for name, path in self.package.contents.files.items()}
 
 

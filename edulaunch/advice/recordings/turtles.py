@@ -39,7 +39,7 @@ def _calls(recording: Recording, kind: str) -> Iterator[tuple[float, str, str, A
 
 @lru_cache(maxsize=1)
 def turtles(recording: Recording) -> dict[str, str]:
-    """Return all turtles that existed during the run: absolute name -> node of turtlesim."""
+    """Return the turtlesim node of each turtle that existed during the run, by the absolute name of the turtle."""
     served = {name for kind, name in ends_by_name(recording) if kind == 'service' and name.endswith('/set_pen')}
     found: dict[str, str] = {}
     for (kind, name), ends in ends_by_name(recording).items():

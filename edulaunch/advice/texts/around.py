@@ -61,7 +61,7 @@ class Around:
         return self._executables[package]
 
     def launch_files(self, package: str) -> dict[str, str]:
-        """Return the installed launch files of a package: name -> path below its share folder."""
+        """Return the path below the share folder of each installed launch file of a package, by its name."""
         share = self.index.share(package) if package in self.packages else None
         found: dict[str, str] = {}
         for folder, folders, names in os.walk(share or '', followlinks=True) if share else ():

@@ -72,8 +72,8 @@ def ros2_words(
 
     :param words: the complete words after `ros2`.
     :param typed: the beginning of the word that the user is typing.
-    :param index: returns the package index (default: the packages of this terminal and folder).
-    :param run: returns the lines that a command prints (default: run the command on the running machine).
+    :param index: a function that returns the package index (default: the packages of this terminal and folder).
+    :param run: a function that returns the lines that a command prints (default: run the command on the running machine).
     """
 
     if words[:1] == ['launch'] and not typed.startswith('-'):
@@ -219,8 +219,8 @@ def ros2_candidates(words: Sequence[str], typed: str, index: Callable[[], Index]
 
     :param words: the complete words after `ros2`.
     :param typed: the beginning of the word that the user is typing.
-    :param index: returns the index of the packages of this terminal and folder.
-    :param run: returns the lines that a `ros2` command prints (default: run it on the running machine, if there is one).
+    :param index: a function that returns the index of the packages of this terminal and folder.
+    :param run: a function that returns the lines that a `ros2` command prints (default: run it on the running machine).
     """
     from edulaunch.desk.cli.ros2.commands import COMMANDS
 

@@ -141,7 +141,7 @@ def hello(
     :param words: the command.
     :param cwd: the folder of the command (default: the current folder).
     :param env: the environment of the command (default: that of this process).
-    :param keyboard: whether the streams of this process are those of the command.
+    :param keyboard: whether to report which streams of this process are terminals.
     """
     columns, lines = window_size()
     terminals = ''.join('1' if keyboard and os.isatty(number) else '0' for number in range(3))
@@ -167,7 +167,7 @@ def ask(words: Sequence[str], write: Callable[[str, str], object], *, seconds: f
 
     :param words: the command.
     :param write: a function that receives the output, as write('stdout' | 'stderr', text).
-    :param seconds: the real time in seconds after which Ctrl-C is sent (default: a long time).
+    :param seconds: the real time in seconds after which the command receives SIGINT (default: :data:`GIVE_UP_S`).
     """
     found = connect(domain(), start=False)
     if found is None:

@@ -128,7 +128,7 @@ def write_address(place: str, number: str, address: Address) -> None:
 
 
 def remove_address(place: str, number: str, address: Address) -> None:
-    """Remove the recorded address of this machine. The address of a newer machine is not removed."""
+    """Remove the socket and the recorded address of this machine. The address of a newer machine is not removed."""
     found = read_address(place, number)
     paths = [address_file(place, number)] if found is not None and found.token == address.token else []
     for path in [*paths, *([address.place] if address.kind == 'unix' else [])]:

@@ -1,4 +1,4 @@
-"""Read the `metadata.yaml` of a bag. A schema checks the file, so callers can trust its content even for a bag of a stranger."""
+"""Read the `metadata.yaml` of a bag. A schema checks the file, so callers can trust the content of any bag."""
 
 from __future__ import annotations
 

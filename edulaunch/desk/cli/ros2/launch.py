@@ -103,7 +103,7 @@ def launch_verb(arguments: argparse.Namespace) -> int:
 
 
 def _launch_file(process: Process, arguments: argparse.Namespace) -> tuple[str, list[str]]:
-    """Return the path of the launch file, and a list with the second word if it is a launch argument.
+    """Return the path of the launch file, and a list with the second word if it does not name the launch file.
 
     A path in the command line is relative to the folder of the terminal.
     """
