@@ -101,7 +101,7 @@ class RehearsalHost(Host):
     def start_command(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Any:
         """Run a command that the simulation has as a program or tool, because the launch may depend on its output.
 
-        `cat` and `echo` run, too, because they only read. Any other command seems to print nothing.
+        The host imitates `cat` and `echo`, which only read. Any other command seems to print nothing.
 
         :raises FileNotFoundError: when the command does not exist.
         """
