@@ -1,12 +1,12 @@
 """edulaunch: learn ROS 2 launch, tf2 and turtlesim without ROS.
 
-Runs unmodified launch files and rclpy packages in a deterministic simulation::
+The package runs unmodified launch files and rclpy packages in a deterministic simulation::
 
     import edulaunch
     recording = edulaunch.run('solutions/circle.launch.py', arguments={'circle_radius': '1.0'}, duration_s=20)
     recording.plot_turtles()
 
-Importing this package loads nothing else and changes nothing; each name is loaded when it is first used.
+`import edulaunch` loads no other module and changes nothing. Each public name is loaded when it is first used.
 """
 
 from edulaunch.desk.facade import TYPE_CHECKING

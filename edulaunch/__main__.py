@@ -1,4 +1,4 @@
-"""`python -m edulaunch` is the command `edulaunch`."""
+"""`python -m edulaunch` runs the command `edulaunch`."""
 
 from __future__ import annotations
 

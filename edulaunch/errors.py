@@ -1,6 +1,6 @@
-"""The exception tree of edulaunch::
+"""The exception classes of edulaunch::
 
-        EdulaunchError                what a user sees: one message, and one line of help
+        EdulaunchError                the base class: one message, and one line of help
         ├── UnusableInput             an invalid file, argument or value (exit code 2)
         │   ├── LaunchFileError       the launch file cannot be loaded or visited
         │   ├── RecordingError        a recording file cannot be read
@@ -11,7 +11,7 @@
         ├── SimulationError           the kernel was used incorrectly (an internal bug)
         └── RunawayProgramError       a program ran for too long without yielding
 
-Errors that ROS 2 itself raises keep ROS 2's types and messages; they are below `ros/python`.
+The errors of ROS 2 itself keep the types and messages of ROS 2. They are defined below `ros/python`.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ class EdulaunchError(Exception):
     """The base class of all errors that edulaunch raises for its users.
 
     :param message: what is wrong, with names and values, in one or more lines.
-    :param help: one line that suggests what to do, or None.
+    :param help: one line that suggests what to do, or None if there is no suggestion.
     """
 
     def __init__(self, message: str, *, help: str | None = None) -> None:
@@ -38,7 +38,7 @@ class EdulaunchError(Exception):
 
 
 class UnusableInput(EdulaunchError):
-    """An input is invalid; commands end with exit code 2."""
+    """An input is invalid. Commands that raise this error end with exit code 2."""
 
 
 class LaunchFileError(UnusableInput):
@@ -46,7 +46,7 @@ class LaunchFileError(UnusableInput):
 
 
 class MissingExtra(UnusableInput):
-    """A package is not installed, because only an extra of edulaunch includes it.
+    """A package is not installed because it belongs to an optional extra of edulaunch.
 
     :param what: the feature that needs the package, such as 'ros2 bag'.
     :param package: the name of the package, such as 'rosbags'.
@@ -58,12 +58,12 @@ class MissingExtra(UnusableInput):
 
 
 def how_to_install(extra: str) -> str:
-    """Return a line of help that explains how to install an extra of edulaunch."""
+    """Return a line of help with the command that installs an extra of edulaunch."""
     return f"run this in the folder of edulaunch's setup.sh: pip install '.[{extra}]'"
 
 
 class RecordingError(UnusableInput):
-    """A recording file is missing, damaged, or of a format that this version does not read."""
+    """A recording file is missing or damaged, or this version of edulaunch cannot read its format."""
 
 
 class InterfaceError(UnusableInput):
@@ -75,7 +75,7 @@ class PackageError(UnusableInput):
 
 
 class ForeignRosError(EdulaunchError):
-    """A real ROS 2 installation can be imported. The underlay must not hide it."""
+    """A real ROS 2 installation can be imported, so edulaunch must not put its own packages in front of it."""
 
 
 class SimulationError(EdulaunchError):
@@ -83,4 +83,4 @@ class SimulationError(EdulaunchError):
 
 
 class RunawayProgramError(EdulaunchError):
-    """A program ran for too long without yielding; the message names its file and line."""
+    """A program ran for too long without yielding. The message names the program's file and line."""

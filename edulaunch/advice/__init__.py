@@ -1,8 +1,8 @@
 """Advice for users: rules look for mistakes, and each rule has sentences that explain its mistake.
 
 Lower packages raise ROS 2's own errors and record facts. Rules look for mistakes in an error, a dry run, a Recording or the
-sources of a package. `rendered` turns a finding into sentences for the console, a cell, a page or a report. `docs/advice.md`
-lists every rule, and `reference.py` contains the page that describes each. An import is inside a function only if most uses of
+sources of a package. `rendered` converts a finding to sentences for the console, a cell, a page or a report. `docs/advice.md`
+lists every rule, and `reference.py` determines the page that describes it. An import is inside a function only if most uses of
 the module do not need it.
 """
 
@@ -42,7 +42,9 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    """Import each name when it is first used, so that a run without a finding does not load the rules' messages."""
+    """Import the module of a name when the name is first used, so that a run without a finding does not load the rules'
+    messages.
+    """
     if name not in _MODULES:
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
     return getattr(import_module(f'{__name__}.{_MODULES[name]}'), name)

@@ -1,8 +1,8 @@
 """Update the catalogues of all languages: `python -m edulaunch.advice.catalogue`.
 
-A sentence is its own key. In `locale/LANGUAGE/LC_MESSAGES/advice.po`, new sentences have no translation. Changed sentences are
-marked `fuzzy`, so they are shown in English. For a new language, create the folder. The command needs Babel (`pip install
-'.[dev]'`).
+The English sentence is the key of its translation. In `locale/LANGUAGE/LC_MESSAGES/advice.po`, new sentences have no
+translation. Changed sentences are marked `fuzzy`, so users read them in English. To add a language, create its folder. The
+command needs Babel (`pip install '.[dev]'`).
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ _FIXED = datetime(2026, 1, 1, tzinfo=timezone.utc)
 
 
 def messages() -> dict[str, str]:
-    """Return every sentence with its origin: the rule, or the module."""
+    """Return every sentence with its origin, which is the name of a rule or a module."""
     found: dict[str, str] = {}
     for rule in all_rules().values():
         for text in (*rule.what, *rule.why, *rule.do):
@@ -63,7 +63,7 @@ def messages() -> dict[str, str]:
 
 
 def _of_rubric(path: str) -> Iterator[str]:
-    """Yield the title of a rubric in YAML, and the sentences of its checks that students read."""
+    """Yield the title of a YAML rubric, and the sentences of its checks that students read."""
     import yaml
 
     with open(path, encoding='utf-8') as file:
@@ -83,7 +83,10 @@ def _given_to_says(tree: ast.AST) -> Iterator[str]:
 
 
 def _sentences(tree: ast.AST) -> Iterator[str]:
-    """Yield the strings of several words, with f-strings as templates, and the first line of each check's docstring."""
+    """Yield the strings that consist of several words, and the first line of each check's docstring.
+
+    F-strings become templates.
+    """
     inner = {id(part) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for part in node.values}
     inner |= {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
     for node in ast.walk(tree):
@@ -109,7 +112,7 @@ def _is_check(decorator: ast.expr) -> bool:
 
 
 def template_of(node: ast.AST) -> str:
-    """Return a string in a program as a template, or '' for anything else."""
+    """Return the string in a syntax node as a template, or an empty string if the node is not a string."""
     if isinstance(node, ast.Constant):
         return str(node.value).replace('{', '{{').replace('}', '}}') if isinstance(node.value, str) else ''
     if not isinstance(node, ast.JoinedStr):
@@ -143,12 +146,15 @@ def _tree(path: str) -> ast.AST:
 
 
 def languages() -> list[str]:
-    """Return the languages that have a folder."""
+    """Return the languages that have a folder, sorted."""
     return sorted(name for name in os.listdir(LOCALE) if os.path.isdir(os.path.join(LOCALE, name)))
 
 
 def missing(language: str) -> list[str]:
-    """Return the names of the rules without a translation, from `missing.txt` of the language; [] if that file does not exist."""
+    """Return the names of the rules without a translation, from the file `missing.txt` of the language.
+
+    Return an empty list if that file does not exist.
+    """
     path = os.path.join(LOCALE, language, 'missing.txt')
     if not os.path.isfile(path):
         return []
@@ -157,7 +163,7 @@ def missing(language: str) -> list[str]:
 
 
 def read(language: str) -> Catalog:
-    """Return the catalogue of a language. It is empty for a new language."""
+    """Return the catalogue of a language. The catalogue of a new language is empty."""
     from babel.messages.catalog import Catalog
     from babel.messages.pofile import read_po
 
@@ -168,7 +174,7 @@ def read(language: str) -> Catalog:
 
 
 def update(language: str) -> tuple[int, int]:
-    """Write the catalogue of a language. Return the number of sentences, and how many of them lack a translation."""
+    """Write the catalogue of a language. Return the number of sentences, and the number of sentences without a translation."""
     from babel.messages.catalog import Catalog
     from babel.messages.pofile import write_po
 
@@ -190,7 +196,7 @@ def update(language: str) -> tuple[int, int]:
 
 
 def main() -> None:
-    """Update the catalogue of every language, and print what is missing."""
+    """Update the catalogue of every language, and print the number of missing translations."""
     for language in languages():
         print('{}: {} sentences, {} of them not translated'.format(language, *update(language)))
 

@@ -1,4 +1,4 @@
-"""Apply the rules, and return their findings: each finding once, and the worst first."""
+"""Apply the rules and return their findings, without duplicates and with the most serious one first."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ MOST = 20
 
 
 def judge(recording: Recording) -> list[Finding]:
-    """Return the mistakes in a run, found by the rules over recordings and over the errors that ended its programs."""
+    """Return the mistakes in a run. The rules check the recording, its launch files, and the errors that ended programs."""
     with collector_paused():  # in a large recording, garbage collection takes longer than the rules
         return _judge(recording)
 
@@ -52,7 +52,7 @@ def _judge(recording: Recording) -> list[Finding]:
 
 @lru_cache(maxsize=16)
 def of_scripts(scripts: tuple[Script, ...]) -> tuple[Finding, ...]:
-    """Return the findings of the rules over launch files. Equal files share their syntax trees, so each is judged once."""
+    """Return the findings of the rules for launch files. The result is cached, because equal files share their syntax trees."""
     return tuple(_asked('scripts', list(scripts)))
 
 
@@ -77,9 +77,7 @@ LONELY = frozenset(
 
 
 def _without_consequences(findings: list[Finding], recording: Recording) -> list[Finding]:
-    """Leave out findings about a missing partner if a program of the command failed, because the partner may be in
-    that program.
-    """
+    """Remove findings about a missing partner if a program of the command failed. The partner may be in that program."""
     own = [process for process in recording.processes if recording.command is None or process.name in recording.command]
     names = {process.name for process in own}
     is_absent = any(finding.rule in ABSENT for finding in findings)
@@ -99,10 +97,10 @@ def _has_failed(process: ProcessRecord) -> bool:
 
 
 def about_command(findings: list[Finding], recording: Recording) -> list[Finding]:
-    """Return the findings that concern the command of the recording, or all if the recording is of a whole machine.
+    """Return the findings about the command of the recording, or all findings if the recording is of a whole machine.
 
-    A finding that names nodes or programs concerns the command when one of them is the command's own. Any other finding concerns
-    the command if it is about its own file or argument, or about a topic, service or frame of its nodes.
+    A finding that names nodes or programs concerns the command if one of them belongs to the command. Any other finding concerns
+    the command if it is about the command's file or argument, or about a topic, service or frame of its nodes.
     """
     if recording.command is None or all(process.name in recording.command for process in recording.processes):
         return findings
@@ -124,7 +122,7 @@ _WHO = ('node', 'other', 'process', 'first', 'second', 'asker', 'nodes')
 
 
 def _named(finding: Finding) -> set[str]:
-    """Return the nodes and programs that a finding names."""
+    """Return the names of the nodes and programs in a finding."""
     facts = {**finding.facts, finding.kind: finding.name}
     named: set[str] = {finding.process} if finding.process else set()
     for key in _WHO:
@@ -134,7 +132,7 @@ def _named(finding: Finding) -> set[str]:
 
 
 def judge_plan(rehearsal: Rehearsal) -> list[Finding]:
-    """Return the mistakes in a launch file, found in its dry run."""
+    """Return the mistakes in a launch file that its dry run shows."""
     findings = in_order([*_asked('plans', rehearsal), *_asked('scripts', list(students_python(rehearsal)))])
     better = [one for one in findings if one.rule != FAILS]
     if len(better) < len(findings):
@@ -144,7 +142,7 @@ def judge_plan(rehearsal: Rehearsal) -> list[Finding]:
 
 
 def _behind_failure(rehearsal: Rehearsal) -> list[Finding]:
-    """Return the findings about the error that ended a dry run, if a rule explains more than the failure itself."""
+    """Return the findings about the error that ended a dry run. They explain more than the finding about the failure itself."""
     error = rehearsal.plan['error'] or {}
     cause = error.get('cause')
     if cause is None:
@@ -157,17 +155,17 @@ def _behind_failure(rehearsal: Rehearsal) -> list[Finding]:
 
 
 def judge_scripts(scripts: list[Script]) -> list[Finding]:
-    """Return the mistakes in Python launch files, found in their syntax trees. None of their code is executed."""
+    """Return the mistakes in Python launch files that their syntax trees show. No code of the files is executed."""
     return in_order(_asked('scripts', scripts))
 
 
 def judge_failure(error: Failure | BaseException) -> list[Finding]:
-    """Return the mistakes behind an error."""
+    """Return the mistakes that caused an error."""
     return in_order(_asked('errors', error if isinstance(error, Failure) else failure_of(error)))
 
 
 def judge_sources(path: str) -> list[Finding]:
-    """Return the mistakes in the packages of a workspace or package folder. None of their code is executed."""
+    """Return the mistakes in the packages of a workspace or package folder. No code of the packages is executed."""
     from edulaunch.advice.source_package import workspace_at
 
     return judge_workspace(workspace_at(path))
@@ -182,7 +180,7 @@ def judge_workspace(workspace: Workspace) -> list[Finding]:
 
 
 def failures(recording: Recording) -> Iterator[Failure]:
-    """Yield the error that ended the launch, and then the errors that ended programs, in the order of the programs."""
+    """Yield the error that ended the launch, then the errors that ended programs, in the order of the programs."""
     launch = recording.launch
     if launch.error is not None:
         type_, cause = launch.error_type or '', launch.error_cause or ''
@@ -195,8 +193,9 @@ def failures(recording: Recording) -> Iterator[Failure]:
 
 
 def in_order(findings: Iterable[Finding]) -> list[Finding]:
-    """Return findings without duplicates and without consequences of others: the worst first, then the certain ones, then by
-    time.
+    """Return the findings without duplicates and without consequences of other findings.
+
+    Sort them by seriousness, then by certainty, then by time.
     """
     rules = {finding.rule: rule_named(finding.rule) for finding in findings}
     causes = [one for one in findings if rules[one.rule].hides]
@@ -208,7 +207,9 @@ def in_order(findings: Iterable[Finding]) -> list[Finding]:
 
 
 def _may_hide(cause: Finding, other: Finding) -> bool:
-    """Return whether two findings may be about one node or program, as far as that is known. Frames of tf belong to all nodes."""
+    """Return whether two findings may be about the same node or program. Findings about frames always may, because all nodes
+    share the frames.
+    """
     error = other.facts.get('error') if other.rule == DIED and cause.rule.startswith('tf.') else None
     if error and not _LOOKUP_ERROR.match(error):
         return False
@@ -223,12 +224,16 @@ def _nodes(finding: Finding) -> set[str]:
 
 
 def _asked(kind: str, thing: Any) -> list[Finding]:
-    """Return the findings of all rules over one kind of thing."""
+    """Return the findings of all rules for one kind of thing.
+
+    :param kind: the kind, which is the name of the folder with the rules.
+    :param thing: the object that the rules check.
+    """
     return [finding for rule in rules_over(kind) for finding in _findings_by(rule, thing)]
 
 
 def _findings_by(rule: Rule, thing: Any) -> list[Finding]:
-    """Return the findings of one rule. If the rule fails, report that as a finding, so that no run ends because of advice."""
+    """Return the findings of one rule. If the rule fails, return a finding about that, so that advice never ends a run."""
     try:
         return [_of_student(finding._replace(rule=rule.name)) for finding in islice(rule.look(thing), MOST)]
     except ODD as error:
@@ -236,7 +241,7 @@ def _findings_by(rule: Rule, thing: Any) -> list[Finding]:
 
 
 def _of_student(finding: Finding) -> Finding:
-    """Return a finding whose place is the student's file, not the link to it in the folder of a simulated build."""
+    """Return the finding with the path of the student's file in place of a link in the folder of a simulated build."""
     is_link = finding.file is not None and os.path.islink(finding.file) and '/edulaunch-' in finding.file
     return finding._replace(file=os.path.realpath(finding.file)) if is_link and finding.file is not None else finding
 

@@ -1,4 +1,4 @@
-"""The modules of the names that launch files import, and the arguments that they accept."""
+"""Find the modules of the names that launch files import, and the arguments of the classes."""
 
 from __future__ import annotations
 
@@ -23,8 +23,9 @@ STANDARD = ('os', 'sys', 'pathlib', 'math', 'json', 'yaml', 'xacro', 'time', 'ra
 
 @cache
 def names_in(module: str) -> list[str]:
-    """Return the names that a module exports, or that it defines if it has no `__all__`. Return no names if the module cannot be
-    imported: the reader of a report may not have sourced ROS 2.
+    """Return the names that a module exports, or the names that it defines if it has no `__all__`.
+
+    Return an empty list if the module cannot be imported, because the reader of a report may not have sourced ROS 2.
     """
     try:
         source()
@@ -36,7 +37,7 @@ def names_in(module: str) -> list[str]:
 
 
 def home_of(name: str) -> str | None:
-    """Return the module that exports the name, or None."""
+    """Return the module of launch that exports a name, or None."""
     return next((one for one in MODULES if name in names_in(one) and f'{one}.{name}' not in MODULES), None)
 
 
@@ -47,7 +48,7 @@ def class_named(name: str) -> Any:
 
 
 def import_line(name: str | None) -> str | None:
-    """Return the import statement for a name, or None when nothing exports it."""
+    """Return the import statement for a name, or None if no module exports the name."""
     if name in STANDARD:
         return f'import {name}'
     home = home_of(name) if name else None
@@ -55,12 +56,12 @@ def import_line(name: str | None) -> str | None:
 
 
 def nearest_anywhere(name: str) -> str | None:
-    """Return the exported name of any module that is nearest to `name`."""
+    """Return the exported name of any module that is most similar to `name`, or None."""
     return nearest(name, [known for module in MODULES for known in names_in(module)])
 
 
 def keywords_of(cls: type) -> list[str]:
-    """Return the keyword arguments of a constructor, with the inherited ones if it passes `**kwargs` on."""
+    """Return the keyword arguments of a class's constructor. Include inherited arguments if it passes `**kwargs` to its base."""
     found: list[str] = []
     for base in cls.__mro__:
         code = getattr(base.__dict__.get('__init__'), '__code__', None)
@@ -68,6 +69,6 @@ def keywords_of(cls: type) -> list[str]:
             continue
         count = code.co_argcount + code.co_kwonlyargcount
         found += [name for name in code.co_varnames[1:count] if name not in found]
-        if not code.co_flags & 0x08:  # without **kwargs it passes no arguments on
+        if not code.co_flags & 0x08:  # without **kwargs, the constructor passes no arguments to its base class
             break
     return found

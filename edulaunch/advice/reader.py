@@ -1,8 +1,9 @@
-"""The reader's language, folder and notebook, and the translation of finished English sentences.
+"""The reader of advice (language, folder, notebook), and the translation of complete English sentences.
 
-To translate a finished sentence, the templates of a catalogue are matched against it. Reports are created and stored in English,
-so a rubric does not depend on languages. From 'the frame laser is missing', the template `'{thing} is missing'` recovers the
-facts, which are then put into the other language's template. Facts that are sentences themselves are translated, too.
+Reports are created and stored in English, so a rubric does not depend on languages. To translate a complete sentence, the
+templates of a catalogue are matched against it. For example, the template `'{thing} is missing'` matches 'the frame laser is
+missing'. The facts that it finds are put into the template of the other language. Facts that are sentences themselves are
+translated, too.
 """
 
 from __future__ import annotations
@@ -38,9 +39,9 @@ def _source_of(path: str) -> str | None:
 class Reader(NamedTuple):
     """The language, the folder and the notebook of a reader.
 
-    :ivar language: such as 'de'; English is the language of the rules, and the fallback for a language without a catalogue.
-    :ivar folder: paths below it become relative.
-    :ivar cell: a function that returns the place in a notebook's cell that wrote a line of a file, or ''.
+    :ivar language: the language, such as 'de'. The rules are in English, which is also used for languages without a catalogue.
+    :ivar folder: the folder of the reader. Paths below this folder are shown as relative paths.
+    :ivar cell: a function that returns the place in the notebook cell that wrote a line of a file, or an empty string.
     """
 
     language: str = ENGLISH
@@ -48,15 +49,15 @@ class Reader(NamedTuple):
     cell: Callable[[str, int], str] = _nowhere
 
     def says(self, text: str) -> str:
-        """Return a sentence of edulaunch in the reader's language."""
+        """Return the translation of a sentence or template of edulaunch into the reader's language."""
         return text if self.language == ENGLISH else translations(self.language).get(text, text)
 
     def retells(self, text: str) -> str:
-        """Return a finished English sentence of edulaunch or a rubric in the reader's language."""
+        """Return the translation of a complete English sentence, which edulaunch or a rubric has created."""
         return text if self.language == ENGLISH else _retelling(self.language)(text)
 
     def short(self, text: str) -> str:
-        """Return a string without the places that only edulaunch knows, and a path in the reader's folder as a relative path.
+        """Return a string without folders that are internal to edulaunch. A path in the reader's folder becomes a relative path.
 
         A file in the share folder of a simulated build is a link to the file in the sources.
         """
@@ -66,8 +67,9 @@ class Reader(NamedTuple):
         return text.removeprefix(os.path.join(self.folder, '')) if len(self.folder) > 1 else text
 
     def place(self, file: str, line: int | None) -> str:
-        """Return a place in a file as the reader sees it, such as 'follow.launch.py:12'; in a notebook with the
-        line of the cell.
+        """Return a place in a file as the reader sees it, such as 'follow.launch.py:12'.
+
+        In a notebook, add the line of the cell that wrote the file.
         """
         short = self.short(file)
         if line is None:
@@ -77,12 +79,12 @@ class Reader(NamedTuple):
 
 
 def reader_of(env: Mapping[str, str], folder: str) -> Reader:
-    """Return the reader of a terminal with these variables, in that folder."""
+    """Return the reader of a terminal with these environment variables and this folder."""
     return Reader(language_of(env), folder)
 
 
 def language_of(env: Mapping[str, str]) -> str:
-    """Return the language that environment variables select: `EDULAUNCH_LANG`, or otherwise the one that gettext would use.
+    """Return the language that environment variables select: `EDULAUNCH_LANG`, or the language that gettext would use.
 
     The locale is the first value among `LC_ALL`, `LC_MESSAGES` and `LANG`. `LANGUAGE` lists languages by preference. As in
     gettext, it counts only if the locale is not `C` or `POSIX`. The first language with a catalogue is selected.
@@ -102,7 +104,7 @@ def _plain_name(locale: str) -> str:
 
 
 def reader_here() -> Reader:
-    """Return the reader who started this program. On a shared machine, each program has the variables of its terminal."""
+    """Return the reader who has started this program. On a shared machine, each program has the environment of its terminal."""
     task = running_task()
     env = os.environ if task is None or isinstance(task, AmbientTask) else getattr(task.owner, 'env', os.environ)
     try:
@@ -115,9 +117,7 @@ def reader_here() -> Reader:
 
 
 class _CellsOf:
-    """Finds the cell that wrote a file with `%%writefile` in the history of a notebook. If several cells did, the last one
-    counts.
-    """
+    """Finds the cell that wrote a file with `%%writefile` in the history of a notebook. The last such cell counts."""
 
     def __init__(self, shell: Any, reader: Reader) -> None:
         self._shell = shell
@@ -136,15 +136,15 @@ class _CellsOf:
 
 
 def catalogue_file(language: str) -> str:
-    """Return the path of a language's catalogue, a file of translations that people can edit."""
+    """Return the path of a language's catalogue, which is a file of translations."""
     return os.path.join(LOCALE, language, 'LC_MESSAGES', 'advice.po')
 
 
 @cache
 def translations(language: str) -> dict[str, str]:
-    """Return the translation of each English sentence; {} for a language without a catalogue.
+    """Return the translation of each English sentence. Return an empty dictionary for a language without a catalogue.
 
-    :param language: such as 'de' or 'de_AT'; the catalogue of 'de' is used for a country without its own catalogue.
+    :param language: a language such as 'de' or 'de_AT'. A country without its own catalogue uses the catalogue of the language.
     """
     for name in (language, language.partition('_')[0]):
         if os.path.isfile(catalogue_file(name)):
@@ -154,9 +154,9 @@ def translations(language: str) -> dict[str, str]:
 
 
 def _entries(lines: Iterable[str]) -> Iterator[tuple[str, str]]:
-    """Yield each translated sentence of a .po file with its translation. Entries that are marked as fuzzy are left out.
+    """Yield each translated sentence of a .po file with its translation. Skip entries that are marked as fuzzy.
 
-    A catalogue here has no plurals and no contexts, and its strings are escaped as in JSON. Reading it takes 9 ms, so no
+    These catalogues have no plurals and no contexts, and their strings are escaped as in JSON. Reading one takes 9 ms, so no
     compiled file is needed.
     """
     from json import JSONDecoder
@@ -200,8 +200,10 @@ MOST_WORDS = 2
 
 
 class _Pattern(NamedTuple):
-    """A template: the strings before, between and after its fields, the names of the fields, and the template in the other
-    language.
+    """A template with fields, and its translation.
+
+    :ivar texts: the strings before, between and after the fields.
+    :ivar names: the names of the fields.
     """
 
     texts: tuple[str, ...]
@@ -210,19 +212,20 @@ class _Pattern(NamedTuple):
 
     @property
     def bare(self) -> list[str]:
-        """The fields without quotation marks around them. A quoted fact may be in any language."""
+        """The names of the fields that have no quotation marks around them. A quoted fact may be in any language."""
         ends = zip(self.texts, self.texts[1:], self.names, strict=False)
         return [name for before, after, name in ends if not (before[-1:] == after[:1] != '' and after[:1] in '"\'')]
 
     def explains(self, foreign: list[str]) -> bool:
-        """Return whether the result is a sentence in the other language, with these facts that have no translation."""
+        """Return whether the result is mainly in the other language, although it contains facts that have no translation."""
         own = sum(len(_WORD.findall(text)) for text in self.texts)
         lines = [line for fact in foreign for line in fact.splitlines()[:1]]
         return max((len(_WORD.findall(line)) for line in lines), default=0) <= max(own, MOST_WORDS) - (own < 2)
 
     def facts(self, text: str) -> dict[str, str] | None:
-        """Return the values of the fields, each up to the first occurrence of the next string, or None if the template does
-        not match.
+        """Return the values of the fields by name, or None if the template does not match.
+
+        Each value ends at the first occurrence of the string that follows the field.
         """
         first, *between, last = self.texts
         if not text.startswith(first) or not text.endswith(last) or len(text) <= len(first) + len(last):
@@ -237,9 +240,9 @@ class _Pattern(NamedTuple):
 
 
 class Retelling:
-    """Translates finished sentences with the templates of a catalogue.
+    """Translates complete sentences with the templates of a catalogue.
 
-    :param catalogue: English template -> template of the other language, with the same fields.
+    :param catalogue: the translation of each English template. Both templates have the same fields.
     """
 
     def __init__(self, catalogue: Mapping[str, str]) -> None:
@@ -249,13 +252,14 @@ class Retelling:
         self._patterns = [pattern for pattern in found if pattern is not None]
 
     def __call__(self, text: str) -> str:
-        """Return the sentence in the other language, or unchanged if no template matches."""
+        """Return the translation of a sentence, or the sentence itself if no template matches."""
         self._tries = 0
         return self._translated(text, DEEPEST)[1] if len(text) <= LONGEST else text
 
     def _translated(self, text: str, depth: int) -> tuple[int, str]:
-        """Return the message in the other language, and the number of letters that templates matched. If several templates match,
-        use the one that matches most of the message.
+        """Return the number of letters that templates match, and the translation.
+
+        If several templates match, use the template that matches the most letters.
         """
         # a single word in a fact is a name, so it is not translated
         if text in self._whole and (depth == DEEPEST or ' ' in text):
@@ -282,13 +286,14 @@ def fields_of(template: str) -> list[str]:
 
 
 def _plain(template: str) -> str:
-    """Return a template without fields as a string."""
+    """Return a template as a string, without its fields."""
     return ''.join(text for text, _, _, _ in Formatter().parse(template))
 
 
 def _pattern(english: str, other: str) -> _Pattern | None:
-    """Return the pattern of a template. Return None if two fields have no text between them, because the end of the first one is
-    unknown.
+    """Return the pattern of a template.
+
+    Return None if no characters separate two fields, because then the end of the first field is unknown.
     """
     texts, names = [''], []
     for text, name, _, _ in Formatter().parse(english):

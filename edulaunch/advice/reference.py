@@ -1,7 +1,7 @@
-"""The page of `docs/advice/` and the anchor where the documentation describes each rule of advice.
+"""The pages and anchors in `docs/advice/` that describe the rules.
 
-The pages are fixed here, by the group of a rule, what it looks at, and how its name begins. The address of a rule
-therefore changes only when the rule is renamed, or when a page has become too long and is split.
+This module assigns rules to pages by their group, by the kind of thing that they check, and by the beginning of their names. So
+the address of a rule changes only when the rule is renamed, or when a page has become too long and is split.
 """
 
 from __future__ import annotations
@@ -14,10 +14,10 @@ from edulaunch.advice.rule import KINDS, Rule, rules_over
 class ReferencePage(NamedTuple):
     """One page of the reference.
 
-    :ivar name: its file in `docs/advice/`, without the suffix.
-    :ivar kinds: the kinds of things that its rules look at.
-    :ivar first: the beginning of the first rule's name, after the group, such as 'a' or 'no-l'.
-    :ivar last: the beginning of the last rule's name.
+    :ivar name: the name of the page's file in `docs/advice/`, without the suffix.
+    :ivar kinds: the kinds of things that the rules on this page check.
+    :ivar first: the beginning of the first rule's name after the group, such as 'a' or 'no-l'.
+    :ivar last: the beginning of the last rule's name after the group.
     """
 
     name: str
@@ -27,13 +27,17 @@ class ReferencePage(NamedTuple):
     last: str = 'z'
 
     def has(self, rule: Rule, kind: str) -> bool:
-        """Return whether a rule that looks at `kind` is on this page."""
+        """Return whether a rule is on this page.
+
+        :param rule: the rule.
+        :param kind: the kind of thing that the rule checks.
+        """
         name = rule.name.partition('.')[2]
         return rule.group == self.group and kind in self.kinds and self.first <= name and name[: len(self.last)] <= self.last
 
 
 def _pages(name: str, group: str, kinds: tuple[str, ...], *ranges: str) -> tuple[ReferencePage, ...]:
-    """Return a page for each range of beginnings, such as 'a e', or 'n' for a single letter."""
+    """Return a page for each range of first letters, such as 'a e', or 'n' for a single letter."""
     return tuple(
         ReferencePage(f'{name}-{letters.replace(" ", "-")}', group, kinds, letters.split()[0], letters.split()[-1])
         for letters in ranges
@@ -67,11 +71,14 @@ def page_of(rule: Rule) -> ReferencePage | None:
 
 
 def anchor_of(rule: Rule) -> str:
-    """Return the anchor of a rule on its page: its name without the dot, as Markdown readers make it from the heading."""
+    """Return the anchor of a rule on its page.
+
+    It is the name without the dot, which Markdown renderers create from the heading.
+    """
     return rule.name.replace('.', '')
 
 
 def address_of(rule: Rule) -> str | None:
-    """Return where the repository describes a rule, such as `docs/advice/tf-a-l.md#tflate-lookup`, or None."""
+    """Return the address of a rule's description in the repository, such as `docs/advice/tf-a-l.md#tflate-lookup`, or None."""
     page = page_of(rule)
     return f'docs/advice/{page.name}.md#{anchor_of(rule)}' if page else None

@@ -1,5 +1,6 @@
-"""Turn a finding into sentences. No other module does so. The sentences appear below an error, at the end of a run, in the
-doctor, and as marks of the live view.
+"""Convert findings to sentences. No other module does this.
+
+The sentences appear below an error, at the end of a run, in the doctor, and as marks in the live view.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ MOST_SHOWN = 5
 
 
 class Rendered(NamedTuple):
-    """The sentences of a finding. `why` is '' if the rule gives no reason, and `where` is '' if the place is not known."""
+    """The sentences of a finding. `why` is empty if the rule gives no reason, and `where` is empty if the place is unknown."""
 
     what: str
     where: str
@@ -33,7 +34,7 @@ class Rendered(NamedTuple):
     sign: str = 'warning'
 
     def __str__(self) -> str:
-        """Return the mistake, its place, and what to do, in the form of error messages."""
+        """Return the mistake, its place and what to do, in the format of error messages."""
         return f'{self.what}{self.where and f" ({self.where})"}\n  help: {self.do}'
 
 
@@ -51,9 +52,12 @@ def rendered(finding: Finding, reader: Reader | None = None) -> Rendered:
 def warning_lines(
     findings: Sequence[Finding], reader: Reader | None = None, shown_by: str = '', most: int = MOST_SHOWN
 ) -> list[str]:
-    """Return the lines that a run prints at its end: the worst findings with what to do, and the number of the others.
+    """Return the lines that a run prints at its end: the most serious findings with what to do, and the number of the others.
 
-    :param shown_by: the command or expression that shows all of them.
+    :param findings: the findings, with the most serious one first.
+    :param reader: determines the language and the form of paths (default: the user of this program).
+    :param shown_by: the command or expression that shows all findings.
+    :param most: the largest number of findings to print.
     """
     reader = reader_here() if reader is None else reader
     lines = [f'{words.sign}: {words}' for words in (rendered(finding, reader) for finding in findings[:most])]
@@ -71,19 +75,20 @@ def end_of_run_lines(
     typed: str = '',
     shown_by: str = 'for warning in recording.warnings: print(warning)',
 ) -> list[str]:
-    """Return the lines that are printed at the end of a run.
+    """Return the lines to print at the end of a run.
 
     :param recording: the recording of a run, or of one command of a machine (`Session.of_command`).
-    :param helped: programs whose error message already had an explanation.
-    :param typed: the program of the command itself, whose failure and last output the reader has just seen.
-    :param shown_by: the command or expression that shows all findings. It is printed if there are too many to list.
+    :param reader: determines the language and the form of paths (default: the user of this program).
+    :param helped: the programs whose error messages already contained an explanation.
+    :param typed: the program that the user has started. The user has just seen its failure and its last output.
+    :param shown_by: the command or expression that shows all findings, printed if there are too many to list.
     """
     findings = [one for one in recording.advice if one.process not in helped and (one.rule, one.name) != (DIED, typed)]
     return warning_lines(findings, reader, shown_by) if findings else []
 
 
 def place(finding: Finding, reader: Reader) -> Iterator[str]:
-    """Yield the file and line, and the simulated time: 'follow.launch.py:12', 'at 0.50 s'."""
+    """Yield the place of a finding: the file and line, and the simulated time, such as 'follow.launch.py:12' and 'at 0.50 s'."""
     if finding.file is not None:
         yield reader.place(finding.file, finding.line)
     if finding.time_s is not None:
@@ -91,12 +96,15 @@ def place(finding: Finding, reader: Reader) -> Iterator[str]:
 
 
 def _sign(level: str, reader: Reader) -> str:
-    """Return the start of a line. An error is in the reader's program, not in the command that reports it."""
+    """Return the first word of a line, 'note' or 'warning'.
+
+    The word 'error' stands for errors of the command that reports them.
+    """
     return reader.says('note') if level == 'info' else reader.says('warning')
 
 
 def _worded(templates: Iterable[str], facts: dict[str, Any], reader: Reader) -> str:
-    """Return the first template whose facts are all known, filled in with its facts, or ''."""
+    """Return the first template whose facts are all known, with the facts filled in, or an empty string."""
     for template in templates:
         if all(facts.get(name) not in (None, [], ()) for name in fields_of(template)):
             return reader.says(template).format_map({name: _listed(value, reader) for name, value in facts.items()})
@@ -104,7 +112,7 @@ def _worded(templates: Iterable[str], facts: dict[str, Any], reader: Reader) -> 
 
 
 def _listed(value: Any, reader: Reader) -> Any:
-    """Return a list of names as words, shortened if it is long. Return a path as the reader sees it."""
+    """Return the printed form of a fact. A long list of names is shortened, and a path is shown as the reader sees it."""
     if isinstance(value, str):
         return reader.short(value)
     if not isinstance(value, (list, tuple)):
@@ -115,8 +123,8 @@ def _listed(value: Any, reader: Reader) -> Any:
 def help_below(error: dict[str, Any], env: Mapping[str, str]) -> str | None:
     """Return one line of help for an error, or None if no rule explains it.
 
-    :param error: `type`, `message`, `facts` and `place`; and `process`, the program that it ended. Without it, the error is
-        in a launch file, and the help includes its place.
+    :param error: a dictionary with `type`, `message`, `facts` and `place`. If the error ended a program, `process` is its name.
+        Otherwise, the error is in a launch file, and the help includes its place.
     :param env: the environment variables of the reader's terminal.
     """
     file, line = error.get('place') or (None, None)
@@ -130,24 +138,27 @@ def help_below(error: dict[str, Any], env: Mapping[str, str]) -> str | None:
 
 
 def help_of(error: dict[str, Any]) -> str | None:
-    """Return one line of help for an error given as data: the mistake and what to do, in the language of the program's user."""
+    """Return one line of help for an error: the mistake and what to do, in the language of the program's user.
+
+    :param error: a dictionary with `type`, `message`, `facts` and `place`.
+    """
     file, line = error.get('place') or (None, None)
     return help_text(Failure(error['type'], error['message'], file, line, facts=error['facts']))
 
 
 def advice_of(launch: LaunchRecord) -> tuple[str, str] | None:
-    """Return what is wrong with a launch that failed, and what to do. Return None if no rule explains the error."""
+    """Return the mistake in a failed launch, and what to do. Return None if no rule explains the error."""
     cause = launch.error_type or '', launch.error_cause or ''
     return _advice(Failure(*cause, launch.error_file, launch.error_line, facts=launch.error_facts))
 
 
 def help_of_facts(facts: dict[str, Any]) -> str:
-    """Return one line of help from facts alone, or ''."""
+    """Return one line of help that is determined by facts alone, or an empty string."""
     return help_text(Failure('', '', facts=facts)) or ''
 
 
 def help_text(failure: Failure, reader: Reader | None = None) -> str | None:
-    """Return one line of help: the mistake and what to do. Return None if no rule explains the error."""
+    """Return one line of help with the mistake and what to do. Return None if no rule explains the error."""
     words = _advice(failure, reader)
     return None if words is None else '; '.join(filter(None, words))
 
@@ -164,12 +175,12 @@ FORMAT = 1
 
 
 def is_note(finding: Finding) -> bool:
-    """Return whether a finding is worth knowing, but no mistake: a package that edulaunch does not have, for example."""
+    """Return whether a finding is only a note, not a mistake. An example is a package that edulaunch does not have."""
     return rule_named(finding.rule).level == 'info'
 
 
 def diagnosis(findings: Sequence[Finding], reader: Reader) -> Iterator[str]:
-    """Yield the lines of a diagnosis for people, the worst finding first."""
+    """Yield the lines of a diagnosis for users, with the most serious finding first."""
     if not findings:
         yield reader.says('no problems found')
     for number, finding in enumerate(findings, 1):
@@ -185,7 +196,7 @@ def diagnosis(findings: Sequence[Finding], reader: Reader) -> Iterator[str]:
 
 
 def diagnosis_data(findings: Sequence[Finding], reader: Reader) -> dict[str, Any]:
-    """Return the diagnosis as plain data, with its facts."""
+    """Return the diagnosis as plain data, including the facts of each finding."""
     return {'format': FORMAT, 'findings': [_data(finding, reader) for finding in findings]}
 
 
@@ -203,8 +214,8 @@ DRAWN = ('node', 'topic', 'frame')
 class Mark(NamedTuple):
     """A sentence that the live view shows at a node, topic or frame.
 
-    :ivar time_s: the time from which it is true, in seconds since the start.
-    :ivar subject: 'node', 'topic' or 'frame', with its full name; ('', '') for the run as a whole.
+    :ivar time_s: the time from which the sentence is true, in seconds since the start.
+    :ivar subject: ('node', 'topic' or 'frame'; full name), or ('', '') for the whole run.
     :ivar rule: the name of the rule.
     """
 
@@ -215,15 +226,16 @@ class Mark(NamedTuple):
 
 
 def marks(recording: Recording) -> list[Mark]:
-    """Return a mark for each finding, the worst first. The marks contain file names without folders, because pages are stored and
-    shared.
+    """Return a mark for each finding, with the most serious finding first.
+
+    The marks contain file names without folders, because pages are stored and shared.
     """
     nodes = {node.process: node.name for node in reversed(recording.nodes)}
     return [_mark(finding, nodes) for finding in recording.advice]
 
 
 def _mark(finding: Finding, nodes: dict[str, str]) -> Mark:
-    """Return the mark of a finding. A finding about a program becomes a mark at the program's first node."""
+    """Return the mark of a finding. For a finding about a program, the mark is at the program's first node."""
     subject = (finding.kind, finding.name)
     if finding.kind not in DRAWN:
         node = nodes.get(finding.process or finding.name)

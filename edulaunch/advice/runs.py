@@ -1,4 +1,4 @@
-"""Queries on a run that several rules need: where a program was started, who wrote it, and which transforms it broadcast."""
+"""Queries about a run that several rules need: places in the student's files, nodes and endpoints, and broadcast transforms."""
 
 from __future__ import annotations
 
@@ -19,20 +19,20 @@ Place = tuple[str | None, int | None]
 NOWHERE: Place = (None, None)
 _ORIGIN = re.compile(r'(.+) line (\d+)')
 INTERRUPTS = ('KeyboardInterrupt', 'ExternalShutdownException')
-"""Exit codes of a program that Ctrl-C has ended, which is not a mistake of the program."""
+"""The exceptions with which Ctrl-C ends a program. They are not mistakes of the program."""
 ROS_OWN = ('/parameter_events', '/rosout', '/clock', '/tf', '/tf_static')
 """Topics that every node has, or that have their own rules."""
 
 
 @lru_cache(maxsize=1)
 def places(recording: Recording) -> dict[str, Place]:
-    """Return the launch file and line that started each program, by its launch name."""
+    """Return the launch file and line that started each program, by the program's launch name."""
     return {process.name: process.origin or NOWHERE for process in recording.processes}
 
 
 @lru_cache(maxsize=1)
 def programs(recording: Recording) -> dict[str, str]:
-    """Return the launch name of the program of each node."""
+    """Return the launch name of each node's program, by the name of the node."""
     return {node.name: node.process for node in recording.nodes}
 
 
@@ -42,7 +42,7 @@ def node_of(recording: Recording, process: str | None) -> str:
 
 
 def speaker(recording: Recording, node: str) -> str:
-    """Return the name of a node for people. For a node of a `ros2` command, it is the command."""
+    """Return the name of a node for users. For the node of a `ros2` command, return the name of the command."""
     return programs(recording).get(node, node) if node.startswith('/_ros2cli') else node
 
 
@@ -53,7 +53,7 @@ def node_place(recording: Recording, node: str) -> Place:
 
 @lru_cache(maxsize=1)
 def _end_places(recording: Recording) -> dict[tuple[str, str, str], Place]:
-    """Return the place at which each endpoint was first created, by kind, name and node."""
+    """Return the place at which each endpoint was first created, by (kind, name, node)."""
     nodes = {row[4]: row[0] for row in recording.rows('nodes')}
     return {
         (kind, name, nodes.get(node, '')): recording.lines[index]
@@ -63,7 +63,7 @@ def _end_places(recording: Recording) -> dict[tuple[str, str, str], Place]:
 
 
 def end_place(recording: Recording, kind: str, name: str, node: str) -> Place:
-    """Return the student's line that created an endpoint, or the place at which its program was started."""
+    """Return the student's line that created an endpoint. If it is unknown, return the place at which its program was started."""
     return _end_places(recording).get((kind, name, node)) or node_place(recording, node)
 
 
@@ -73,7 +73,7 @@ def files_of(recording: Recording, node: str) -> set[str]:
 
 
 def broadcast_place(recording: Recording, node: str, topic: str) -> Place:
-    """Return the student's line that sends transforms. If a file has several, return the one that created the broadcaster."""
+    """Return the student's line that sends transforms. If a file has several such lines, return the line of the broadcaster."""
     file, line = end_place(recording, 'publisher', topic, node)
     calls = () if file is None else _calls_of('sendTransform', file)
     return (file, calls[0]) if len(calls) == 1 else (file, line)
@@ -81,7 +81,7 @@ def broadcast_place(recording: Recording, node: str, topic: str) -> Place:
 
 @lru_cache(maxsize=16)
 def _calls_of(method: str, file: str) -> tuple[int, ...]:
-    """Return the lines of a Python file on which a method of that name is called."""
+    """Return the lines of a Python file that call a method with this name."""
     from edulaunch.ros.sources.source_package import parsed
 
     tree = parsed(file) if file.endswith('.py') else None
@@ -104,8 +104,9 @@ def fact_place(recording: Recording, fact: Fact) -> Place:
 
 
 def asking_place(recording: Recording, node: str, name: str) -> Place:
-    """Return the line where a node calls a missing service or action, or waits for it. Without such a line, return the place at
-    which its program was started.
+    """Return the line where a node calls a missing service or action, or waits for it.
+
+    Without such a line, return the place at which the program was started.
     """
     for fact in recording.facts:
         if fact.kind in ('request lost', 'server awaited') and (fact.data['node'], fact.data['name']) == (node, name):
@@ -114,7 +115,10 @@ def asking_place(recording: Recording, node: str, name: str) -> Place:
 
 
 def origin_place(recording: Recording, process: str | None, origin: str) -> Place:
-    """Return the place in the origin of a parameter ('a.launch.py line 4'), or else the place where the program was started."""
+    """Return the place in the origin of a parameter, such as 'a.launch.py line 4'.
+
+    For any other origin, return the place at which the program was started.
+    """
     started = places(recording).get(process or '', NOWHERE)
     match = _ORIGIN.fullmatch(origin)
     if match is None:
@@ -125,21 +129,21 @@ def origin_place(recording: Recording, process: str | None, origin: str) -> Plac
 
 
 def passed_file(recording: Recording, name: str) -> str:
-    """Return the student's path of a file that a command line names, or the name alone if no command line has its path."""
+    """Return the student's path of a file that a command line names. If no command line contains its path, return the name."""
     words = (word for process in recording.processes for word in process.argv)
     return next((os.path.realpath(word) for word in words if os.path.basename(word) == name and os.path.isabs(word)), name)
 
 
 @lru_cache(maxsize=1)
 def own_nodes(recording: Recording) -> set[str]:
-    """Return the names of the nodes whose programs a student wrote."""
+    """Return the names of the nodes whose programs were written by a student."""
     own = {process.name for process in recording.own_processes}
     return {node.name for node in recording.nodes if node.process in own}
 
 
 @lru_cache(maxsize=1)
 def ends_by_name(recording: Recording) -> dict[tuple[str, str], list[EndRecord]]:
-    """Return publishers, subscriptions, services and clients by kind and absolute name, in the order of their creation."""
+    """Return all endpoints by (kind, absolute name), in the order of their creation."""
     found: dict[tuple[str, str], list[EndRecord]] = {}
     for end in recording.ends:
         found.setdefault((end.kind, end.name), []).append(end)
@@ -147,13 +151,17 @@ def ends_by_name(recording: Recording) -> dict[tuple[str, str], list[EndRecord]]
 
 
 def names_of(recording: Recording, kind: str) -> list[str]:
-    """Return the absolute names of all endpoints of a kind, without the endpoints that ROS 2 creates for every node."""
+    """Return the absolute names of all endpoints of a kind. Leave out the endpoints that ROS 2 creates for every node."""
     nodes = tuple(f'{node.name}/' for node in recording.nodes)
     return [name for end_kind, name in ends_by_name(recording) if end_kind == kind and not is_ros_own(name, nodes)]
 
 
 def is_ros_own(name: str, nodes: tuple[str, ...] = ()) -> bool:
-    """Return whether a topic or service belongs to ROS 2 itself."""
+    """Return whether ROS 2 itself creates a topic or service with this name.
+
+    :param name: the absolute name.
+    :param nodes: the full names of nodes, each with a slash at its end. Their parameter services belong to ROS 2.
+    """
     return name in ROS_OWN or '/_' in name or (name.startswith(nodes) and name.rpartition('/')[2] in PARAMETER_SERVICES)
 
 
@@ -166,12 +174,13 @@ CLOCK_NS = 3_000_000_000
 
 
 class Broadcasts:
-    """All transforms that one node broadcast for one frame in one parent.
+    """All transforms that one node broadcast for one frame and one parent.
 
     :ivar poses: the different values of static transforms, in order.
-    :ivar length: the length of the first rotation that is not of length 1.
-    :ivar odd: the kinds of invalid transforms: 'zero', 'long', 'nan', 'unstamped', 'clock' -> (first time in s, how many).
-    :ivar lag_s: the age in s of the first transform when it was broadcast; a negative age is in the future.
+    :ivar length: the length of the first rotation whose length is not 1.
+    :ivar odd: (time of the first one in seconds, count) for each kind of invalid transform: 'zero', 'long', 'nan', 'unstamped',
+        'clock'.
+    :ivar lag_s: the age in seconds that the first transform had when it was broadcast. A negative age means a future time stamp.
     """
 
     def __init__(self, node: str, parent: str, child: str, is_static: bool, time_ns: int) -> None:
@@ -185,7 +194,7 @@ class Broadcasts:
 
     @property
     def first_s(self) -> float:
-        """The time of the first transform, in s."""
+        """The time of the first transform in seconds."""
         return self.first_ns / 1e9
 
     def _note(self, what: str) -> None:
@@ -193,7 +202,13 @@ class Broadcasts:
         self.odd[what] = (time_s, count + 1)
 
     def look(self, start_ns: int, sec: int, nanosec: int, pose: tuple[float, ...]) -> None:
-        """Count one transform, and check it for mistakes."""
+        """Count one transform, and check it for mistakes.
+
+        :param start_ns: the time at which the simulation started, in nanoseconds since the epoch.
+        :param sec: the seconds of the transform's time stamp.
+        :param nanosec: the nanoseconds of the transform's time stamp.
+        :param pose: x, y, z in metres, and the quaternion x, y, z, w.
+        """
         x, y, z, qx, qy, qz, qw = pose
         square = qx * qx + qy * qy + qz * qz + qw * qw
         check = square + x + y + z
@@ -218,7 +233,7 @@ class Broadcasts:
 
 @lru_cache(maxsize=1)
 def broadcasts(recording: Recording) -> list[Broadcasts]:
-    """Return all broadcasts in the order of their first transforms, static ones before the others."""
+    """Return all broadcasts in the order of their first transforms. Static ones come first."""
     found: dict[Any, Broadcasts] = {}
     for topic, is_static in (('/tf_static', True), ('/tf', False)):
         for time_ns, node, wire in recording.published(topic, TF_TYPE):
@@ -235,7 +250,7 @@ def broadcasts(recording: Recording) -> list[Broadcasts]:
 
 @lru_cache(maxsize=1)
 def by_child(recording: Recording) -> dict[str, list[Broadcasts]]:
-    """Return the broadcasts by frame. Frame names have no leading slash, as in tf2."""
+    """Return the broadcasts by the name of the frame. The names have no leading slash, as in tf2."""
     found: dict[str, list[Broadcasts]] = {}
     for one in broadcasts(recording):
         found.setdefault(one.child.removeprefix('/'), []).append(one)
@@ -244,12 +259,12 @@ def by_child(recording: Recording) -> dict[str, list[Broadcasts]]:
 
 @lru_cache(maxsize=1)
 def frame_names(recording: Recording) -> list[str]:
-    """Return all frames that were ever broadcast, including parents."""
+    """Return the names of all frames that were broadcast at any time, including parents."""
     return list(dict.fromkeys(name.removeprefix('/') for one in broadcasts(recording) for name in (one.parent, one.child)))
 
 
 def root_of(recording: Recording, frame: str) -> str:
-    """Return the root of the tree that contains a frame."""
+    """Return the name of the root of the tree that contains a frame."""
     links = by_child(recording)
     seen = [frame]
     while frame in links and (frame := links[frame][0].parent.removeprefix('/')) not in seen:

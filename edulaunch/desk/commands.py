@@ -1,4 +1,4 @@
-"""The commands as a shell starts them."""
+"""The functions that the installed commands `edulaunch`, `ros2` and `rosdep` call."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import sys
 def edulaunch() -> int:
     """Run the command `edulaunch`, and return its exit code.
 
-    `edulaunch launch` first starts Python again with a fixed hash seed, so that a set of strings has the same order in every run.
+    `edulaunch launch` first restarts Python with a fixed hash seed, so that a set of strings has the same order in every run.
     """
     if sys.argv[1:2] == ['launch'] and 'PYTHONHASHSEED' not in os.environ and sys.platform not in ('win32', 'emscripten'):
         os.environ['PYTHONHASHSEED'] = '0'
@@ -28,7 +28,10 @@ def rosdep() -> int:
 
 
 def _run(module: str, name: str) -> int:
-    """Run a command. What it needs is imported here, because a Python that starts again should not load it twice."""
+    """Run a command, and return its exit code.
+
+    The imports are inside this function, so that a Python that restarts skips them.
+    """
     from edulaunch.runtime.quiet_start import run_quietly
 
     return run_quietly(module, name)

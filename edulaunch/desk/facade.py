@@ -1,7 +1,7 @@
-"""The public names of `import edulaunch`. Each is loaded when it is first used. This module also connects the wings.
+"""The public names of `import edulaunch`. Each name is loaded when it is first used.
 
 `edulaunch/__init__.py` uses `__getattr__` and `__dir__` of this module. Every import of edulaunch loads this module, so it
-imports little.
+imports little. This module also imports the parts of edulaunch that register the views of recordings.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ __all__ = [name for name in PLACES if name not in ('__version__', 'load_ipython_
 
 
 def _load_view(name: str) -> None:
-    """Import the wing that registers a view of recordings."""
+    """Import the module that registers a view of recordings, such as `plot_turtles`."""
     if name in ('message_table', 'log_table'):
         import edulaunch.canvas.table
     elif name.startswith('plot_') or name == 'parameter_table':

@@ -1,1 +1,1 @@
-"""Rules that explain the error which ended a program, a launch or a command (`Failure`)."""
+"""Rules that explain the error (`Failure`) that ended a program, a launch or a command."""

@@ -1,4 +1,4 @@
-"""The sentences of rules for errors that carry facts (`edulaunch.engine.facts`)."""
+"""Create rules for errors that carry facts (`edulaunch.engine.facts`)."""
 
 from __future__ import annotations
 
@@ -13,10 +13,14 @@ from edulaunch.advice.rule import Failure, Finding, Rule, Sentence, rule
 def about(
     name: str, *, what: Sentence, do: Sentence, types: tuple[str, ...] = (), texts: tuple[str, ...] = (), **options: Any
 ) -> Rule:
-    """Return the rule for errors about `name`. Its sentences use the facts of the error.
+    """Return the rule for errors whose fact `about` is `name`. The sentences of the rule use the facts of the error.
 
-    :param types: classes of errors that are always about it.
-    :param texts: messages that always mean this error.
+    :param name: the name of the rule.
+    :param what: the sentence about the mistake, or several templates of it.
+    :param do: the sentence about what to do, or several templates of it.
+    :param types: names of error classes that this rule always explains.
+    :param texts: error messages that this rule always explains.
+    :param options: further arguments of :func:`edulaunch.advice.rule.rule`.
     """
 
     def look(failure: Failure) -> Iterator[Finding]:
@@ -27,7 +31,7 @@ def about(
 
 
 def in_share(text: str) -> str:
-    """Return a path, or a message with paths, that begins at `share` or `lib` in place of the folder of a simulated build."""
+    """Return a message in which paths of a simulated build begin with `share` or `lib`, without the folder of the build."""
     return re.sub(r'\S*/edulaunch-[^/\s]+/[^/]+/(?=(?:share|lib)/)', '', text)
 
 

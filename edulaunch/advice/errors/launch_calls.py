@@ -44,7 +44,7 @@ OLD_KEYWORDS = {
     edits=(('{keyword}=', '{near}='),),
 )
 def keyword(failure: Failure) -> Iterator[Finding]:
-    """Report an unknown argument of a constructor."""
+    """Report an unknown keyword argument of a constructor."""
     match = re.match(r"(\w+)\.__init__\(\) got an unexpected keyword argument '(\w+)'", failure.message)
     cls = class_named(match[1]) if match is not None else None
     known = failure.facts.get('keywords') or (keywords_of(cls) if cls is not None else [])
@@ -122,7 +122,9 @@ def component_is_node(failure: Failure) -> Iterator[Finding]:
     edits=(('{near}=', '{needed}='),),
 )
 def missing_keyword(failure: Failure) -> Iterator[Finding]:
-    """Report a missing argument. Actions pass unknown arguments on, so a misspelt argument is reported only as a missing one."""
+    """Report a missing argument. Actions pass unknown arguments on to their base class, so Python reports a misspelt argument
+    only as a missing one.
+    """
     match = re.match(r"(\w+)\.__init__\(\) missing \d+ required (?:keyword-only|positional) arguments?: '(\w+)'", failure.message)
     cls = class_named(match[1]) if match is not None else None
     if match is not None and cls is not None and failure.process is None:
@@ -154,8 +156,9 @@ def missing_keyword(failure: Failure) -> Iterator[Finding]:
     edits=(('{set_of}', '{as_dict}'), ('{keyword}={value}', "{keyword}='{as_text}'")),
 )
 def not_a_text(failure: Failure) -> Iterator[Finding]:
-    """Report a number, a boolean or a path where launch expects a string. In parameters= it is often an item of a set, as in
-    `{'speed', 2.0}`.
+    """Report a number, a boolean or a path where launch expects a string.
+
+    In `parameters=`, the mistake is often a set instead of a dictionary, as in `{'speed', 2.0}`.
     """
     if failure.facts.get('about') != 'launch.not-a-text':
         return
@@ -170,7 +173,10 @@ def not_a_text(failure: Failure) -> Iterator[Finding]:
 
 
 def _compared(failure: Failure) -> dict[str, Any]:
-    """Return facts about a comparison with == or != in the line that failed, whose result is a boolean of Python."""
+    """Return facts about a comparison with == or != in the failing line.
+
+    Its result is a boolean of Python, not a substitution.
+    """
     tree = script_of(failure.file) if failure.facts.get('given') == 'bool' else None
     for node in [] if tree is None else ast.walk(tree):
         is_there = isinstance(node, ast.Compare) and node.lineno == failure.line
@@ -217,7 +223,7 @@ def wrong_type(failure: Failure) -> Iterator[Finding]:
 
 
 def _one_pair(failure: Failure) -> str | None:
-    """Return the only pair of `remappings=('from', 'to')` as it is written in the file."""
+    """Return the source of the only pair in `remappings=('from', 'to')`, or None."""
     for node in ast.walk(script_of(failure.file) or ast.Module([], [])):
         if isinstance(node, ast.keyword) and node.arg == 'remappings' and isinstance(node.value, ast.Tuple):
             is_pair = [type(word) for word in node.value.elts[:1]] == [ast.Constant]
@@ -239,7 +245,7 @@ NO_PAIRS = about(
     level='error',
 )
 def not_a_list(failure: Failure) -> Iterator[Finding]:
-    """Report a single action where a list is expected."""
+    """Report a single action where launch expects a list."""
     match = re.match(r"'(\w+)' object is not iterable", failure.message)
     cls = class_named(match[1]) if match is not None and failure.process is None else None
     if match is not None and hasattr(cls, 'visit'):
@@ -257,7 +263,7 @@ def not_a_list(failure: Failure) -> Iterator[Finding]:
     confidence='asked',
 )
 def missing_comma(failure: Failure) -> Iterator[Finding]:
-    """Report two items of a list without a comma between them, and a variable that is called although it is an action."""
+    """Report two items of a list without a comma between them, and a variable that contains an action and is called."""
     match = re.match(r"'(\w+)' object is not (callable|subscriptable)", failure.message)
     if match is None or failure.process is not None:
         return
@@ -268,7 +274,7 @@ def missing_comma(failure: Failure) -> Iterator[Finding]:
 
 
 def _called_variable(failure: Failure, cls: str) -> str | None:
-    """Return the variable with an object of a class that the line of the failure calls, or None."""
+    """Return the variable that contains an object of a class and that the failing line calls, or None."""
     tree = script_of(failure.file) or ast.Module([], [])
     made = {
         target.id
@@ -307,7 +313,7 @@ def not_an_action(failure: Failure) -> Iterator[Finding]:
     lesson='01_first_launch',
 )
 def condition_object(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `condition=LaunchConfiguration('x')`."""
+    """Report an object that is not a condition, as in `condition=LaunchConfiguration('x')`."""
     match = re.match(r"'(\w+)' object has no attribute 'evaluate'", failure.message)
     if match is not None and failure.process is None:
         yield report(failure, given=match[1])
@@ -320,7 +326,7 @@ def condition_object(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def no_event_actions(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `on_exit='shutdown'` in Python."""
+    """Report a string in place of actions, as in `on_exit='shutdown'` in Python."""
     if failure.message.startswith("expected all items in 'on_event' iterable"):
         yield report(failure)
 
@@ -335,7 +341,10 @@ def no_event_actions(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def value_too_early(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `LaunchConfiguration('count') > 1`, and `.perform()` of it."""
+    """Report a substitution that is used like its value, as in `LaunchConfiguration('count') > 1`.
+
+    Also report a call of `.perform()` without a context.
+    """
     match = re.match(r"'[<>]=?' not supported between instances of '(\w+)'|(\w+)\.perform\(\) missing 1 req", failure.message)
     counted = re.match(r"'(\w+)' object cannot be interpreted as an integer", failure.message)
     name = counted[1] if counted is not None else None if match is None else match[1] or match[2]
@@ -350,7 +359,10 @@ def value_too_early(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def default_no_choice(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `choices='true false'`, which is a list of letters, or `choices=[True, False]`."""
+    """Report a default that is not among the choices, as with `choices=[True, False]`.
+
+    Python reads `choices='true false'` as a list of letters.
+    """
     match = re.match(r'Provided default_value "(.*)" is not in provided choices', failure.message)
     if match is not None:
         yield report(failure, default=match[1])
@@ -363,7 +375,7 @@ def default_no_choice(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def bool_wanted(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `respawn='yes'`."""
+    """Report a string for a boolean argument, as in `respawn='yes'`."""
     match = re.match(r"value=(.*) is not an instance of <class 'bool'>", failure.message)
     if match is not None and failure.process is None:
         yield report(failure, value=match[1])
@@ -377,7 +389,7 @@ def bool_wanted(failure: Failure) -> Iterator[Finding]:
     hides=('launch.element',),
 )
 def number_wanted(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `period='2 s'`."""
+    """Report a string that is not a number where launch expects a number, as in `period='2 s'`."""
     match = re.match(r"could not convert string to float: '(.*)'", failure.message)
     if match is not None and failure.process is None:
         yield report(failure, value=match[1])
@@ -390,7 +402,7 @@ def number_wanted(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def text_is_bytes(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `'ready' in event.text` in a handler of OnProcessIO."""
+    """Report a string that a handler of OnProcessIO compares with bytes, as in `'ready' in event.text`."""
     match = re.match(
         'a bytes-like object is required|argument should be integer or bytes-like|.*must be bytes or', failure.message
     )
@@ -405,6 +417,6 @@ def text_is_bytes(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def target_no_action(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `target_action='sim'`."""
+    """Report a string in place of an action, as in `target_action='sim'`."""
     if failure.message.startswith("action_matcher must be an '"):
         yield report(failure)

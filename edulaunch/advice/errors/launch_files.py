@@ -116,12 +116,15 @@ def _text_of(file: str | None) -> str:
 
 
 def _goes_up(text: str, path: str) -> bool:
-    """Return whether a launch file makes a path with '../..' from the share folder of a package."""
+    """Return whether a launch file builds this path with '../..' from the share folder of a package."""
     return 'ackage' in text and path not in text and re.search(r"\.\./\.\.|'\.\.',\s*'\.\.'", text) is not None
 
 
 def _is_relative(text: str, path: str) -> bool:
-    """Return whether a line of a launch file has the end of a path as a string, and so leaves the folder to the terminal."""
+    """Return whether a launch file contains the end of a path as a string.
+
+    Such a relative path depends on the current folder of the terminal.
+    """
     ends = [f"'{path.split(os.sep, number)[-1]}'" for number in range(1, path.count(os.sep) + 1)]
     lines = (line for line in text.splitlines() if not re.search('ackage|__file__|[jJ]oin', line))
     return any(end in line for line in lines for end in ends)
@@ -243,7 +246,7 @@ _NO_ATTRIBUTE = re.compile(r"(?:partially initialized )?module '(?P<module>[\w.]
     edits=(('{missing}', '{near_here}'), ('from {module} import {missing}', '{line}', 'line')),
 )
 def import_name(failure: Failure) -> Iterator[Finding]:
-    """Report a name that is misspelt or is defined in another module of launch."""
+    """Report an imported name that is misspelt, or that belongs to another module of launch."""
     match = _NOT_IN.match(failure.message) or _NO_ATTRIBUTE.match(failure.message)
     if match is None or failure.process is not None or match['module'].partition('.')[0] not in ('launch', 'launch_ros'):
         return
@@ -262,7 +265,7 @@ def import_name(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def relative_import(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `from .other import x`."""
+    """Report a relative import in a launch file, such as `from .other import x`."""
     if failure.process is None and failure.message.startswith('attempted relative import'):
         yield report(failure)
 
@@ -285,7 +288,7 @@ def relative_import(failure: Failure) -> Iterator[Finding]:
     edits=(('{wanted_module}', '{near}'),),
 )
 def no_module(failure: Failure) -> Iterator[Finding]:
-    """Report a missing module that the launch file imports."""
+    """Report an imported module that does not exist."""
     match = re.match(r"No module named '([\w.]+)'", failure.message)
     if match is None or failure.process is not None:
         return
@@ -308,8 +311,9 @@ EXTRAS = {'xacro': 'urdf', 'urdf_parser_py': 'urdf', 'rosbags': 'bags'}
 
 
 def misspelt(module: str) -> str | None:
-    """Return the module of launch or ament_index_python whose name is nearly this one. The package `launch_utils` is not a
-    misspelling.
+    """Return the module of launch or ament_index_python of which this name is a misspelling, or None.
+
+    `launch_utils` is the name of a package, not a misspelling.
     """
     near = nearest_spelling(module, MODULES)
     top = module.partition('.')[0]

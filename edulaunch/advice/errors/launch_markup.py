@@ -84,7 +84,7 @@ def _instead(failure: Failure, name: str) -> str | None:
     level='error',
 )
 def unknown_element(failure: Failure) -> Iterator[Finding]:
-    """Report an element that is unknown, or not allowed at this place."""
+    """Report an element that is unknown, or that is not allowed at this place."""
     if failure.facts.get('about') != 'launch.unknown-element':
         return
     name, shown = str(failure.facts.get('element')), str(failure.facts.get('shown'))
@@ -239,7 +239,7 @@ NOT_CLOSED = about(
     level='error',
 )
 def unreadable(failure: Failure) -> Iterator[Finding]:
-    """Report a file that is not valid XML or YAML. Two signs have a special meaning in XML."""
+    """Report a file that is not valid XML or YAML. In XML, an ampersand or two dashes in a comment are common causes."""
     if failure.facts.get('about') == 'launch.unreadable':
         line = getline(failure.file or '', failure.line or 0)
         is_xml = not (failure.file or '').endswith(('.yaml', '.yml'))

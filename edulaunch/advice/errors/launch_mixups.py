@@ -1,4 +1,4 @@
-"""Rules about things in launch files that look alike: two classes with the name Node, and a set in place of a dictionary."""
+"""Rules about similar things in launch files: two classes with the name Node, and a set instead of a dictionary."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def other_node(failure: Failure) -> Iterator[Finding]:
     edits=(('{given}', '{meant}'),),
 )
 def set_for_dictionary(failure: Failure) -> Iterator[Finding]:
-    """Report `launch_arguments={'red', '200'}.items()`."""
+    """Report a set in place of a dictionary, as in `launch_arguments={'red', '200'}.items()`."""
     is_set = failure.process is None and failure.message == "'set' object has no attribute 'items'"
     for node in ast.walk(script_of(failure.file) or ast.Module([], [])) if is_set else ():
         value = node.value if isinstance(node, ast.Attribute) and node.attr == 'items' else None
@@ -66,7 +66,7 @@ def set_for_dictionary(failure: Failure) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def opaque_no_context(failure: Failure) -> Iterator[Finding]:
-    """Report a function without a parameter that is passed to OpaqueFunction."""
+    """Report a function without parameters that is passed to OpaqueFunction."""
     match = re.match(r'(\w+)\(\) takes 0 positional arguments but 1 was given', failure.message)
     tree = script_of(failure.file) if match is not None and failure.process is None else None
     nodes = [] if tree is None else list(ast.walk(tree))

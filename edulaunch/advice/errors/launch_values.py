@@ -23,7 +23,7 @@ from edulaunch.engine.nearest import nearest, nearest_spelling
     hides=('programs.died',),
 )
 def command_failed(failure: Failure) -> Iterator[Finding]:
-    """Report a command of the substitution Command that failed. `said` is the first line of its standard error."""
+    """Report a failed command of the substitution Command. The fact `said` is the first line of the command's standard error."""
     matched = re.match(r'executed command failed. Command: (.*)(?:\nCaptured stderr output: ((?s:.*)))?', failure.message)
     if matched is not None:
         words = [os.path.realpath(word) if os.path.exists(word) else word for word in matched[1].split()]
@@ -41,7 +41,7 @@ def command_failed(failure: Failure) -> Iterator[Finding]:
     hides=('launch.fails', 'launch.program-absent', 'programs.died'),
 )
 def command_no_space(failure: Failure) -> Iterator[Finding]:
-    """Report a Command such as `Command(['xacro', path])`, whose first word is a program and an existing file."""
+    """Report a Command such as `Command(['xacro', path])`, which joins the program and the path of a file into one word."""
     if failure.facts.get('about') != 'launch.program-absent':
         return
     program, slash, rest = str(failure.facts.get('program')).partition('/')
@@ -64,7 +64,7 @@ def command_no_space(failure: Failure) -> Iterator[Finding]:
     edits=(('{given}', '{near}'),),
 )
 def output_word(failure: Failure) -> Iterator[Finding]:
-    """Report a value of output= that launch does not accept."""
+    """Report a value of `output=` that launch does not accept."""
     match = re.match(r'(.+) is not a valid (?:standard|combined) output config', failure.message)
     if match is not None:
         near = nearest_spelling(match[1].lower(), ('screen', 'log', 'both', 'own_log', 'full'))
@@ -80,7 +80,7 @@ def output_word(failure: Failure) -> Iterator[Finding]:
     hides=('launch.fails', 'programs.died'),
 )
 def program_absent(failure: Failure) -> Iterator[Finding]:
-    """Report a program that the substitution Command or FindExecutable does not find."""
+    """Report a program that the substitution Command or FindExecutable cannot find."""
     if failure.facts.get('about') == 'launch.program-absent':
         yield report(failure)
 
@@ -121,7 +121,7 @@ def no_configuration(failure: Failure) -> Iterator[Finding]:
     lesson='01_first_launch',
 )
 def no_argument(failure: Failure) -> Iterator[Finding]:
-    """Report a missing argument that has no default."""
+    """Report a missing launch argument that has no default."""
     match = re.search(r"missing required argument '(.*?)' .*given: \[(.*)\]", failure.message, re.DOTALL)
     if match is not None:
         given = [name for name in match[2].split(', ') if name]
@@ -188,7 +188,7 @@ def namespace(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def executed_twice(failure: Failure) -> Iterator[Finding]:
-    """Report the same `ExecuteProcess` object in two places."""
+    """Report an `ExecuteProcess` object that a launch file uses in two places."""
     if 'executed more than once' not in failure.message:
         return
     listed: set[str] = set()
@@ -239,7 +239,11 @@ _JOINED = re.compile(
     hides=('programs.sign-in-name',),
 )
 def joined_too_early(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `'carrot_' + LaunchConfiguration('leader')`, an f-string around it, or a minus in front."""
+    """Report a substitution that is joined to a string, as in `'carrot_' + LaunchConfiguration('leader')` or in an f-string.
+
+    Also report a minus sign in front of a substitution.
+
+    """
     match = _JOINED.match(failure.message)
     given = (
         next(filter(None, match.groups()), None)
@@ -267,7 +271,7 @@ def joined_too_early(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def parameter_type(failure: Failure) -> Iterator[Finding]:
-    """Report a value of the wrong type. The type of a parameter never changes, and an integer is not a double."""
+    """Report a parameter value of the wrong type. The type of a parameter never changes, and an integer is not a double."""
     facts = failure.facts
     if facts.get('about') == 'programs.parameter-type':
         pair, value = (facts.get('given'), facts.get('expected')), str(facts.get('value'))
@@ -284,7 +288,9 @@ def parameter_type(failure: Failure) -> Iterator[Finding]:
 
 
 def _meant(text: str, wanted: str) -> str | None:
-    """Return the value of the wanted type that a string such as `2,5`, `Ture` or `0.5 1.5` probably means."""
+    """Return the value of the wanted type that the user probably means with a string such as `2,5`, `Ture` or `0.5 1.5`, or
+    None.
+    """
     number, words = r'-?\d+(?:\.\d+)?', text.replace(',', ' ').split()
     if wanted == 'DOUBLE' and re.fullmatch(r'-?\d+,\d+', text):
         return text.replace(',', '.')
@@ -306,7 +312,7 @@ def _meant(text: str, wanted: str) -> str | None:
     edits=(('{parameter}', '{near}', 'near'),),
 )
 def parameter_undeclared(failure: Failure) -> Iterator[Finding]:
-    """Report an undeclared parameter that a node gets or sets."""
+    """Report an undeclared parameter that a node reads or sets."""
     facts = failure.facts
     if facts.get('about') == 'programs.parameter-undeclared':
         yield report(failure, near=nearest(str(facts.get('parameter')), map(str, facts.get('declared') or ())))
@@ -363,7 +369,7 @@ PARAMETER_VALUE = about(
     level='error',
 )
 def value_as_yaml(failure: Failure) -> Iterator[Finding]:
-    """Report a string parameter, such as the output of xacro, whose type launch does not know."""
+    """Report a parameter, such as the output of xacro, whose type launch cannot determine."""
     if failure.facts.get('about') == 'launch.value-as-yaml':
         ending = os.path.splitext(failure.file or '')[1]
         forms = {'.xml': {'xml': 'param'}, '.launch': {'xml': 'param'}, '.yaml': {'yaml': 'type'}, '.yml': {'yaml': 'type'}}

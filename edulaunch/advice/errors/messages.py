@@ -1,4 +1,4 @@
-"""Rules about wrong classes, fields and values of messages, services and actions, and about unknown names in the programs of
+"""Rules about wrong classes, fields and values of messages, services and actions, and about undefined names in programs of
 nodes.
 """
 
@@ -30,8 +30,9 @@ from edulaunch.engine.nearest import nearest_spelling
     edits=(('.{field}', '.{near}', 'near'),),
 )
 def field(failure: Failure) -> Iterator[Finding]:
-    """Report a field that a message does not have. If do_transform_point() raises the error, the caller passed only a part of the
-    message.
+    """Report a field that a message does not have.
+
+    If `do_transform_point()` raises the error, the caller has passed only a part of the message.
     """
     if failure.facts.get('about') == 'messages.field':
         called = re.search(r'\b(do_transform_\w+)\(', linecache.getline(failure.file or '', failure.line or 0))
@@ -113,7 +114,7 @@ _SAID = re.compile(r"Expected <class '(?P<module>[\w.]+)\.(?P<wanted>\w+)'>, got
     level='error',
 )
 def published_no_message(failure: Failure) -> Iterator[Finding]:
-    """Report an object of another class in publish(). The TypeError of rclpy names both classes."""
+    """Report an object of a wrong class that is passed to publish(). The TypeError of rclpy names both classes."""
     match = _SAID.search(failure.message) if failure.type == 'TypeError' else None
     if match is not None:
         place: dict[str, Any] = {'file': failure.file, 'line': failure.line, 'time_s': failure.time_s}
@@ -138,12 +139,12 @@ HOMES = {
     'nav_msgs.msg': 'Odometry',
     'turtlesim.srv': 'Kill SetPen Spawn TeleportAbsolute TeleportRelative',
 }
-"""Names that tutorials import, by module. Pose is that of geometry_msgs. A user of turtlesim's Pose notices the difference."""
+"""Names that tutorials import, by module. `Pose` is the one of geometry_msgs: users of turtlesim's notice the difference."""
 _HOME_OF = {name: home for home, names in HOMES.items() for name in names.split()}
 
 
 def _class_with(file: str | None, method: str) -> ast.ClassDef | None:
-    """Return the last class of a program that defines a method of this name."""
+    """Return the last class in a program that defines a method with this name, or None."""
     classes = [node for node in ast.walk(script_of(file) or ast.Module([], [])) if isinstance(node, ast.ClassDef)]
     with_method = [one for one in classes if any(isinstance(node, ast.FunctionDef) and node.name == method for node in one.body)]
     return with_method[-1] if with_method else None
@@ -186,7 +187,7 @@ def unknown_name(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def no_number(failure: Failure) -> Iterator[Finding]:
-    """Report arithmetic with a number where rclpy expects a Duration or Time, as in `now - 0.5`."""
+    """Report arithmetic with a plain number where rclpy expects a Duration or Time, as in `now - 0.5`."""
     made = re.match(r'(Duration|Time)\.__init__\(\) takes 1 positional argument', failure.message)
     match = re.match(
         r"(?:unsupported operand type\(s\) for \S+:|'[<>]=?' not supported between instances of) '(\w+)' and '(\w+)'",

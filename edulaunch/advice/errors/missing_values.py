@@ -35,7 +35,7 @@ def _line(failure: Failure) -> str:
     hides=('launch.fails',),
 )
 def no_variable(failure: Failure) -> Iterator[Finding]:
-    """Report a missing environment variable that a launch file or a program reads, as in `os.environ['NAME']`."""
+    """Report a missing environment variable in a launch file or a program, as in `os.environ['NAME']`."""
     match = re.fullmatch(r"'(\w+)'", failure.message)
     if failure.type == 'KeyError' and match is not None and 'environ' in _line(failure):
         yield report(failure, variable=match[1], example=MODELS.get(match[1]), quoted=repr(match[1]))
@@ -54,8 +54,10 @@ def no_variable(failure: Failure) -> Iterator[Finding]:
     hides=('programs.result-before-reply',),
 )
 def result_too_early(failure: Failure) -> Iterator[Finding]:
-    """Report the use of a future's result before it exists. None has the attribute on a line with `.result()`, or in a variable
-    that was assigned from such a line.
+    """Report the use of a future's result before it exists.
+
+    The failing line reads an attribute of None. The None comes from `.result()` on this line, or from a variable that a line
+    above has assigned from `.result()`.
     """
     if failure.type != 'AttributeError' or not failure.message.startswith("'NoneType' object has no attribute"):
         return
@@ -82,7 +84,7 @@ def result_too_early(failure: Failure) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def path_too_early(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `os.path.join(FindPackageShare('robo'), 'config')` or `open(LaunchConfiguration('file'))`."""
+    """Report a substitution in place of a path, as in `os.path.join(FindPackageShare('robo'), 'config')`."""
     match = re.match(r'(?:expected str, bytes or os.PathLike object|.*should be string.*), not (\w+)', failure.message)
     if match is not None and hasattr(class_named(match[1]), 'perform'):
         yield report(failure, given=match[1])
@@ -122,7 +124,7 @@ def condition_word(failure: Failure) -> Iterator[Finding]:
     hides=('launch.no-configuration',),
 )
 def declared_after_use(failure: Failure) -> Iterator[Finding]:
-    """Report an argument that the same file declares only after its first use."""
+    """Report a launch argument that its file declares only after the first use."""
     match = re.fullmatch(r"launch configuration '(.*)' does not exist", failure.message)
     if match is not None and (failure.file or '').endswith('.xml'):
         yield from _declared_below(failure, match[1])
@@ -138,7 +140,7 @@ def declared_after_use(failure: Failure) -> Iterator[Finding]:
 
 
 def _declared_below(failure: Failure, name: str) -> Iterator[Finding]:
-    """Report an <arg> or <let> of an XML launch file that comes after the use of its name."""
+    """Report an <arg> or <let> that an XML launch file contains only after the use of its name."""
     for number, line in enumerate(linecache.getlines(failure.file or ''), 1):
         element = re.search(rf'<(arg|let)\b[^>]*\bname=["\']{re.escape(name)}["\']', line)
         if element is not None and number > (failure.line or 0):
@@ -147,7 +149,10 @@ def _declared_below(failure: Failure, name: str) -> Iterator[Finding]:
 
 
 def _comes_later(tree: ast.Module, declared: int, used: int) -> bool:
-    """Return whether one action comes after another, in the file or in a list of variables that contain actions."""
+    """Return whether the action on line `declared` comes after the action on line `used`.
+
+    Compare their positions in the file or, for variables that contain actions, in a list.
+    """
     lines = {
         node.targets[0].id: node.value.lineno
         for node in ast.walk(tree)
@@ -170,7 +175,7 @@ def _comes_later(tree: ast.Module, declared: int, used: int) -> bool:
     hides=('launch.no-configuration', 'launch.declared-after-use'),
 )
 def set_in_group(failure: Failure) -> Iterator[Finding]:
-    """Report a launch configuration that exists only inside a GroupAction of the same file."""
+    """Report a launch configuration that the file sets only inside a GroupAction."""
     match = re.fullmatch(r"launch configuration '(.*)' does not exist", failure.message)
     tree = script_of(failure.file) if match is not None else None
     if match is None or tree is None:
@@ -196,16 +201,14 @@ SETTING = ('SetLaunchConfiguration', 'DeclareLaunchArgument')
     hides=('launch.positional', 'launch.call'),
 )
 def class_for_action(failure: Failure) -> Iterator[Finding]:
-    """Report a class in place of an action, as in `on_exit=Shutdown`. The rule reads the file that failed and the first launch
-    file.
-    """
+    """Report a class in place of an action, as in `on_exit=Shutdown`."""
     match = re.match(r'(\w+)\.__init__\(\) takes 1 positional argument but 3 were given', failure.message)
     if match is not None:
         yield report(failure, given=match[1], keyword='on_exit' if match[1] == 'Shutdown' else 'on_start')
 
 
 def _lines(file: str) -> list[str]:
-    """Return the lines of a launch file; [] for a very long file."""
+    """Return the lines of a Python launch file. Return an empty list for another file or a very long file."""
     lines = linecache.getlines(file) if file.endswith('.py') else []
     return lines if sum(map(len, lines)) < LONGEST else []
 
@@ -245,7 +248,7 @@ ELSEWHERE = {
     level='error',
 )
 def other_module(failure: Failure) -> Iterator[Finding]:
-    """Report code such as `rclpy.remove_ros_args(...)`."""
+    """Report a name such as `rclpy.remove_ros_args` that is not in `rclpy` itself, but in one of its modules."""
     match = re.match(r"module 'rclpy' has no attribute '(\w+)'", failure.message)
     if match is not None and match[1] in ELSEWHERE:
         yield report(failure, part=match[1], module=ELSEWHERE[match[1]])

@@ -1,6 +1,4 @@
-"""Rules about modules that are missing or were imported wrongly, and about features that need a real computer: processes,
-windows, sockets.
-"""
+"""Rules about missing modules, wrong imports, and features that need a real computer: processes, windows and sockets."""
 
 from __future__ import annotations
 
@@ -44,7 +42,7 @@ NEWER = {'turtlesim_msgs': 'turtlesim'}
     edits=(('{module}', '{near}', 'near'),),
 )
 def unknown_module(failure: Failure) -> Iterator[Finding]:
-    """Report the import of a module that does not exist, or that is in the package of the importing file."""
+    """Report the import of a module that does not exist, or of a module in the importing file's own package."""
     if failure.facts.get('about') == 'programs.unknown-module':
         module, folder = str(failure.facts.get('module')), os.path.dirname(failure.file or '')
         is_beside = all(os.path.isfile(os.path.join(folder, name)) for name in (f'{module}.py', '__init__.py'))
@@ -63,7 +61,7 @@ def unknown_module(failure: Failure) -> Iterator[Finding]:
     edits=(('{newer}', '{home}', 'near'), ('{module}', '{near}', 'near')),
 )
 def unknown_package(failure: Failure) -> Iterator[Finding]:
-    """Report an import from a package of messages that does not exist, such as `turtlesim_msgs`."""
+    """Report an import from a message package that does not exist, such as `turtlesim_msgs`."""
     module = str(failure.facts.get('module'))
     if failure.facts.get('about') == 'messages.unknown-package' and (module in NEWER or failure.facts.get('near')):
         yield report(failure, newer=module if module in NEWER else None, home=NEWER.get(module))
@@ -76,7 +74,7 @@ def unknown_package(failure: Failure) -> Iterator[Finding]:
     level='info',
 )
 def other_package(failure: Failure) -> Iterator[Finding]:
-    """Report an import from a package of messages that is not here, and whose name is not nearly the name of one that is."""
+    """Report an import from a message package that is not available and whose name resembles no available package."""
     module, near = str(failure.facts.get('module')), failure.facts.get('near')
     if failure.facts.get('about') == 'messages.unknown-package' and module not in NEWER and not near:
         yield report(failure)
@@ -103,7 +101,7 @@ def other_package(failure: Failure) -> Iterator[Finding]:
     edits=(('{module}', '{parent}.{near}'),),
 )
 def module_part(failure: Failure) -> Iterator[Finding]:
-    """Report a module that an existing package does not contain, or that only its build makes."""
+    """Report a module that an existing package does not contain, or that only a build of the package generates."""
     if failure.facts.get('about') == 'programs.module-part':
         module = str(failure.facts.get('module'))
         setup = os.path.join(os.path.dirname(os.path.dirname(failure.file or '')), 'setup.py')

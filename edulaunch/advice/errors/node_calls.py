@@ -15,7 +15,7 @@ LESSON = '14_services'
 
 
 def calls_on_line(failure: Failure) -> list[ast.Call]:
-    """Return the calls on the student's line, outermost first."""
+    """Return the calls on the failing line, from the outermost to the innermost."""
     tree = script_of(failure.file)
     nodes = [] if tree is None else [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
     return [call for call in nodes if call.lineno <= (failure.line or 0) <= (call.end_lineno or 0)]
@@ -32,7 +32,7 @@ def calls_on_line(failure: Failure) -> list[ast.Call]:
     level='error',
 )
 def type_as_text(failure: Failure) -> Iterator[Finding]:
-    """Report a message type that is given as a string, or swapped with the topic, as in `create_subscription('Pose', ...)`."""
+    """Report a message type that is given as a string or swapped with the topic, as in `create_subscription('Pose', ...)`."""
     if not failure.message.startswith("type object 'str' has no attribute '_TYPE_SUPPORT'"):
         return
     for call in calls_on_line(failure):
@@ -95,7 +95,7 @@ def service_class(failure: Failure) -> Iterator[Finding]:
     hides=('messages.field-value',),
 )
 def parameter_object(failure: Failure) -> Iterator[Finding]:
-    """Report a Parameter object in place of its value, as in `self.get_parameter('speed') * 2`, or in a field of a message."""
+    """Report a Parameter object in place of its value, as in `self.get_parameter('speed') * 2` or in a field of a message."""
     used = re.search(
         r"'(Parameter(?:Value)?)'(?: and '|$|:? )|and '(Parameter(?:Value)?)'|not '?(Parameter(?:Value)?)'?$", failure.message
     )
@@ -120,7 +120,7 @@ def local_not_attribute(failure: Failure) -> Iterator[Finding]:
         return
     for owner in ast.walk(tree):
         if isinstance(owner, ast.ClassDef) and owner.name == match[1]:
-            added = {id(node.target) for node in ast.walk(owner) if isinstance(node, ast.AugAssign)}  # needs a value before
+            added = {id(node.target) for node in ast.walk(owner) if isinstance(node, ast.AugAssign)}  # += needs an earlier value
             stores = [node for node in ast.walk(owner) if isinstance(node, (ast.Name, ast.Attribute)) and id(node) not in added]
             local = [node for node in stores if isinstance(node, ast.Name) and node.id == match[2] and _is_stored(node)]
             attributes = [
@@ -154,7 +154,7 @@ CALLED_WITH = {
     level='error',
 )
 def callback_signature(failure: Failure) -> Iterator[Finding]:
-    """Report a callback of a service, timer, action or future whose parameters are not those with which rclpy calls it."""
+    """Report a callback with the wrong parameters. It may belong to a service, a timer, an action or a future."""
     match = re.match(r'(?:\w+\.)?(\w+)\(\) (?:takes [1-9]|missing \d+ ).*argument', failure.message)
     tree = script_of(failure.file) if match is not None and failure.process is not None else None
     if match is None or tree is None or any(name_of_call(call) == match[1] for call in calls_on_line(failure)):
@@ -184,7 +184,7 @@ PARTS = {'float': 'double_value', 'int': 'integer_value', 'bool': 'bool_value', 
     edits=(('.{read}', '.{part}'),),
 )
 def other_part_of_value(failure: Failure) -> Iterator[Finding]:
-    """Report the wrong part of a parameter's value in a field of a message, as in `msg.x = value.integer_value`."""
+    """Report a wrong part of a ParameterValue in a field of a message, as in `msg.x = value.integer_value`."""
     part = PARTS.get(str(failure.facts.get('wanted')))
     if failure.facts.get('about') == 'messages.field-value' and part is not None and failure.process is not None:
         read = re.findall(r'\.((?:double|integer|bool|string)_value)\b', getline(failure.file or '', failure.line or 0))
@@ -204,14 +204,15 @@ def other_part_of_value(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def attribute_never_set(failure: Failure) -> Iterator[Finding]:
-    """Report an attribute of a student's class that nothing in its file assigns. Other rules know methods of Node."""
+    """Report an attribute of a student's class that no line of the file assigns. Other rules are about methods of Node."""
     match = re.fullmatch(r"'(\w+)' object has no attribute '([a-z]\w*)'(?:\. Did you mean: '(\w+)'\?)?", failure.message)
     tree = script_of(failure.file) if match is not None and failure.process is not None else None
     if match is None or tree is None:
         return
     for owner in (node for node in ast.walk(tree) if isinstance(node, ast.ClassDef) and node.name == match[1]):
         inner = list(ast.walk(owner))
-        added = {id(node.target) for node in inner if isinstance(node, ast.AugAssign)}  # += needs a value
+        added = {id(node.target) for node in inner if isinstance(node, ast.AugAssign)}  # += needs an earlier value
+
         uses = [node for node in inner if isinstance(node, ast.Attribute) and node.attr == match[2]]
         is_set = any(_is_stored(node) and id(node) not in added for node in uses)
         is_called = any(name_of_call(node) == match[2] for node in inner)

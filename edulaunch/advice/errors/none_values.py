@@ -22,7 +22,7 @@ _IS_NONE = re.compile(
 
 
 class _Failed(NamedTuple):
-    """The program that failed, the function with the failing line, and the expressions of that line that may be None."""
+    """The syntax tree of the failed program, the function with the failing line, and the expressions there that may be None."""
 
     tree: ast.Module
     function: ast.AST
@@ -47,7 +47,7 @@ def _failed(failure: Failure) -> _Failed | None:
 
 
 def _stores(tree: ast.AST, written: str) -> list[ast.Assign | ast.AnnAssign]:
-    """Return the assignments to a variable or attribute."""
+    """Return the assignments to a variable or attribute, which is given as source code."""
     return [
         node
         for node in ast.walk(tree)
@@ -66,7 +66,7 @@ def _stores(tree: ast.AST, written: str) -> list[ast.Assign | ast.AnnAssign]:
     level='error',
 )
 def not_yet_stored(failure: Failure) -> Iterator[Finding]:
-    """Report a variable or attribute that begins as None, and that only another function sets."""
+    """Report a variable or attribute that begins with the value None, and to which only another function assigns a value."""
     failed = _failed(failure)
     for node in [] if failed is None else failed.candidates:
         written = ast.unparse(node)
@@ -95,7 +95,7 @@ def not_yet_stored(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def no_return_value(failure: Failure) -> Iterator[Finding]:
-    """Report the use of the result of a function of the same file that has no `return` with a value."""
+    """Report the use of a function's result if the function is in the same file and has no `return` with a value."""
     failed = _failed(failure)
     for node in [] if failed is None else failed.candidates:
         if failed is None:
@@ -147,7 +147,7 @@ def _returns(function: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
 
 
 def _last_value(function: ast.FunctionDef | ast.AsyncFunctionDef) -> str:
-    """Return the variable that a function stores last, which is probably its result."""
+    """Return the variable that a function assigns last, which is probably meant to be its result."""
     targets = [target for node in ast.walk(function) if isinstance(node, ast.Assign) for target in node.targets]
     targets.sort(key=lambda target: target.lineno)
     return ast.unparse(targets[-1]) if targets else 'value'

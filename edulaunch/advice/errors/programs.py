@@ -1,4 +1,4 @@
-"""Rules about `rclpy.init()`, `spin` and `shutdown` that are called too early, too late, twice, or with a wrong argument."""
+"""Rules about calls of `rclpy.init()`, `spin` and `shutdown` that are too early, too late, repeated, or have a wrong argument."""
 
 from __future__ import annotations
 
@@ -176,7 +176,7 @@ TIMEOUT_NO_DURATION = about(
     level='error',
 )
 def forgotten_self(failure: Failure) -> Iterator[Finding]:
-    """Report a method that is defined without `self`. Python before 3.10 does not name the class in its message."""
+    """Report a method that is defined without `self`. Python before 3.10 does not name the class in the error message."""
     match = re.match(r'\w+\.(\w+)\(\) takes 0 positional arguments but \d+ (was|were) given', failure.message)
     if match is not None and failure.type == 'TypeError':
         yield report(failure, method=match[1])
@@ -190,8 +190,9 @@ def forgotten_self(failure: Failure) -> Iterator[Finding]:
     confidence='asked',
 )
 def called_too_early(failure: Failure) -> Iterator[Finding]:
-    """Report a callback that is called while it should be passed, as in `create_subscription(String, 'chatter', self.heard(),
-    10)`.
+    """Report a callback that the program calls instead of passing it.
+
+    An example is `create_subscription(String, 'chatter', self.heard(), 10)`.
     """
     match = re.match(r"\w+\.(\w+)\(\) missing 1 required positional argument: '(\w+)'", failure.message)
     tree = script_of(failure.file) if match is not None and failure.process is not None else None
@@ -225,7 +226,7 @@ def no_depth(failure: Failure) -> Iterator[Finding]:
     level='info',
 )
 def rule_failed(failure: Failure) -> Iterator[Finding]:
-    """Report that a rule of advice failed. A mistake of a student never causes this finding."""
+    """Report nothing. The judge creates this finding when a rule of advice fails, which is never a student's mistake."""
     yield from ()
 
 
@@ -237,7 +238,7 @@ def rule_failed(failure: Failure) -> Iterator[Finding]:
     lesson='02_names',
 )
 def sign_in_name(failure: Failure) -> Iterator[Finding]:
-    """Report a space, a minus sign or an accented letter in the name of a node, namespace or topic."""
+    """Report an invalid character in a name of a node, namespace or topic, such as a space, a minus sign or an umlaut."""
     match = re.search(r"must not contain characters other than alphanumerics.*:\n  '(.*)'\n( *)\^", failure.message)
     if match is not None:
         name, at = match[1], len(match[2]) - len("  '")

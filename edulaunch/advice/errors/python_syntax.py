@@ -1,4 +1,4 @@
-"""Rules about files that Python cannot parse. They read Python's message and the line that it names."""
+"""Rules about files that Python cannot parse. The rules read Python's error message and the failing line."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def _in_line(failure: Failure, **facts: Any) -> Finding:
     level='error',
 )
 def typographic_quotes(failure: Failure) -> Iterator[Finding]:
-    """Report typographic quotes and dashes, which look almost like the plain ones."""
+    """Report typographic quotes and dashes, which look almost like the ASCII characters."""
     match = _matched(failure, _CHARACTER.pattern)
     if match is not None:
         character = chr(int(match[1], 16))
@@ -59,7 +59,7 @@ def typographic_quotes(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def bracket_open(failure: Failure) -> Iterator[Finding]:
-    """Report a bracket that is never closed. Python names the line in which it was opened."""
+    """Report a bracket that is never closed. Python names the line of the opening bracket."""
     match = _matched(failure, r"'([(\[{])' was never closed")
     if match is not None:
         yield _in_line(failure, opening=match[1], closing=CLOSING[match[1]])
@@ -75,7 +75,7 @@ def bracket_open(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def bracket_other(failure: Failure) -> Iterator[Finding]:
-    """Report a closing bracket that does not match the opening one."""
+    """Report a closing bracket that does not match the opening bracket."""
     match = _matched(failure, r"closing parenthesis '(.)' does not match opening parenthesis '(.)'(?: on line (\d+))?")
     if match is not None:
         opened = int(match[3]) if match[3] else None
@@ -89,7 +89,7 @@ def bracket_other(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def bracket_too_many(failure: Failure) -> Iterator[Finding]:
-    """Report a closing bracket without an opening one."""
+    """Report a closing bracket without an opening bracket."""
     match = _matched(failure, r"unmatched '(.)'")
     if match is not None:
         yield _in_line(failure, closing=match[1])
@@ -103,8 +103,9 @@ def bracket_too_many(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def not_utf_8(failure: Failure) -> Iterator[Finding]:
-    """Report a file in another encoding than UTF-8. UTF-16 contains many null bytes. Some versions of Python do not name the
-    file; then the rule uses the program's name.
+    """Report a file whose encoding is not UTF-8. A file in UTF-16 contains many null bytes.
+
+    Some versions of Python do not name the file. In that case, the finding names the program.
     """
     types = (*SYNTAX, 'ValueError', 'UnicodeDecodeError')
     if _matched(failure, r"null bytes|can't decode byte|Non-UTF-8 code|invalid or missing encoding", types):
@@ -128,7 +129,7 @@ def not_utf_8(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def indentation(failure: Failure) -> Iterator[Finding]:
-    """Report missing or unexpected indentation, and tabs among spaces."""
+    """Report missing or unexpected indentation, and tabs that are mixed with spaces."""
     if failure.type in ('IndentationError', 'TabError'):
         match = re.search(
             r"expected an indented block after (?:'(\w+)' statement|(\w+) definition) on line (\d+)", failure.message
@@ -139,7 +140,14 @@ def indentation(failure: Failure) -> Iterator[Finding]:
 
 
 def _simple(name: str, pattern: str, what: str, do: str, unless: str = r'(?!)') -> Rule:
-    """Return a rule that explains an error message of Python in one sentence, unless the line matches the pattern `unless`."""
+    """Return a rule that explains an error message of Python in one sentence.
+
+    :param name: the name of the rule.
+    :param pattern: a regular expression for the message.
+    :param what: the sentence about the mistake.
+    :param do: the sentence about what to do.
+    :param unless: a regular expression for the failing line. If it matches, the rule reports nothing.
+    """
 
     def look(failure: Failure) -> Iterator[Finding]:
         if _matched(failure, pattern) and not re.search(unless, getline(failure.file or '', failure.line or 0)):

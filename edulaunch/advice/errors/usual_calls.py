@@ -1,4 +1,4 @@
-"""Rules about common mistakes in calls that Python reports in general words: brackets, argument lists, futures, constructors."""
+"""Rules about common mistakes in calls for which Python's message is too general: brackets, arguments, futures, constructors."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ LAUNCH_FORMS = (
     (r'LaunchDescription\.(add_action)\(\) takes 2 positional', '{}(action) once for each action'),
     (r'(generate_launch_description)\(\) missing \d+ required', 'def {}() without parameters'),
 )
-"""The same for launch files."""
+"""The same for functions that launch files call."""
 
 
 @rule(
@@ -61,7 +61,7 @@ def wrong_call(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def brackets_missing(failure: Failure) -> Iterator[Finding]:
-    """Report a missing call, such as `self.get_logger.info(...)` or `Twist.linear.x = 0.2`."""
+    """Report a missing pair of brackets, as in `self.get_logger.info(...)` or `Twist.linear.x = 0.2`."""
     match = re.match(r"'(function|method|property)' object has no attribute '(\w+)'", failure.message)
     compared = re.match(r"'[<>]=?' not supported between instances of ('property'|.* and 'property')", failure.message)
     tree = script_of(failure.file) if failure.process is not None and (match or compared) else None
@@ -85,8 +85,9 @@ def brackets_missing(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def not_callable(failure: Failure) -> Iterator[Finding]:
-    """Report brackets after something that is not a function, as in `message.x()`. It must be the only call without arguments on
-    its line.
+    """Report brackets after something that is not a function, as in `message.x()`.
+
+    The rule reports it only if it is the only call without arguments on its line.
     """
     match = re.fullmatch(r"'(float|int|bool|str|list|QoSProfile)' object is not callable", failure.message)
     tree = script_of(failure.file) if failure.process is not None and match is not None else None
@@ -124,7 +125,7 @@ def no_local_value(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def future_no_answer(failure: Failure) -> Iterator[Finding]:
-    """Report a field of the reply that is read from the future, as in `future.sum`."""
+    """Report a field of a reply that the program reads from the future, as in `future.sum`."""
     match = re.match(r"'Future' object has no attribute '(\w+)'", failure.message)
     tree = script_of(failure.file) if failure.process is not None and match is not None else None
     if match is None or tree is None:
@@ -144,7 +145,7 @@ def future_no_answer(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def goal_handle_no_result(failure: Failure) -> Iterator[Finding]:
-    """Report `future.result().result` for the future of send_goal_async()."""
+    """Report `future.result().result` for the future of send_goal_async(). Its result is a goal handle."""
     if failure.process is not None and failure.message.startswith("'ClientGoalHandle' object has no attribute 'result'"):
         yield report(failure)
 
@@ -159,7 +160,7 @@ def goal_handle_no_result(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def init_misspelt(failure: Failure) -> Iterator[Finding]:
-    """Report a misspelt constructor such as `def _init_(self):`, or the call of one."""
+    """Report a misspelt constructor such as `def _init_(self):`, or a call of a misspelt constructor."""
     called = re.match(r"'super' object has no attribute '(?:_[A-Za-z]\w*?)??(_{1,2}(?:init|int|inti)_{0,2})'", failure.message)
     if called is not None:
         yield report(failure, called=called[1], wanted='super().__init__(...)')
@@ -200,7 +201,7 @@ def fields_by_name(failure: Failure) -> Iterator[Finding]:
     hides=('messages.field-value',),
 )
 def parameter_no_value(failure: Failure) -> Iterator[Finding]:
-    """Report a parameter without a value that a program reads, or assigns to a field of a message."""
+    """Report a parameter without a value that a program reads, or that it assigns to a field of a message."""
     unset = re.match(r"The parameter '(\S+)' is not initialized", failure.message)
     if unset is not None and failure.process is not None:
         yield report(failure, parameter=unset[1])

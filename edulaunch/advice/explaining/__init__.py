@@ -1,4 +1,4 @@
-"""`explain` shows a launch file as a tree with the origin of every value, in a terminal or in a notebook."""
+"""`explain` returns what a launch file does, as a tree with the origin of every value, for a terminal or a notebook."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`edulaunch.explain(file)`."""
+"""The function `edulaunch.explain(file)` and its results."""
 
 from __future__ import annotations
 
@@ -27,7 +27,10 @@ MOMENT_S = 0.5
 
 
 def declared_parameters(package: str, executable: str, workspaces: Sequence[str]) -> dict[str, Any]:
-    """Return the default of each parameter of a program's first node, or {} if the program fails earlier."""
+    """Return the parameters of a program's first node with their defaults.
+
+    The program runs for a moment in a separate simulation. Return an empty dictionary if it fails before it creates a node.
+    """
     with Session(workspaces=workspaces) as session:
         session.host.start(ProcessSpec(argv=('ros2', 'run', package, executable), name=executable))
         session.run(MOMENT_S)
@@ -40,7 +43,7 @@ def declared_parameters(package: str, executable: str, workspaces: Sequence[str]
 
 
 class Tree:
-    """A tree of entries. A notebook shows it so that each entry can be opened; elsewhere it is shown as lines."""
+    """A tree of entries. In a notebook, each entry opens and closes; elsewhere, the tree consists of lines of text."""
 
     title: str
     entries: Any
@@ -56,12 +59,12 @@ class Tree:
 
     @property
     def alt(self) -> str:
-        """Return the tree as text, for users who cannot see it."""
+        """Return the tree as text, for users of a screen reader."""
         return str(self)
 
 
 class Explanation(Tree):
-    """What a launch file does: its includes, arguments, conditions and nodes, and the origin of every value."""
+    """The explanation of a launch file: its includes, arguments, conditions and nodes, and the origin of every value."""
 
     def __init__(self, rehearsal: Rehearsal, workspaces: Sequence[str]) -> None:
         self._rehearsal = rehearsal
@@ -70,7 +73,7 @@ class Explanation(Tree):
 
     @cached_property
     def data(self) -> Entry:
-        """The explanation as plain data; see :mod:`edulaunch.advice.plan.explanation`."""
+        """The explanation as plain data (see :mod:`edulaunch.advice.plan.explanation`)."""
         return explanation_of(self._rehearsal)
 
     @cached_property
@@ -91,18 +94,18 @@ class Explanation(Tree):
 
     @property
     def plan(self) -> dict[str, Any]:
-        """The dry run in the plan format 1."""
+        """The result of the dry run in plan format 1."""
         return self._rehearsal.plan
 
     @property
     def missing(self) -> tuple[list[str], list[str]]:
-        """The names of packages and descriptions of other things that are missing and were assumed to exist."""
+        """The names of missing packages, and descriptions of other missing things, that the dry run assumed to exist."""
         return self._rehearsal.missing
 
     def system(self, earlier: Recording | None = None) -> System:
-        """Return the nodes, endpoints and frames that the launch file plans; see :mod:`edulaunch.advice.explaining.systems`.
+        """Return the nodes, endpoints and frames that the launch file plans (see :mod:`edulaunch.advice.explaining.systems`).
 
-        :param earlier: an earlier run, from which its nodes get their endpoints.
+        :param earlier: the recording of an earlier run, whose nodes determine the endpoints, or None.
         """
         from edulaunch.advice.explaining.systems import planned_system
 
@@ -110,21 +113,26 @@ class Explanation(Tree):
             return planned_system(self.plan, session.index, earlier, _subject(self))
 
     def graph(self, earlier: Recording | None = None, *, services: bool = False) -> Any:
-        """Return a picture of :meth:`system`; see :func:`edulaunch.canvas.plot_system`."""
+        """Return a picture of :meth:`system` (see :func:`edulaunch.canvas.plot_system`).
+
+        :param earlier: the same as for :meth:`system`.
+        :param services: whether to draw services, too.
+        """
         return view('plot_system')(self.system(earlier), services=services)
 
     def why(self, name: str, parameter: str | None = None) -> Reason:
-        """Return why a node's parameter, or a launch argument, has the value it has.
+        """Return the reason for the value of a node's parameter or of a launch argument.
 
         :param name: the name of a node ('/sim'). Without `parameter`, it may also be the name of a launch argument.
-        :raises UnusableInput: if that name does not exist; the error has the nearest name.
+        :param parameter: the name of the parameter, or None for all parameters of the node.
+        :raises UnusableInput: when the name does not exist. The error suggests the most similar name.
         """
         from edulaunch.advice.explaining.reasons import reasons
 
         return Reason(reasons(self._rehearsal.outline, name, parameter, self._declared))
 
     def compare(self, other: Explanation) -> Comparison:
-        """Return the differences to another launch file, or to the same file with other arguments."""
+        """Return the differences from another launch file, or from the same launch file with other arguments."""
         return Comparison(self, other)
 
     def _declared(self, package: str, executable: str) -> dict[str, Any]:
@@ -132,7 +140,7 @@ class Explanation(Tree):
 
 
 class Comparison(Tree):
-    """The differences between two explanations. `data` is a list of entries that each have a `sign`."""
+    """The differences between two explanations. `data` is a list of entries, and each entry has a `sign`."""
 
     def __init__(self, before: Explanation, after: Explanation) -> None:
         self._both = before, after
@@ -140,7 +148,10 @@ class Comparison(Tree):
         self.title = f'{_subject(before)}  ->  {_subject(after)}' + ('' if self.entries else '\nno difference')
 
     def graph(self, *, services: bool = False) -> Any:
-        """Return a picture of both plans, with what differs; see :func:`edulaunch.canvas.plot_system`."""
+        """Return a picture of both plans and their differences (see :func:`edulaunch.canvas.plot_system`).
+
+        :param services: whether to draw services, too.
+        """
         from edulaunch.advice.explaining.systems import pictured
 
         before, after = self._both
@@ -153,7 +164,10 @@ def _subject(explanation: Explanation) -> str:
 
 
 class Reason(Tree):
-    """The chain of values that led to a value. `data` has `name`, `value` and `steps`; see :mod:`edulaunch.advice.plan.why`."""
+    """The chain of values that led to a value.
+
+    Each item of `data` has `name`, `value` and `steps` (see :mod:`edulaunch.advice.plan.why`).
+    """
 
     def __init__(self, data: list[dict[str, Any]]) -> None:
         from edulaunch.advice.explaining.reasons import rendered_reasons
@@ -163,7 +177,7 @@ class Reason(Tree):
 
 
 def _name_sources(plan: dict[str, Any], source_path: Callable[[str], str]) -> None:
-    """Name the student's own files in a plan instead of the links of a generated prefix."""
+    """Replace the links of a generated prefix in a plan by the paths of the student's own files."""
     plan['file'] = source_path(plan['file'])
     here = os.path.join(os.getcwd(), '')
     for item in plan['items']:
@@ -182,15 +196,15 @@ def explain(
     workspaces: Sequence[str | os.PathLike[str]] = (),
     assume_packages: bool = False,
 ) -> Explanation:
-    """Return what a launch file would do, as a tree, without starting anything.
+    """Return what a launch file would do, without starting a program.
 
-    The result is a tree of its includes, decisions and actions. Each value has its origin, and the values that it replaced.
+    The result is a tree of includes, decisions and actions. Each value has its origin, and the values that it replaced.
 
-    :param path_or_package: path of a launch file, or name of a package.
-    :param file: name of a launch file in the package.
-    :param arguments: launch arguments by name.
-    :param workspaces: folders with packages; by default, the workspaces of the current folder.
-    :param assume_packages: continue if packages are missing, with empty packages instead.
+    :param path_or_package: the path of a launch file, or the name of a package.
+    :param file: the name of a launch file in the package.
+    :param arguments: the launch arguments by name.
+    :param workspaces: folders with packages (default: the workspaces of the current folder).
+    :param assume_packages: whether to replace missing packages by empty ones and continue.
     :raises UnusableInput: when there is no such file or package.
     """
     where = workspaces_of_command(workspaces, path_or_package)

@@ -1,4 +1,4 @@
-"""The chains of values that led to the value of a parameter or argument, and their output."""
+"""Find and show the chains of values that led to the value of a parameter or launch argument."""
 
 from __future__ import annotations
 
@@ -18,9 +18,12 @@ Declared = Callable[[str, str], Mapping[str, Any]]
 
 
 def reasons(outline: Branch, name: str, parameter: str | None, declared: Declared) -> list[dict[str, Any]]:
-    """Return one dict for each requested value, with `name`, `value` and `steps`.
+    """Return a dictionary with `name`, `value` and `steps` for each requested value.
 
-    :param declared: a function of package and executable that returns the parameters that the program declares.
+    :param outline: the outline of the dry run.
+    :param name: the name of a node or of a launch argument.
+    :param parameter: the name of the parameter, or None for all parameters.
+    :param declared: a function that returns the parameters that a program declares, from its package and its executable.
     :raises UnusableInput: when there is no such node, parameter or argument.
     """
     if parameter is None and not name.startswith('/'):
@@ -59,7 +62,7 @@ def _default(item: dict[str, Any], name: str, defaults: Mapping[str, Any]) -> St
 
 
 def rendered_reasons(data: list[dict[str, Any]]) -> tuple[str, list[Entry]]:
-    """Return a title, and the chains as entries with the strongest last. A single chain has no title of its own."""
+    """Return a title, and the chains as entries. The effective value comes last. A single chain needs no title of its own."""
     found = []
     for reason in data:
         one = entry('why', f'{reason["name"]} = {shown_value(reason["value"])}')

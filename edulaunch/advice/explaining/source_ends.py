@@ -1,7 +1,7 @@
-"""The endpoints, frames and name of a program's node, read from its Python files. No line of the program runs.
+"""Find the endpoints, frames and name of a program's node in its Python files. The reader does not run the program.
 
-The reader evaluates only what is certain: literals, f-strings, variables that one statement sets, and parameters with the values
-that the launch file gives. It reports every other expression as unknown.
+The reader evaluates only expressions whose value is certain. They are literals, f-strings, variables that one statement sets,
+and parameters with the values from the launch file. It reports every other expression as unknown.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ MAKERS = {
     'ActionServer': ('service', 1, 2),
     'ActionClient': ('client', 1, 2),
 }
-"""For each call, the kind of the endpoint, and the positions of its type and its name."""
+"""For each call, the kind of the endpoint, and the positions of the arguments with its type and its name."""
 KEYWORDS = {
     'create_publisher': 'topic',
     'create_subscription': 'topic',
@@ -45,9 +45,11 @@ End = tuple[str, str, str]
 
 
 class SourceEnds(NamedTuple):
-    """The endpoints and frames of a program. `name` is the name of its node, or None if the reader does not know it. `frames`
-    contains (parent, child, is static). `unknown` contains the expressions that decide an endpoint or a frame and that the
-    reader cannot evaluate.
+    """The endpoints and frames of a program.
+
+    :ivar name: the name of the program's node, or None if the reader cannot determine it.
+    :ivar frames: (parent, child, is static) of each transform.
+    :ivar unknown: the expressions that determine an endpoint or a frame and that the reader cannot evaluate.
     """
 
     name: str | None
@@ -57,9 +59,10 @@ class SourceEnds(NamedTuple):
 
 
 def read_ends(paths: Sequence[str], parameters: Mapping[str, Any]) -> SourceEnds:
-    """Read the Python files of one program.
+    """Return the endpoints and frames that the Python files of one program define.
 
-    :param parameters: the values that the launch file gives to the node.
+    :param paths: the paths of the files.
+    :param parameters: the values that the launch file gives to the node's parameters.
     """
     ends: list[End] = []
     frames: list[tuple[str, str, bool]] = []
@@ -85,7 +88,7 @@ def read_ends(paths: Sequence[str], parameters: Mapping[str, Any]) -> SourceEnds
 
 
 def read_defaults(paths: Sequence[str]) -> dict[str, Any]:
-    """Return the defaults of the parameters that a program declares, as far as the reader can evaluate them."""
+    """Return the parameters that a program declares with their defaults, if the reader can evaluate the defaults."""
     found: dict[str, Any] = {}
     for tree in map(parsed, paths):
         found |= _Reader(tree, {}).defaults() if tree is not None else {}
@@ -93,7 +96,7 @@ def read_defaults(paths: Sequence[str]) -> dict[str, Any]:
 
 
 def files_of(path: str) -> list[str]:
-    """Return a program's file and the files beside it that it imports directly or indirectly."""
+    """Return a program's file, and the files in its folder that it imports directly or indirectly."""
     found: list[str] = []
     waiting = [path]
     while waiting:
@@ -118,7 +121,7 @@ def _imported_beside(tree: ast.Module, folder: str) -> Iterator[str]:
 
 
 class _Reader:
-    """Reads one file."""
+    """Reads one Python file."""
 
     def __init__(self, tree: ast.Module, parameters: Mapping[str, Any]) -> None:
         self._tree = tree
@@ -143,13 +146,14 @@ class _Reader:
                 self._set.setdefault(node.arg, []).append(None)
 
     def defaults(self) -> dict[str, Any]:
-        """Return the declared parameters whose default is certain."""
+        """Return the declared parameters whose defaults are certain."""
         values = {name: self.value(default) for name, default in self._defaults.items()}
         return {name: value for name, value in values.items() if value is not UNKNOWN}
 
     def _note(self, target: ast.expr, value: ast.expr | None) -> None:
-        """Store the expression that sets a variable. A second assignment, or one that is not plain, makes the
-        variable unknown.
+        """Store the expression that sets a variable.
+
+        A second assignment makes the variable unknown. So does an assignment to several variables at once.
         """
         parts = target.elts if isinstance(target, (ast.Tuple, ast.List)) else [target]
         for part in parts:
@@ -167,7 +171,7 @@ class _Reader:
                     yield value
 
     def ends(self) -> Iterator[End | str]:
-        """Yield each endpoint, or the expression of its name if the name is unknown."""
+        """Yield each endpoint. If the name of an endpoint is unknown, yield the expression for the name instead."""
         for call in self._calls:
             name = name_of_call(call)
             yield from OF_TF.get(name, ())
@@ -190,7 +194,10 @@ class _Reader:
         return '/'.join(parts) if len(parts) == 3 and parts[1] in ('msg', 'srv', 'action') else full
 
     def frames(self) -> Iterator[tuple[str, str, bool] | str]:
-        """Yield each transform that the file fills in, or the expression of a frame whose name is unknown."""
+        """Yield each transform that the file fills in.
+
+        If the name of a frame is unknown, yield the expression for the name instead.
+        """
         makers = {name_of_call(call) for call in self._calls}
         if not makers & {'TransformBroadcaster', 'StaticTransformBroadcaster'}:
             return

@@ -1,8 +1,7 @@
-"""The nodes, topics, services and frames that a launch file plans or that a run had, and the differences between two such
-systems.
+"""Compare systems: the nodes, topics, services and frames that a launch file plans or that a run had.
 
 A plan starts no process. The endpoints of a program come from an earlier run or from its Python source. A program of edulaunch
-itself runs for a moment in a separate simulation. Everything else is reported as unknown.
+itself runs for a moment in a separate simulation. All other endpoints are reported as unknown.
 """
 
 from __future__ import annotations
@@ -39,9 +38,9 @@ End = tuple[str, str, str]
 class SystemNode(NamedTuple):
     """A node of a system.
 
-    :ivar program: its package and executable.
-    :ivar source: the origin of its endpoints: 'run', 'source', 'built-in', or '' if they are not known.
-    :ivar unknown: a description of the endpoints that are not known.
+    :ivar program: the package and executable of the node.
+    :ivar source: the origin of the node's endpoints: 'run', 'source', 'built-in', or an empty string if they are unknown.
+    :ivar unknown: descriptions of the unknown endpoints.
     """
 
     name: str
@@ -62,7 +61,7 @@ class SystemFrame(NamedTuple):
 
 
 class System(NamedTuple):
-    """The nodes and frames of a launch file or of a run."""
+    """The nodes and frames of a launch file's plan or of a run."""
 
     title: str
     nodes: list[SystemNode]
@@ -88,7 +87,7 @@ def _end_words(node: SystemNode) -> list[str]:
 
 
 def system_of_run(recording: Recording, title: str = '') -> System:
-    """Return the nodes, endpoints and frames that a run had at any time."""
+    """Return all nodes, endpoints and frames that existed during a run."""
     programs = {process.name: _program(process.argv) for process in recording.processes}
     nodes: dict[str, SystemNode] = {}
     for node in recording.nodes:
@@ -121,10 +120,12 @@ def _ends_of(node: NodeRecord) -> list[End]:
 
 
 def planned_system(plan: Mapping[str, Any], index: Index, earlier: Recording | None = None, title: str = '') -> System:
-    """Return what the plan of a launch file would start.
+    """Return the nodes, endpoints and frames that the plan of a launch file would start.
 
-    :param plan: the plan, in the plan format 1.
-    :param earlier: an earlier run, from which its nodes get their endpoints.
+    :param plan: the plan in plan format 1.
+    :param index: the index of the packages.
+    :param earlier: the recording of an earlier run, whose nodes determine the endpoints, or None.
+    :param title: the title of the system.
     """
     items = [item for item in plan['items'] if item['kind'] == 'node']
     run = None if earlier is None else system_of_run(earlier)
@@ -164,7 +165,10 @@ Found = tuple[SystemNode, list[SystemFrame]]
 
 
 def _moment(items: list[dict[str, Any]]) -> dict[int, Found]:
-    """Run edulaunch's own programs for a moment in a separate simulation, with the arguments of the plan."""
+    """Run programs of edulaunch for a moment in a separate simulation, with the arguments of the plan.
+
+    Return what they created.
+    """
     if not items:
         return {}
     with Session(env={}) as session:
@@ -195,7 +199,7 @@ def _words(item: Mapping[str, Any]) -> list[str]:
 
 
 def _read(item: Mapping[str, Any], index: Index) -> Found:
-    """Read the source of a student's program."""
+    """Return the node and the frames that the source of a student's program defines."""
     unnamed = fully_qualified_name(item['namespace'] or '/', item['name'] or item['executable'].removesuffix('.py'))
     files = source_files(index, item['package'], item['executable'])
     if not files:
@@ -210,7 +214,7 @@ def _read(item: Mapping[str, Any], index: Index) -> Found:
 
 
 def source_files(index: Index, package: str, executable: str) -> list[str]:
-    """Return the Python files of a student's program; [] for another program."""
+    """Return the Python files of a student's program. Return an empty list for any other program."""
     path = _file_of(index, package, executable)
     return files_of(path) if path is not None and path.endswith('.py') else []
 
@@ -240,11 +244,11 @@ def _resolved(name: str, kind: str, rules: Sequence[RemapRule], node: str) -> st
 
 
 class Difference(NamedTuple):
-    """Something in which two systems differ.
+    """One difference between two systems.
 
-    :ivar sign: '-' if only the first has it, '+' if only the second has it, '~' if they differ in it.
-    :ivar node: the name of the node that has it, '' for a frame.
-    :ivar parameter: the parameter that differs, or ''.
+    :ivar sign: '-' if only the first system has it, '+' if only the second system has it, '~' if it differs.
+    :ivar node: the name of the node that differs, or an empty string for a frame.
+    :ivar parameter: the name of the parameter that differs, or an empty string.
     """
 
     sign: str
@@ -254,7 +258,7 @@ class Difference(NamedTuple):
 
 
 def differences(before: System, after: System) -> list[Difference]:
-    """Return what differs in nodes, endpoints, parameters and frames, in this order."""
+    """Return the differences in nodes, endpoints, parameters and frames, in this order."""
     old, new = ({node.name: node for node in system.nodes} for system in (before, after))
     found = [Difference('-', name, f'node {name} ({old[name].program})') for name in old if name not in new]
     found += [Difference('+', name, f'node {name} ({new[name].program})') for name in new if name not in old]
@@ -280,7 +284,7 @@ def _of_node(before: SystemNode, after: SystemNode) -> Iterator[Difference]:
 
 
 def changed_parameters(found: list[Difference]) -> dict[str, list[str]]:
-    """Return the names of the changed parameters of each node that both systems have."""
+    """Return the names of the changed parameters, by the name of the node."""
     changed: dict[str, list[str]] = {}
     for one in found:
         if one.sign == '~':
@@ -289,7 +293,10 @@ def changed_parameters(found: list[Difference]) -> dict[str, list[str]]:
 
 
 def run_differences(before: Recording, after: Recording) -> list[str]:
-    """Return the other differences of two runs, one line each: arguments, exit codes, messages of each topic, and advice."""
+    """Return the other differences between two runs, one line for each.
+
+    They are the launch arguments, the exit codes, the number of messages of each topic, and the advice.
+    """
     found: list[str] = []
     tables: list[tuple[str, list[dict[str, str]]]] = [
         ('argument', [dict(run.launch.arguments) for run in (before, after)]),
@@ -306,7 +313,7 @@ def run_differences(before: Recording, after: Recording) -> list[str]:
 
 
 def _codes(run: Recording) -> dict[str, str]:
-    """Return the exit codes of processes that have nodes, by the name of the first node."""
+    """Return the exit codes of processes with nodes, by the name of the process's first node."""
     codes = {one.name: 'none, it runs' if one.returncode is None else str(one.returncode) for one in run.processes}
     owners = {node.process: node.name for node in reversed(run.nodes)}
     return {name: codes[process] for process, name in owners.items() if process in codes}
@@ -317,5 +324,5 @@ def _counts(run: Recording) -> dict[str, str]:
 
 
 def pictured(before: System, after: System, *, services: bool = False) -> Any:
-    """Return a picture of two systems side by side; see :func:`edulaunch.canvas.plot_system`."""
+    """Return a picture of two systems side by side (see :func:`edulaunch.canvas.plot_system`)."""
     return view('plot_system')(before, after, changed_parameters(differences(before, after)), services=services)

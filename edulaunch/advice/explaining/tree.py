@@ -1,4 +1,4 @@
-"""Write entries as a tree: as lines of text, with colours in a terminal, or as HTML that opens and closes."""
+"""Write entries as a tree: as lines of text, with colours in a terminal, or as HTML in which entries open and close."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ LARGE = 60
 
 
 def place_of(entry: Entry) -> str:
-    """Return 'file:line', or '' if the text contains it already."""
+    """Return the place of an entry as 'file:line', or an empty string if the text of the entry already contains it."""
     if entry['file'] is None or (entry['kind'] == 'parameter' and 'origin' in entry):
         return ''
     created = f' (created at line {entry["created_line"]})' if 'created_line' in entry else ''
@@ -52,7 +52,7 @@ def place_of(entry: Entry) -> str:
 
 
 def text_of(entry: Entry) -> str:
-    """Return the line of an entry, with the sign of a difference before it and the old text after it."""
+    """Return the text of an entry. For a difference, add the sign before it and the old text after it."""
     sign, text = entry.get('sign', '').strip(), entry['text']
     if sign == '~':
         text += f'  was {_other_words(entry["before"], text)}'
@@ -60,7 +60,7 @@ def text_of(entry: Entry) -> str:
 
 
 def _other_words(before: str, after: str) -> str:
-    """Return `before` without the words with which both lines begin."""
+    """Return `before` without the words at its beginning that `after` also has."""
     old, new = before.split(' '), after.split(' ')
     same = next((number for number, words in enumerate(zip(old, new, strict=False)) if words[0] != words[1]), len(new))
     rest = ' '.join(old[same:])
@@ -68,7 +68,7 @@ def _other_words(before: str, after: str) -> str:
 
 
 def label_of(entry: Entry) -> str:
-    """Return the line of an entry with its place."""
+    """Return the text of an entry, followed by its place."""
     place = place_of(entry)
     return text_of(entry) + (f'  <{place}>' if place else '')
 
@@ -83,9 +83,13 @@ def drawn(
     indent: str = '',
     shown: Callable[[Entry, str, str], Iterator[str]] = _plain,
 ) -> Iterator[str]:
-    """Yield the lines of the tree with its branches.
+    """Yield the lines of a tree.
 
-    :param shown: a function that returns the line of an entry from its branch and the start of its further lines.
+    :param entries: the entries of the tree.
+    :param twigs: the four strings with which branches are drawn.
+    :param indent: the beginning of each line.
+    :param shown: a function that yields the lines of an entry, from the entry, its branch, and the beginning of its further
+        lines.
     """
     through, last, beside, nothing = twigs
     for number, entry in enumerate(entries, 1):
@@ -96,7 +100,7 @@ def drawn(
 
 
 def print_in_colour(title: str, entries: Sequence[Entry], twigs: Sequence[str] = TWIGS) -> None:
-    """Print the tree in a terminal, in colour unless NO_COLOR is set, and wrap long lines."""
+    """Print a tree in a terminal, and wrap long lines. Use colours unless NO_COLOR is set."""
     is_coloured = not os.environ.get('NO_COLOR') and os.environ.get('TERM') != 'dumb'
     width = shutil.get_terminal_size().columns
 
@@ -115,7 +119,7 @@ def print_in_colour(title: str, entries: Sequence[Entry], twigs: Sequence[str] =
 
 
 def html_tree(title: str, entries: Sequence[Entry]) -> str:
-    """Return the tree as HTML. Every line is escaped, because its names come from a launch file."""
+    """Return the tree as HTML. Every line is escaped, because a launch file chooses the names in it."""
     opens = _count(entries) <= LARGE
     inside = ''.join(_html(entry, opens) for entry in entries)
     label = escape(f'explanation of {title}', quote=True)

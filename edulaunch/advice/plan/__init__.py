@@ -1,7 +1,7 @@
-"""The dry run: what a launch file would do, as plain data, without starting anything.
+"""The dry run: find out what a launch file would do, as plain data, without starting programs.
 
-The real launch service visits the real actions in a separate simulation. Only the host is different (`rehearsal.py`), and records
-the programs to start. The packages of ROS must be on the path (`edulaunch.source()`).
+The real launch service visits the real actions in a separate simulation. Only the host is different (`rehearsal.py`): it records
+the programs instead of starting them. The packages of ROS must be on the path (`edulaunch.source()`).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Answers for missing packages in a dry run, and a list of what was missing."""
+"""Replacements for missing packages in a dry run, and a list of what is missing."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
 
 
 class Assumptions:
-    """Answers for parts of packages that do not exist. Every request is noted.
+    """Replaces the parts of packages that do not exist, and records every request for them.
 
     :param placeholders: the prefix that contains the placeholder packages.
-    :ivar packages: names of missing packages, in the order in which launch asked for them.
-    :ivar others: missing programs, commands and files, in words.
+    :ivar packages: the names of missing packages, in the order in which launch asked for them.
+    :ivar others: descriptions of missing programs, commands and files.
     """
 
     def __init__(self, placeholders: str) -> None:
@@ -33,18 +33,21 @@ class Assumptions:
         return os.path.join(self._placeholders, 'share', '')
 
     def package(self, name: str) -> None:
-        """Note that a missing package was requested."""
+        """Record that launch asked for a missing package."""
         if name not in self.packages:
             self.packages.append(name)
 
     def program(self, name: str) -> str:
-        """Return the name of a program that is not on the PATH, in place of its path."""
+        """Record a program that is not on PATH. Return its name, which launch uses in place of a path."""
         self._programs.add(name)
         self._note(f'program {name}')
         return name
 
     def output_of(self, argv: Sequence[str], path: str | None) -> str | None:
-        """Return '' for a command whose program or file is missing, or None if the command can run."""
+        """Return an empty string as the output of a command whose program or file is missing.
+
+        Return None if the command can run.
+        """
         if not argv:
             return None
         lacking = any(self._is_missing(word) for word in argv)
@@ -55,15 +58,16 @@ class Assumptions:
         return ''
 
     def lacks_file(self, path: str) -> bool:
-        """Return whether a file belongs to a placeholder package, and therefore cannot exist."""
+        """Return whether a file belongs to a placeholder package, so that it cannot exist. If so, record the request."""
         missing = self._is_missing(path)
         if missing:
             self._note(f'file {self.shown(path)}')
         return missing
 
     def shown(self, path: str) -> str:
-        """Return a path inside a placeholder package as 'package/rest', a program of edulaunch by its name, and another path
-        unchanged.
+        """Return a short form of a path.
+
+        It is 'package/rest' inside a placeholder package, the name for a program of edulaunch, and otherwise the path itself.
         """
         if os.path.dirname(path) == os.path.join(underlay_prefix(), 'bin'):
             return os.path.basename(path)
@@ -81,9 +85,9 @@ class Assumptions:
 
 
 def include_if_there(assumptions: Assumptions, action: Any, context: LaunchContext) -> Any:
-    """Execute an IncludeLaunchDescription. For a file of a placeholder package, only set the arguments.
+    """Execute an IncludeLaunchDescription. If the file belongs to a placeholder package, only set the launch arguments.
 
-    :raises Exception: whatever loading another file raises.
+    :raises Exception: the error that loading any other file raises.
     """
     try:
         return type(action).execute(action, context)

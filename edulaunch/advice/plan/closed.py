@@ -1,8 +1,9 @@
-"""The computer as a launch file sees it in a dry run. Changes that the launch file would make are noted, but not made.
+"""The computer as a launch file sees it in a dry run. Changes that the launch file would make are recorded, but not made.
 
-A Python launch file is a program, and a dry run executes it. Programs that it starts itself seem to end at once (`rehearsal.py`).
-Files that it writes are stored separately: it can read them again, but no other program can. Other changes seem to succeed.
-Libraries do not use the views of a simulated program. Python's audit events refuse their changes.
+A Python launch file is a program, and a dry run executes it. Programs that the launch file starts itself seem to end immediately
+(`rehearsal.py`). The dry run stores the files that the launch file writes separately: the launch file can read them again, but
+no other program can. Other changes seem to succeed. Libraries do not use the views of a simulated program, so Python's audit
+events refuse their changes.
 """
 
 from __future__ import annotations
@@ -65,9 +66,9 @@ _hearing = False
 
 
 class Closed:
-    """The changes that the programs of one dry run would have made.
+    """Prevents the changes that the programs of one dry run would make.
 
-    :ivar notes: the changes that were not made, in order and once each: 'run the command touch x', 'write /tmp/x'.
+    :ivar notes: the changes that were not made, without repetitions, such as 'run the command touch x' or 'write /tmp/x'.
     """
 
     def __init__(self) -> None:
@@ -79,12 +80,12 @@ class Closed:
         self._is_over = False
 
     def note(self, text: str) -> None:
-        """Note a change that was not made."""
+        """Record a change that was not made."""
         if text not in self.notes:
             self.notes.append(text)
 
     def enter(self, process: Process) -> None:
-        """Replace functions of a program by functions that change nothing."""
+        """Replace the functions of a program that change the computer by functions that do not."""
         global _hearing
         if not _hearing:
             _hearing = True
@@ -120,7 +121,7 @@ class Closed:
         return open_copy
 
     def _copy(self, path: str, mode: str) -> str:
-        """Return the file that the program writes in place of the one at `path`."""
+        """Return the path of the separate file that the program writes instead of the file at `path`."""
         folder = os.path.dirname(path)
         if not (os.path.isdir(folder) or folder in self._folders):
             raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), path)
@@ -162,9 +163,11 @@ class Closed:
         return path in REPEATS or any(path == place or path.startswith(place + os.sep) for place in own)
 
     def hear(self, event: str, arguments: tuple[Any, ...]) -> None:
-        """Check an action that the student's program is about to do through a library.
+        """Check an action that a library is about to do for the student's program.
 
-        :raises PermissionError: if the action changes something.
+        :param event: the name of the audit event.
+        :param arguments: the arguments of the audit event.
+        :raises PermissionError: when the action would change something.
         """
         what = arguments[1 if event in NETWORK or event == 'ctypes.dlsym' else 0] if arguments else ''
         is_path = event not in STARTS and event != 'ctypes.dlsym' and isinstance(what, (str, bytes, os.PathLike))
@@ -183,7 +186,10 @@ class Closed:
             raise with_facts(PermissionError(errno.EPERM, 'not done in a dry run', path), 'launch.not-in-dry-run', undone=text)
 
     def close(self) -> None:
-        """Remove the separate copies and the temporary files of the programs. What they write at the exit of Python is lost."""
+        """Remove the separate files and the temporary files of the programs.
+
+        Later writes at the exit of Python have no effect.
+        """
         self._is_over = True
         for path in filter(None, (self._room, *self._temporary)):
             with suppress(OSError):
@@ -191,7 +197,7 @@ class Closed:
 
 
 def _finds_temporary_folder() -> bool:
-    """Return whether `tempfile` is testing where it may write. It does this once in a process, and removes its file."""
+    """Return whether `tempfile` is looking for a folder in which it may write. It does this once in a process."""
     frame: FrameType | None = sys._getframe(2)
     while frame is not None and frame.f_code.co_name != '_get_default_tempdir':
         frame = frame.f_back if not is_own(frame.f_code.co_filename) else None
@@ -199,19 +205,19 @@ def _finds_temporary_folder() -> bool:
 
 
 def _second_path(event: str, arguments: tuple[Any, ...]) -> list[str]:
-    """Return the target of a rename or link."""
+    """Return a list with the target of a rename or link. Return an empty list for any other audit event."""
     is_pair = event.removeprefix('os.') in TWO_PATHS
     return [os.path.abspath(os.fsdecode(one)) for one in arguments[1:2] if is_pair and isinstance(one, (str, bytes, os.PathLike))]
 
 
 def _address(what: Any) -> str:
-    """Return an address of a socket as people write it, and anything else as a string."""
+    """Return the address of a socket as 'host:port', and any other value as a string."""
     is_pair = isinstance(what, tuple) and len(what) >= 2
     return f'{what[0]}:{what[1]}' if is_pair else os.fsdecode(what) if isinstance(what, bytes) else str(what)
 
 
 def _command(arguments: tuple[Any, ...]) -> str:
-    """Return the command in the arguments of an audit event."""
+    """Return the command line in the arguments of an audit event."""
     words = arguments[1] if len(arguments) > 1 and arguments[1] else arguments[:1]
     return ' '.join(map(os.fsdecode, words)) if isinstance(words, (list, tuple)) else str(words)
 
@@ -221,7 +227,7 @@ def _hear(event: str, arguments: tuple[Any, ...]) -> None:
         return
     if (event == 'open' and not _writes(arguments)) or (event == 'ctypes.dlsym' and not OF_C.fullmatch(str(arguments[1]))):
         return
-    if arguments[:1] == (os.devnull,):  # at the exit of Python, too, when there are no tasks any more
+    if arguments[:1] == (os.devnull,):  # also at the exit of Python, when no tasks exist any more
         return
     task = running_task()
     closed = getattr(getattr(getattr(task, 'owner', None), 'host', None), 'closed', None)
@@ -234,7 +240,7 @@ def _writes(arguments: tuple[Any, ...]) -> bool:
     if not isinstance(path, (str, bytes)) or not isinstance(flags, int) or os.path.isdir(path):
         return False  # `tempfile` passes a folder here, and then creates a file in it
     if flags & os.O_EXCL and os.path.lexists(path):
-        return False  # the file exists, so the call fails without our help
+        return False  # the file exists, so the call fails anyway
     return bool(flags & WRITING) and not (NOWHERE and flags & NOWHERE == NOWHERE)
 
 

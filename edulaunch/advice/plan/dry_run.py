@@ -1,4 +1,4 @@
-"""Make the plan of a launch file."""
+"""Functions that run the dry run of a launch file and return its plan."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from edulaunch.errors import UnusableInput
 class AssumingIndex(Index):
     """An index that adds an empty placeholder for each missing package, and accepts every executable.
 
-    Placeholders are in a temporary folder that is deleted with this object.
+    The placeholders are in a temporary folder that is deleted with this object.
 
-    :param real: the index that is asked first.
+    :param real: the index that contains the existing packages.
     :ivar assumptions: the assumptions that the index has made.
     """
 
@@ -31,11 +31,11 @@ class AssumingIndex(Index):
         self.assumptions = Assumptions(self._image.path)
 
     def search_paths(self) -> list[str]:
-        """Return the real search paths, and the placeholders' path last."""
+        """Return the real search paths, followed by the folder of the placeholders."""
         return [*super().search_paths(), self._image.path]
 
     def prefix(self, package: str) -> str:
-        """Return the prefix of the package, or the prefix of the placeholders."""
+        """Return the prefix of an existing package. For a missing package, create a placeholder and return its prefix."""
         found = super().prefix(package)
         if found is not None:
             return found
@@ -44,7 +44,7 @@ class AssumingIndex(Index):
         return self._image.path
 
     def find_executable(self, package: str, executable: str) -> str:
-        """Return the path that the executable would have. It need not exist."""
+        """Return the path that the executable would have. The path may not exist."""
         return os.path.join(self.prefix(package), 'lib', package, executable)
 
 
@@ -57,16 +57,18 @@ def make_plan(
     assume_packages: bool = False,
     command_set: CommandSet | None = None,
 ) -> Plan:
-    """Return what `ros2 launch path arguments...` would do, in the plan format 1: plain data, keys sorted.
+    """Return what `ros2 launch path arguments...` would do, in plan format 1: plain data with sorted keys.
 
-    :param arguments: a mapping, or strings 'name:=value'.
-    :param environ: the environment variables that launch would see.
-    :param assume_packages: assume an empty share folder for every missing package, and accept every executable.
+    :param path: the path of the launch file.
+    :param arguments: the launch arguments, as a mapping or as strings 'name:=value'.
+    :param index: the index of the packages.
+    :param environ: the environment variables of launch.
+    :param assume_packages: whether to assume an empty share folder for every missing package, and to accept every executable.
     :param command_set: the tools and the shell for commands whose output the launch file needs. By default, no command runs.
-    :returns: a dict with `arguments` (declared), `configurations` (after the first visit), `given`, `items`, `log`, `warnings`,
-        `stdout` and `shutdown_reason`. `error` has type, text, stage, origin and help, if there is an error. `not_done` lists
-        changes to this computer that the dry run left out.
-    :raises UnusableInput: for an argument that is not of the form 'name:=value'.
+    :returns: a dictionary with `arguments` (declared), `configurations` (after the first visit), `given`, `items`, `log`,
+        `warnings`, `stdout` and `shutdown_reason`. After an error, `error` has type, text, stage, origin and help. `not_done`
+        lists the changes that the dry run did not make.
+    :raises UnusableInput: for an argument that does not have the form 'name:=value'.
     """
     return rehearse(path, arguments, index, environ, assume_packages=assume_packages, command_set=command_set).plan
 
@@ -74,11 +76,11 @@ def make_plan(
 class Rehearsal(NamedTuple):
     """The result of a dry run.
 
-    :ivar plan: the plan, in the plan format 1.
-    :ivar outline: the plan and the actions that were not executed, as a tree for people.
-    :ivar missing: names of the packages that were assumed to exist, and descriptions of other things.
-    :ivar placeholders: the share folder of the assumed packages; None if the dry run assumes none.
-    :ivar read: names of the launch configurations that substitutions have read, in order.
+    :ivar plan: the plan in plan format 1.
+    :ivar outline: the plan as a tree for users, including the actions that were not executed.
+    :ivar missing: the names of the packages that were assumed to exist, and descriptions of other missing things.
+    :ivar placeholders: the share folder of the assumed packages, or None if the dry run assumes no packages.
+    :ivar read: the names of the launch configurations that substitutions have read, in order.
     """
 
     plan: Plan
@@ -97,9 +99,9 @@ def rehearse(
     assume_packages: bool = False,
     command_set: CommandSet | None = None,
 ) -> Rehearsal:
-    """Make a plan like :func:`make_plan`, and return it with more details.
+    """Do the same dry run as :func:`make_plan`, and return the plan with more details.
 
-    :raises UnusableInput: for an argument that is not of the form 'name:=value'.
+    :raises UnusableInput: for an argument that does not have the form 'name:=value'.
     """
     by_name = _by_name(arguments)
     assuming = AssumingIndex(index) if assume_packages else None

@@ -1,11 +1,14 @@
 """Explain a plan as a tree of entries. Each entry is plain data with its place and the origin of every value.
 
-An entry is a dict: `kind`, `text`, `file` and `line` (None when no launch file wrote it), `is_taken`, `children`, and
+An entry is a dictionary with `kind`, `text`, `file` and `line` (None if no launch file wrote it), `is_taken` and `children`.
+Some entries contain more:
 
-* with a condition: `condition`;
-* an argument: `name`, `value`, `default`, `description`, `choices`, `origin`;
-* a node: `name` (None for the name in the program), `package`, `executable`, and among its children the remappings and
-* a parameter: `name`, `value`, `origin`, and `overrode`, the dicts (`value`, `origin`, `file`, `line`) of the overridden values.
+* An entry with a condition has `condition`.
+* An argument has `name`, `value`, `default`, `description`, `choices` and `origin`.
+* A node has `name` (None if the program chooses it), `package` and `executable`. Its children include remappings and
+  parameters.
+* A parameter has `name`, `value`, `origin` and `overrode`, a list of dictionaries (`value`, `origin`, `file`, `line`) for the
+  overridden values.
 """
 
 from __future__ import annotations
@@ -29,8 +32,10 @@ HIDDEN = frozenset(
 
 
 def explanation_of(rehearsal: Rehearsal) -> Entry:
-    """Return the explanation of a dry run: `format`, `file`, `given`, `error`, `missing`, `nodes` and `processes` (their
-    numbers), `shutdown_reason`, and the `tree`.
+    """Return the explanation of a dry run as a dictionary.
+
+    It contains `format`, `file`, `given`, `error`, `missing`, `nodes` and `processes` (their numbers), `shutdown_reason`, and the
+    `tree`.
     """
     plan = rehearsal.plan
     kinds = [item['kind'] for item in plan['items']]
@@ -49,7 +54,7 @@ def explanation_of(rehearsal: Rehearsal) -> Entry:
 
 
 def _without(folder: str, entries: list[Entry]) -> list[Entry]:
-    """Return the path without the folder that represents missing packages."""
+    """Return the entries without the folder of the placeholders for missing packages in their titles."""
     return [
         {**entry, 'text': entry['text'].replace(folder, ''), 'children': _without(folder, entry['children'])} for entry in entries
     ]
@@ -61,13 +66,13 @@ def _below(branch: Branch) -> list[Entry]:
 
 
 def _is_given_argument(branch: Branch, declared: set[str]) -> bool:
-    """Return whether an include sets an argument here, so that the entry of the argument will show the value."""
+    """Return whether a branch is an include's argument that the entry of the declared argument will show."""
     item = branch.item
     return item is not None and item['kind'] == 'set_configuration' and branch.origin is None and item['name'] in declared
 
 
 def _entries(branch: Branch) -> Iterator[Entry]:
-    """Yield the entry of a branch. A branch that only contains others is replaced by their entries."""
+    """Yield the entry of a branch. For a branch that only contains other branches, yield the entries of these branches."""
     below = _below(branch)
     kind, text = kind_and_text(branch)
     if kind == 'event' and not _is_from_a_file(branch):
@@ -97,7 +102,7 @@ def entry(kind: str, text: str, file: str | None = None, line: int | None = None
 
 
 def _is_from_a_file(branch: Branch) -> bool:
-    """Return whether a launch file contains any entry of this subtree."""
+    """Return whether a launch file created any branch below this branch."""
     return any(child.origin is not None or _is_from_a_file(child) for child in branch.children)
 
 
@@ -111,7 +116,7 @@ def kind_and_text(branch: Branch) -> tuple[str, str]:
 
 
 def add_facts(found: Entry, branch: Branch) -> None:
-    """Add the details of an executed action to its entry."""
+    """Add the details of an executed action to the action's entry."""
     item = branch.item
     assert item is not None
     kind = item['kind']
@@ -149,7 +154,7 @@ def is_declaration(branch: Branch) -> bool:
 
 
 def default_text(declaration: Any) -> str | None:
-    """Return the default of a launch argument as it is written, or None."""
+    """Return the default of a launch argument as the launch file writes it, or None if it has no default."""
     parts = declaration.default_value
     if parts is None:
         return None
@@ -157,7 +162,7 @@ def default_text(declaration: Any) -> str | None:
 
 
 def origin_of_setter(setter: Branch) -> tuple[str, Origin | None]:
-    """Return a description of what set a launch configuration, and the place."""
+    """Return a description of what set a launch configuration, and the place, or None if it was the command line."""
     before = setter.setters.get(setter.item['name']) if is_declaration(setter) and setter.item is not None else None
     if before is not None:
         return origin_of_setter(before)
@@ -169,7 +174,7 @@ def origin_of_setter(setter: Branch) -> tuple[str, Origin | None]:
 
 
 def parameters_of(branch: Branch) -> list[Entry]:
-    """Return the parameters of a node, each with the values that it overrode."""
+    """Return the entries of a node's parameters. Each entry contains the values that it overrode."""
     item = branch.item
     assert item is not None
     if 'parameter_error' in item:
@@ -198,9 +203,10 @@ ADDED, GONE, CHANGED, SAME = '+', '-', '~', ' '
 
 
 def differences(before: Entry, after: Entry) -> list[Entry]:
-    """Return the entries of `tree` that differ, each with a `sign`. Line numbers do not count.
+    """Return the entries that differ between two explanations. Each entry has a `sign`. Line numbers are not compared.
 
-    The sign is '+', '-', '~' (the text changed, and `before` has the old one), or ' ' if only entries below differ.
+    The sign '+' marks an added entry, and '-' a removed entry. '~' marks a changed entry, whose old text is in `before`. A space
+    means that only entries below this entry differ.
     """
     return _differing(before['tree'], after['tree'])
 
@@ -221,7 +227,7 @@ def _differing(before: list[Entry], after: list[Entry]) -> list[Entry]:
 
 
 def _identity(entry: Entry) -> tuple[Any, ...]:
-    """Return the key under which two entries are the same thing, perhaps with different values."""
+    """Return a key that is equal for two entries about the same thing, even if their values differ."""
     kind = entry['kind']
     if kind in ('argument', 'parameter', 'set_configuration', 'set_parameter'):
         return kind, entry['text'].partition(' = ')[0]

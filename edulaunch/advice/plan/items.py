@@ -1,4 +1,4 @@
-"""Plan items: one dict for each action that was executed, except groups."""
+"""Create the items of a plan. An item is a dictionary that describes one executed action. Groups have no items."""
 
 from __future__ import annotations
 
@@ -22,10 +22,12 @@ SILENT = frozenset(
 
 
 def item_of(action: Any, context: LaunchContext, environ: Mapping[str, str], index: int) -> Item | None:
-    """Return the item of an action that was just executed, without its phase; None for a group.
+    """Return the item of an action that was just executed, without its phase. Return None for a group.
 
-    :param environ: the environment variables of launch at its start.
-    :param index: the number of earlier processes.
+    :param action: the action.
+    :param context: the launch context.
+    :param environ: the environment variables at the start of launch.
+    :param index: the number of processes that were started earlier.
     """
     for cls in type(action).__mro__:
         if cls.__module__.partition('.')[0] not in ('launch', 'launch_ros'):

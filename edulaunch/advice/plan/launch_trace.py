@@ -1,7 +1,7 @@
 """Record what a launch does while it runs, for the live view, for replays and for `edulaunch launch --step`.
 
-A trace is an observer of one launch service. It stores a step for each action and each event. A step contains the launch
-configurations and the environment at its time. :meth:`LaunchTrace.as_data` returns them as plain data.
+A trace is an observer of one launch service. It stores a step for each action and each event. A step contains the changes of
+launch configurations and environment. :meth:`LaunchTrace.as_data` returns the steps as plain data.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ class LaunchTrace(Watch):
     """Observes the launch service of a process.
 
     :ivar steps: all steps. The index of a step in the list is its number.
-    :ivar touched: numbers of steps in the order in which they were created or changed. A number may occur several times.
-    :ivar stepper: determines where the launch stops; see :class:`Stepper`.
-    :ivar on_stop: called with the step before which launch stops. By default the whole simulation stops there.
+    :ivar touched: the numbers of steps in the order in which they were created or changed. A number may occur several times.
+    :ivar stepper: determines where the launch stops (see :class:`Stepper`).
+    :ivar on_stop: a function that is called with the step before which launch stops. The default stops the whole simulation.
     """
 
     def __init__(self, process: Process) -> None:
@@ -96,7 +96,7 @@ class LaunchTrace(Watch):
         return step
 
     def _begin(self, step: Step, context: LaunchContext) -> None:
-        """Store when the visit of a step begins, and what has changed since the previous step."""
+        """Store the time at which launch begins to visit a step, and the changes since the previous step."""
         self._order += 1
         step.order, step.at_ns, step.state = self._order, self._now(), 'visiting'
         configurations = {name: _copied(value) for name, value in context.launch_configurations.items()}
@@ -151,7 +151,7 @@ class LaunchTrace(Watch):
             return {'kind': 'action', 'name': type(action).__name__}
 
     def _process_item(self, action: Any, context: LaunchContext) -> dict[str, Any]:
-        """Return the item of a process. It is created on first use, because that takes longer than starting the process."""
+        """Return the plan item of a process. It is created on first use, because that takes longer than starting the process."""
         item = self._item(action, context) or {'kind': 'action', 'name': type(action).__name__}
         if item['kind'] == 'node':
             add_names_and_parameters(item, self._process.host.parameter_entries)
@@ -162,7 +162,7 @@ class LaunchTrace(Watch):
             self._expect(entities)
 
     def _expect(self, entities: Iterable[Any]) -> None:
-        """Create the steps of actions that launch is going to visit."""
+        """Create the steps of the actions that launch is going to visit."""
         parent = self.branch_now
         if not isinstance(parent, Step):
             return
@@ -209,7 +209,7 @@ class LaunchTrace(Watch):
                 self._stop(shown)
 
     def _event_step(self, event: Any, about: Step | None) -> Step:
-        """Return the step of the event that is processed now."""
+        """Return the step of the event that launch processes now. Create the step if it does not exist."""
         if self._event is None:
             self._event = self._add(Step(event), self.outline)
             self._order += 1
@@ -219,7 +219,7 @@ class LaunchTrace(Watch):
         return self._event
 
     def _reaction(self, handler: Any, event: Any, parent: Branch) -> Branch:
-        """Return the step of the handler. The step of the event lists the handlers that were called."""
+        """Return the parent step. A handler has no step of its own, because the step of the event lists the handlers."""
         return parent
 
     def registered(self, handler: Any) -> None:
@@ -264,9 +264,9 @@ class LaunchTrace(Watch):
         return self._process.returncode is not None
 
     def as_data(self, since: int = 0) -> dict[str, Any]:
-        """Return plain data: the process id of `ros2 launch`, the step before which it waits, and the rows of steps.
+        """Return the trace as plain data: the process id of `ros2 launch`, the step before which it waits, and the rows of steps.
 
-        :param since: the `count` that it returned before. Only steps that have changed since then are returned.
+        :param since: the `count` of an earlier result. Only steps that have changed since then are included.
         """
         numbers = dict.fromkeys(self.touched[since:])
         rows = [row_of(self.steps[number]) for number in numbers]
@@ -274,7 +274,7 @@ class LaunchTrace(Watch):
         return {'pid': self.pid, 'at': None if at is None else at.number, 'count': len(self.touched), 'rows': rows}
 
     def context_before(self, step: Step) -> tuple[dict[str, Any], dict[str, Any]]:
-        """Return the launch configurations before a step, and the environment variables changed until then (None if unset)."""
+        """Return the launch configurations before a step, and the environment variables that have changed (None if removed)."""
         found: dict[str, dict[str, Any]] = {'configurations': {}, 'environment': {}}
         for one in sorted(self.steps, key=lambda one: one.order):
             if one.order <= step.order:
@@ -286,7 +286,7 @@ class LaunchTrace(Watch):
     # -- queries
 
     def signal(self, number: int, signum: signal.Signals) -> str:
-        """Let launch send a signal to the process of a step. Return a message for the student."""
+        """Make launch send a signal to the process of a step. Return a message for the student."""
         from launch.events.matchers import matches_action
         from launch.events.process import SignalProcess
 
@@ -298,7 +298,7 @@ class LaunchTrace(Watch):
         return f'launch sends {signum.name} to {step.process_name}'
 
     def restart(self, number: int) -> str:
-        """Let launch start the program of a step again. Return a message for the student."""
+        """Make launch restart the program of a step. Return a message for the student."""
         step = self._process_step(number)
         if self.is_over or self._context is None or self._context.is_shutdown:
             return 'the launch has ended: launch it again'
@@ -306,7 +306,10 @@ class LaunchTrace(Watch):
         return f'launch starts {step.process_name} again'
 
     def _process_step(self, number: int) -> Step:
-        """Return the step with that number. Raise ValueError if it does not start a process."""
+        """Return the step with this number.
+
+        :raises ValueError: when the step does not start a process.
+        """
         step = self.steps[number] if 0 <= number < len(self.steps) else None
         if step is None or not step.process_name:
             raise ValueError(f'step {number} starts no process')
@@ -320,20 +323,20 @@ class LaunchTrace(Watch):
 
 
 def _step_of(action: Any) -> Step:
-    """Return a new step of an action."""
+    """Return a new step for an action."""
     condition = action.condition
     words = None if condition is None else getattr(condition, 'in_words', f'if {type(condition).__name__} says so')
     return Step(action, written_origin(action), words)
 
 
 def _says_nothing(entity: Any) -> bool:
-    """Return whether an action is only the scope of a group, or calls a function of launch itself."""
+    """Return whether an action shows nothing to a user: it only opens or closes a scope, or calls a function of launch itself."""
     kind = type(entity).__name__
     return kind in HIDDEN or (kind == 'OpaqueFunction' and entity.is_made_by_launch)
 
 
 def _is_from_a_file(handler: Any, step: Step) -> bool:
-    """Return whether a launch file created the handler. Launch itself registers others for each process and timer."""
+    """Return whether a launch file created the handler. Launch itself registers other handlers for each process and timer."""
     if hasattr(step.action, 'event_handler'):
         return step.action.event_handler is handler and step.origin is not None
     return type(handler).__name__ == 'OnActionEventBase'  # the handler for a process's on_exit=
@@ -345,7 +348,7 @@ def _copied(value: Any) -> Any:
 
 
 def _differences(before: Mapping[str, Any], after: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the entries with a new value, and None for each entry that was removed."""
+    """Return the entries with a new value. A removed entry has the value None."""
     changed = {name: value for name, value in after.items() if name not in before or before[name] != value}
     return changed | {name: None for name in before if name not in after}
 

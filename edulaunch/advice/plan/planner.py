@@ -1,4 +1,4 @@
-"""Run one dry run, from the launch file to the plan."""
+"""Run a launch file in a dry run, and create the plan."""
 
 from __future__ import annotations
 
@@ -41,10 +41,10 @@ _OF_LAUNCH = frozenset(('timer', 'emit_event'))
 
 
 class Planner:
-    """A launch service in a separate simulation that starts no processes.
+    """A launch service in a separate simulation that starts no programs.
 
-    :ivar assumptions: the answers for missing packages; None if the dry run makes no assumptions.
-    :ivar read: names of the launch configurations that substitutions have read.
+    :ivar assumptions: the replacements for missing packages, or None if the dry run makes no assumptions.
+    :ivar read: the names of the launch configurations that substitutions have read.
     """
 
     def __init__(
@@ -77,7 +77,7 @@ class Planner:
 
     @property
     def outline(self) -> Branch:
-        """The branches that launch visited."""
+        """The root of the branches that launch visited."""
         return Branch('') if self._watch is None else self._watch.outline
 
     def plan(self) -> Plan:
@@ -109,7 +109,7 @@ class Planner:
             return dict(sorted(plan.items()))
 
     def _run_to_the_end(self) -> str | None:
-        """Return an error message if the launch does not end."""
+        """Run until the launch ends. Return an error message if it does not end, otherwise None."""
         process = self._host.run_launch(self._run)
         endless = run_to_rest(self._sim)
         while endless is None and process.returncode is None:
@@ -140,7 +140,10 @@ class Planner:
             self._host.end_all()
 
     def _run(self, process: Process) -> int:
-        """Return the body of the process in which launch runs. An exception here is a bug of edulaunch."""
+        """Run launch inside a process.
+
+        Return the exit code. An exception here is a bug of edulaunch, which is stored for later.
+        """
         try:
             process.state['launch.on_error'] = self._failed
             process.state['launch.assumptions'] = self.assumptions
@@ -233,7 +236,7 @@ class Planner:
 
 
 def _declared_arguments(source: Any) -> list[Plan]:
-    """Return the arguments that the launch file declares. The source caches the loaded file for the visit."""
+    """Return the arguments that a launch file declares. The visit uses the same loaded file, which the source caches."""
     from launch.launch_context import LaunchContext
 
     try:
@@ -253,7 +256,7 @@ def _declared_arguments(source: Any) -> list[Plan]:
 
 
 def _plain(value: Any) -> Any:
-    """Return the value in a form that JSON can represent, with sorted keys."""
+    """Return a value as data for JSON, with sorted keys."""
     kind = type(value)
     if kind in _SCALARS:
         return value

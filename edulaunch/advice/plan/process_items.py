@@ -1,4 +1,4 @@
-"""Make the items of processes and nodes, with everything that is known before they start."""
+"""Create the plan items of processes and nodes, with everything that is known before a program starts."""
 
 from __future__ import annotations
 
@@ -22,11 +22,14 @@ UNNAMED = 'unnamed'
 
 
 def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str], index: int) -> Item:
-    """Return the item of an ExecuteLocal action that was just executed. For a node, :func:`add_names_and_parameters` completes
-    it.
+    """Return the item of an ExecuteLocal action that was just executed.
 
-    :param environ: the environment variables of launch at its start.
-    :param index: the number of earlier processes.
+    For a node, :func:`add_names_and_parameters` adds the rest.
+
+    :param action: the action.
+    :param context: the launch context.
+    :param environ: the environment variables at the start of launch.
+    :param index: the number of processes that were started earlier.
     """
     details = action.process_description
     command = list(details.command)
@@ -51,8 +54,9 @@ def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str]
 
 
 def _changes(base: Mapping[str, str], env: Mapping[str, str]) -> dict[str, str | None]:
-    """Return the environment variables that differ between the process and launch at its start. A removed variable has the value
-    `None`.
+    """Return the environment variables of a process that differ from those at the start of launch.
+
+    A removed variable has the value None.
     """
     if env == base:
         return {}
@@ -63,7 +67,9 @@ def _changes(base: Mapping[str, str], env: Mapping[str, str]) -> dict[str, str |
 def _node_part(action: Any, words: list[str], own: int) -> Item:
     """Return the part of an item that only nodes have.
 
-    :param own: the number of words at the end of the command line that are the node's own; a prefix comes before them.
+    :param action: the node action.
+    :param words: the command line.
+    :param own: the number of words at the end of the command line that belong to the node. A prefix command precedes them.
     """
     prefix, command = words[:-own], words[-own:]
     program = action.process_spec_details()
@@ -81,7 +87,7 @@ def _node_part(action: Any, words: list[str], own: int) -> Item:
 
 
 def _split(words: list[str]) -> tuple[list[str], list[str]]:
-    """Return the program's own arguments, and the ROS arguments other than names, remappings and parameters."""
+    """Return the program's own arguments, and the ROS arguments that are not names, remappings or parameters."""
     arguments: list[str] = []
     others: list[str] = []
     inside = False
@@ -99,7 +105,7 @@ def _split(words: list[str]) -> tuple[list[str], list[str]]:
 
 
 def add_parameter_sources(item: Item, host: RehearsalHost) -> None:
-    """Add each parameter file of the node's command line, with its content, to the node's item."""
+    """Add the path and the content of each parameter file on the node's command line to the node's item."""
     command = item['cmd'][len(item['prefix']) :]
     item['parameter_sources'] = [
         {'file': path, 'content': host.parameter_content(path)}
@@ -109,10 +115,12 @@ def add_parameter_sources(item: Item, host: RehearsalHost) -> None:
 
 
 def add_names_and_parameters(item: Item, entries_of: Callable[[str], Sequence[Entry]]) -> None:
-    """Add name, namespace and parameters to a node's item, as rcl reads them from its command line. The item has None for a name
-    and namespace that the program chooses.
+    """Add the name, namespace and parameters to a node's item, as rcl reads them from the command line.
 
-    :param entries_of: returns the entries of the parameter file at a path; see `Host.parameter_entries`.
+    If the program chooses the name or namespace, the item contains None.
+
+    :param item: the item of the node.
+    :param entries_of: a function that returns the entries of the parameter file at a path (see `Host.parameter_entries`).
     """
     command = item['cmd'][len(item['prefix']) :]
     try:

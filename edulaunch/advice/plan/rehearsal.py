@@ -1,7 +1,7 @@
-"""A host that starts no process. It records each process that launch would start, and ends the process when launch stops it.
+"""A host that starts no programs. It records each process that launch would start, and ends the process when launch stops it.
 
-Changes that a launch file would make itself (`subprocess`, `os.system`, `open(..., 'w')`, `os.remove`) are not made; see
-`closed.py`.
+The host also prevents changes that a launch file would make itself with `subprocess`, `os.system`, `open(..., 'w')` or
+`os.remove` (see `closed.py`).
 """
 
 from __future__ import annotations
@@ -36,10 +36,10 @@ LOOKING_UP = ('pkg', 'interface')
 
 
 class ImaginaryProcess:
-    """A process that does nothing and ends on a signal.
+    """A process that does nothing until a signal ends it.
 
-    :param on_exit: called with the return code.
-    :ivar came_back: whether the process has ended once before and was started again.
+    :param on_exit: a function that is called with the return code.
+    :ivar came_back: whether the process has ended before and was started again.
     """
 
     came_back = False
@@ -55,7 +55,7 @@ class ImaginaryProcess:
         self.end(0 if self.came_back else -int(signum))
 
     def end(self, code: int) -> None:
-        """End with a return code. Only the first call has an effect."""
+        """End the process with a return code. Only the first call has an effect."""
         if self.returncode is None:
             self.returncode = code
             if self._on_exit is not None:
@@ -63,9 +63,9 @@ class ImaginaryProcess:
 
 
 class RehearsalHost(Host):
-    """Runs the launch process itself; every other process is imaginary.
+    """Runs only the launch process. All other processes are imaginary.
 
-    :ivar closed: the changes that a dry run does not make.
+    :ivar closed: the object that prevents and records changes of the computer.
     """
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
@@ -81,7 +81,7 @@ class RehearsalHost(Host):
         self._contents: dict[str, Any] = {}
 
     def start_launched(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Any:
-        """Record the process. It exists until launch stops it."""
+        """Record a process, and return an imaginary process that exists until launch stops it."""
         process = self._imagine(spec, on_exit)
         process.came_back = spec.name in self._ended_names
         if process.came_back:
@@ -90,7 +90,7 @@ class RehearsalHost(Host):
         return process
 
     def adopt(self, process: Process) -> Process:
-        """Take over a program that runs in the dry run, and prevent it from making changes."""
+        """Add a program that runs in the dry run, and prevent it from making changes."""
         self.closed.enter(process)
         return super().adopt(process)
 
@@ -99,9 +99,9 @@ class RehearsalHost(Host):
         return True
 
     def start_command(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Any:
-        """Run the command if the simulation has it as a program or tool, because the launch may depend on its output.
+        """Run a command that the simulation has as a program or tool, because the launch may depend on its output.
 
-        `cat` and `echo` only read. Any other command seems to print nothing.
+        The host imitates `cat` and `echo`, which only read. Any other command seems to print nothing.
 
         :raises FileNotFoundError: when the command does not exist.
         """
@@ -127,8 +127,9 @@ class RehearsalHost(Host):
     def start(
         self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
     ) -> Any:
-        """Start a command for the code of a launch file. `ros2 pkg` and similar commands run; any other command ends at once
-        without output.
+        """Start a command for the code of a launch file. Only `ros2 pkg` and similar commands really run.
+
+        Any other command ends immediately without output.
         """
         tool = os.path.basename(spec.argv[0])
         if tool == 'ros2' and tool in self.command_set.tools and spec.argv[1:2] and spec.argv[1] in LOOKING_UP:
@@ -144,14 +145,15 @@ class RehearsalHost(Host):
         return process
 
     def parameter_entries(self, path: str) -> Sequence[Entry]:
-        """Return the entries of a parameter file as any host does. Files do not change during a dry run, so each is read once."""
+        """Return the entries of a parameter file. Each file is read once, because files do not change during a dry run."""
         if path not in self._entries:
             self._entries[path] = super().parameter_entries(path)
         return self._entries[path]
 
     def parameter_content(self, path: str) -> Any:
-        """Return the content of a parameter file as YAML reads it; None if it cannot be read, or is too large with its aliases
-        expanded.
+        """Return the YAML content of a parameter file.
+
+        Return None if the file cannot be read, or if it is too large when its aliases are expanded.
         """
         if path not in self._contents:
             generated: Any = self.generated_files.get(path)
@@ -159,15 +161,15 @@ class RehearsalHost(Host):
         return self._contents[path]
 
     def run_launch(self, main: Callable[[Process], object]) -> Process:
-        """Start the process in which launch runs."""
+        """Start the process in which launch runs. Return the process."""
         spec = ProcessSpec(argv=('ros2', 'launch'), name='launch')
         return self.adopt(Process(self, spec, self.next_pid(), list(spec.argv), main))
 
     def end_next(self) -> bool:
-        """Let the next process end with code 0: plain commands first, then nodes, each in the order they
-        started.
+        """End the next process with exit code 0. Return False if no process is left.
 
-        A process that `respawn` started again does not end again. Return False if no process is left.
+        Plain commands end first, then nodes, each in the order of their start. A process that `respawn` has started again
+        does not end again.
         """
         for waiting in (self._commands, self._nodes):
             while waiting:
@@ -179,13 +181,13 @@ class RehearsalHost(Host):
         return False
 
     def end_all(self) -> None:
-        """End the processes that were started again as well."""
+        """End all processes with exit code 0, including processes that were started again."""
         for process in list(self.imaginary):
             process.end(0)
 
 
 def _printed(spec: ProcessSpec) -> tuple[int, str | None, str]:
-    """Return exit code, output and error output of `cat` and `echo`. Any other command has the output None."""
+    """Return the exit code, the output and the error output of `cat` or `echo`. Any other command has the output None."""
     name, *words = spec.argv
     if os.path.basename(name) == 'echo' and words[:1] != ['-e']:
         is_bare = words[:1] == ['-n']
@@ -214,21 +216,21 @@ def _content_of_file(path: str) -> Any:
 
 
 class Notes(Tracer):
-    """Stores the log messages of launch from WARNING up, and the output of launch files."""
+    """Stores launch's log messages with at least the level WARNING, and the output of launch files."""
 
     def __init__(self) -> None:
         self.logs: list[list[str]] = []
         self.stdout = ''
 
     def log(self, process: Any, level: int, logger: str, message: str) -> None:
-        """Keep warnings and errors."""
+        """Store a log message if it is a warning or an error."""
         if level >= WARNING:
             import logging
 
             self.logs.append([logging.getLevelName(level), logger, message])
 
     def output(self, process: Any, stream: str, text: str) -> None:
-        """Store output of a launch file."""
+        """Store output that a launch file writes to standard output."""
         if stream == 'stdout':
             self.stdout += text
 
@@ -243,10 +245,12 @@ class ImaginedLifecycles:
         self._states: dict[Any, str] = {}
 
     def change(self, context: LaunchContext, node: Any, transition_id: int) -> bool:
-        """Make a transition and report both its steps to launch, as the node's topic `transition_event` does.
+        """Make a transition, and report both of its steps to launch, as the node's topic `transition_event` does.
 
+        :param context: the launch context.
         :param node: the LifecycleNode action.
-        :returns: False if the node's current state does not have this transition.
+        :param transition_id: the number of the transition.
+        :returns: False if the node's current state does not have this transition, otherwise True.
         """
         from rclpy.lifecycle.state_machine import OUTCOMES, TransitionCallbackReturn, transition_from
 
@@ -280,7 +284,7 @@ STEPS_BETWEEN_COLLECTIONS = 20_000
 
 
 def run_to_rest(sim: Simulation) -> str | None:
-    """Run until nothing is left to do. Return an error message if that does not happen, and otherwise None."""
+    """Run the simulation until no item is left. Return an error message if it does not end, otherwise None."""
     instants, now = 0, sim.now_ns
     for step in range(MOST_STEPS):
         if step % STEPS_BETWEEN_COLLECTIONS == STEPS_BETWEEN_COLLECTIONS - 1:
@@ -295,12 +299,12 @@ def run_to_rest(sim: Simulation) -> str | None:
 
 
 def still_busy(sim: Simulation) -> str:
-    """Return the error message for a launch that does not come to rest."""
+    """Return the error message for a launch that does not end."""
     return f'the launch file goes on without end: after {sim.elapsed_s:g} simulated seconds it still does something'
 
 
 def runaway_error(error: RunawayProgram) -> dict[str, str | None]:
-    """Return the error of a plan whose launch file was stopped in a loop, with the line of the loop."""
+    """Return the error of a plan whose launch file was stopped in an endless loop. Its place is the line of the loop."""
     from traceback import walk_tb
 
     places = [f'{frame.f_code.co_filename}:{line}' for frame, line in walk_tb(error.__traceback__)]

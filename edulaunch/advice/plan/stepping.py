@@ -9,8 +9,10 @@ if TYPE_CHECKING:
     from edulaunch.advice.plan.steps import Step
 
 GO, INTO, NEXT, EVENT, LINE = 'go', 'into', 'next', 'event', 'line'
-"""Never stop. Stop before the next action. Stop before the next action after this include or group. Stop before the next event.
-Stop before an action that a line of a file creates, itself or by a function.
+"""Where to stop next: GO nowhere, INTO before the next action, NEXT after this include or group, EVENT before the next event.
+LINE stops before an action that a line of a file creates, directly or by calling a function.
+
+
 """
 
 
@@ -27,7 +29,11 @@ class Stepper:
         self._place: tuple[str, int] | None = None
 
     def go(self, way: str, place: tuple[str, int] | None = None) -> None:
-        """Continue until the stop that `way` names. For 'line', `place` contains the file (a name or a path) and the line."""
+        """Continue until the stop that `way` names.
+
+        :param way: the kind of stop.
+        :param place: for 'line', the file (a name or a path) and the line.
+        """
         self.way, self._place = way, place
         self._depth = self.at.depth if way == NEXT and self.at is not None else None
 
@@ -43,6 +49,9 @@ class Stepper:
         return self._depth is None or step.depth <= self._depth
 
     def stops_at(self, event: Step) -> bool:
-        """Return whether to stop before this event. The actions that follow an event are not part of an earlier include."""
+        """Return whether to stop before this event.
+
+        Forget the depth, because actions after an event are not part of an earlier include.
+        """
         self._depth = None
         return self.way == EVENT

@@ -1,4 +1,4 @@
-"""The steps of a launch, which are actions and events, and the row of plain data for each."""
+"""The steps of a launch, which are its actions and events, and their rows of plain data."""
 
 from __future__ import annotations
 
@@ -24,22 +24,23 @@ LONGEST_VALUE = 2000
 
 
 class Step(Branch):
-    """An action or event of a launch, with the data that is known about it at run time.
+    """An action or event of a launch, with the data that are known while the launch runs.
 
-    :ivar number, parent, depth: its index in the trace, the index of the enclosing step (-1: none), and the number of enclosing
-        steps.
+    :ivar number: the index of the step in the trace.
+    :ivar parent: the index of the enclosing step, or -1.
+    :ivar depth: the number of enclosing steps.
     :ivar state: 'waiting', 'visiting', 'taken', 'left out' or 'failed'.
-    :ivar order: its position in the order of all visits and events of the launch, from 1.
-    :ivar at_ns: when its visit began; None while it waits.
-    :ivar changes: launch configurations and environment variables that have changed since the previous step in this order.
+    :ivar order: the position among all visits and events of the launch, from 1. While the step waits, it is 0.
+    :ivar at_ns: the time at which the visit began, or None while the step waits.
+    :ivar changes: the launch configurations and environment variables that have changed since the previous step in this order.
     :ivar values: the launch configurations at an action that was left out.
-    :ivar runs: [pid, start, end, exit code] of each run of its process.
-    :ivar fired_ns: when a handler handled an event, or a timer fired.
-    :ivar fired: the numbers of the handlers that handled the event.
-    :ivar handlers: the event handlers that it registered and that a launch file contains.
-    :ivar due_ns: when a timer will fire.
-    :ivar about: the process or timer to which an event belongs.
-    :ivar make_item: creates the item on first use.
+    :ivar runs: [pid, start, end, exit code] of each run of the step's process.
+    :ivar fired_ns: the times at which a handler handled an event, or a timer fired.
+    :ivar fired: the numbers of the steps whose handlers handled this event.
+    :ivar handlers: the event handlers of a launch file that this action registered.
+    :ivar due_ns: the time at which a timer will fire.
+    :ivar about: the step of the process or timer to which an event belongs.
+    :ivar make_item: a function that creates the item on first use.
     :ivar waiting: the steps of nested actions that have not been visited yet, by `id()` of the action.
     """
 
@@ -62,7 +63,7 @@ class Step(Branch):
 
     @property
     def item(self) -> Any:
-        """See :class:`Branch`."""
+        """The item of the plan, as in :class:`Branch`. It is created on first use."""
         if self._item is None and self.make_item is not None:
             make, self.make_item = self.make_item, None
             try:
@@ -77,27 +78,30 @@ class Step(Branch):
 
     @property
     def process_name(self) -> str:
-        """The unique name of the process that the action starts; empty for other actions."""
+        """The unique name of the process that the action starts, or an empty string for other actions."""
         return name_of_process(self.action)
 
     @property
     def is_event(self) -> bool:
-        """Whether it is an event rather than an action."""
+        """Whether the step is an event. Otherwise, it is an action."""
         return not isinstance(self.action, Action)
 
     @property
     def is_running(self) -> bool:
-        """Whether its process runs."""
+        """Whether the process of the step is running."""
         return bool(self.runs) and self.runs[-1][2] is None
 
 
 def name_of_process(action: Any) -> str:
-    """Return the unique name of the process that an action starts; empty before the start and for other actions."""
+    """Return the unique name of the process that an action starts.
+
+    Return an empty string before the start and for other actions.
+    """
     return (isinstance(action, ExecuteLocal) and action.process_description.final_name) or ''
 
 
 def row_of(step: Step) -> Row:
-    """Return the row of a step: plain data, with times in ns since the start."""
+    """Return the row of a step as plain data, with times in nanoseconds since the start."""
     row = _event_row(step) if step.is_event else _action_row(step)
     row |= {'number': step.number, 'parent': step.parent, 'state': step.state, 'time': step.at_ns, 'order': step.order}
     if step.changes:
@@ -159,7 +163,7 @@ def _action_row(step: Step) -> Row:
 
 
 def _chains(step: Step, shown: Row) -> Iterator[Row]:
-    """Yield the arguments and parameters, each with the chain of values that led to it."""
+    """Yield the arguments and parameters of a step. Each one contains the chain of values that led to its value."""
     if is_declaration(step):
         yield {
             'kind': 'argument',
@@ -174,7 +178,7 @@ def _chains(step: Step, shown: Row) -> Iterator[Row]:
 
 
 def _reasons(step: Step) -> Iterator[Row]:
-    """Yield the launch configurations in a condition that left an action out."""
+    """Yield the launch configurations that the condition of a skipped action reads."""
     if step.state != 'left out':
         return
     for name in dict.fromkeys(configurations_in(step.action.condition)):
@@ -188,7 +192,7 @@ def _steps(chain: list[Row]) -> list[Row]:
 
 
 def configurations_in(value: Any, depth: int = 0) -> Iterator[str]:
-    """Return the launch configurations that a condition or substitution reads, if their names are literal."""
+    """Yield the names of the launch configurations that a condition or substitution reads, if the names are literal."""
     if isinstance(value, LaunchConfiguration):
         yield ''.join(getattr(part, 'text', '') for part in value.variable_name)
     elif isinstance(value, (list, tuple)):
@@ -228,7 +232,7 @@ _WAITS = {
 
 
 def waits_for(handler: Any) -> str:
-    """Return what an event handler waits for, in words."""
+    """Return a description of what an event handler waits for."""
     words = _WAITS.get(type(handler).__name__)
     if words is None:
         return f'{type(handler).__name__}: {handler.matcher_description}'.partition(' at 0x')[0]

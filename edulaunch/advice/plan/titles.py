@@ -1,4 +1,4 @@
-"""The title of an action of a plan, and the lines below it."""
+"""The branches of a plan's outline, the titles of actions, and the lines below a title."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ _FILE_NAME = re.compile(r"([^'/\\]+\.(?:py|xml|ya?ml))'")
 
 
 class Branch:
-    """An action or event of a launch, with everything that it leads to.
+    """An action or event of a launch, with the actions and events that follow from it.
 
-    :param action: the action; for an event, a description.
-    :ivar item: its item of the plan; None for an action that only contains others, or was not executed.
+    :param action: the action, or the description of an event.
+    :ivar item: the item of the plan. None stands for an action that only contains other actions, or that was not executed.
     :ivar condition: a description of the condition, or None.
     :ivar is_taken: whether the action was executed.
-    :ivar origin: the place in a launch file that created the action.
-    :ivar parent_origin: the place of the parent branch.
-    :ivar setters: launch configuration -> the branch that has set or declared it last, before this action.
+    :ivar origin: the place in a launch file that created the action, or None.
+    :ivar parent_origin: the place of the parent branch, or None.
+    :ivar setters: for each launch configuration, the branch that last set or declared it before this action.
     """
 
     __slots__ = ('action', 'item', 'condition', 'is_taken', 'origin', 'parent_origin', 'setters', 'children', '_given')
@@ -46,25 +46,30 @@ class Branch:
 
     @property
     def place(self) -> Origin | None:
-        """Return where a reader looks for the action: its origin, or the call of a function that creates it and others."""
+        """Return the place in which a reader looks for the action: the call of a function that creates the action, or its
+        origin.
+        """
         return None if self.origin is None else _call_of(self.action) or self.origin
 
     @property
     def given_parameters(self) -> list[Any]:
-        """Return `launch_ros.actions.Node.given_parameters()` of a node. The call is slow, so its result is cached."""
+        """Return the result of `launch_ros.actions.Node.given_parameters()`. It is cached, because the call is slow."""
         if self._given is None:
             self._given = self.action.given_parameters()
         return self._given
 
     def add(self, branch: Branch) -> Branch:
-        """Append a branch."""
+        """Append a child branch, and return it."""
         self.children.append(branch)
         branch.parent_origin = self.place
         return branch
 
 
 def _call_of(action: Any) -> Origin | None:
-    """Return the outermost call, in the file of an action, of a function that the file calls at several places."""
+    """Return the place of the outermost function call that created an action, or None.
+
+    Only calls in the action's own file count, and only of functions that the file calls at several places.
+    """
     found: Origin | None = None
     for name, place in action.calls:
         try:
@@ -78,7 +83,7 @@ def _call_of(action: Any) -> Origin | None:
 
 @lru_cache(64)
 def _times_called(file: str, changed_ns: int) -> Counter[str]:
-    """Return how many calls of each function a Python file contains."""
+    """Return the number of calls of each function in a Python file."""
     tree = parsed(file)
     calls = () if tree is None else (node.func for node in ast.walk(tree) if isinstance(node, ast.Call))
     return Counter(
@@ -87,9 +92,9 @@ def _times_called(file: str, changed_ns: int) -> Counter[str]:
 
 
 class Setters:
-    """The branch that set each launch configuration, while scopes open and close.
+    """Records the branch that last set each launch configuration, while scopes open and close.
 
-    For a declared launch configuration, it is the declaration, and the :attr:`Branch.setters` of the declaration contains the
+    For a declared launch configuration, this branch is the declaration. The :attr:`Branch.setters` of the declaration contain the
     earlier branch.
     """
 
@@ -124,7 +129,7 @@ Detail = tuple[str, str]
 
 
 def action_words(action: Any) -> tuple[str, str]:
-    """Return the kind and title of an action that was not executed, or only contains others."""
+    """Return the kind and the title of an action that was not executed, or that only contains other actions."""
     name = type(action).__name__
     if name in ('GroupAction', 'OpaqueFunction'):
         return name, 'group' if name == 'GroupAction' else 'function'
@@ -132,7 +137,7 @@ def action_words(action: Any) -> tuple[str, str]:
 
 
 def _subject(action: Any) -> str:
-    """Return the subject of an action that was not executed, as far as it is known."""
+    """Return the subject of an action that was not executed, such as its program or file, if it is known."""
     for attribute in ('node_executable', 'cmd', 'launch_description_source', 'name', 'msg'):
         value = getattr(action, attribute, None)
         if value is not None:
@@ -141,7 +146,7 @@ def _subject(action: Any) -> str:
 
 
 def _file_in(location: str) -> str:
-    """Return the name of the launch file if substitutions describe its folder, and otherwise the location as it is."""
+    """Return the name of a launch file if substitutions describe its folder. Otherwise, return the location unchanged."""
     names = _FILE_NAME.findall(location)
     return f"'{names[-1]}'" if names and location.count("'") > 2 else location
 
@@ -186,7 +191,7 @@ def title_of(item: Item) -> str:
 
 
 def _unnamed(namespace: str | None) -> str:
-    """Return the title of a node that has no name in the launch file, but perhaps a namespace."""
+    """Return the title of a node to which the launch file gives no name, but perhaps a namespace."""
     own = "(the program's own name)"
     return own if namespace in (None, '', '/') else f'{namespace}/{own}'
 
@@ -220,7 +225,7 @@ def _node_details(item: Item, branch: Branch) -> Iterator[Detail]:
 
 
 def shown_value(value: Any) -> str:
-    """Return the value on one line. A long string, such as a robot description, is shortened."""
+    """Return a value as one line. A long string, such as a robot description, is shortened."""
     text = repr(value)
     return text if len(text) <= 100 else f'{text[:80]}...  [{len(text)} characters]'
 
@@ -255,6 +260,6 @@ _DETAILS: dict[str, Callable[[Item, Branch], Iterable[Detail]]] = {
 
 
 def details_of(item: Item, branch: Branch) -> Iterable[Detail]:
-    """Return the further lines of an action that was executed, without a node's parameters."""
+    """Return the lines below the title of an executed action, except a node's parameters."""
     details = _DETAILS.get(item['kind'])
     return () if details is None else details(item, branch)

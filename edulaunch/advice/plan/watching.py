@@ -1,6 +1,6 @@
-"""An observer that builds the outline of what a launch service visits, with the phase of each action.
+"""An observer that builds the outline of the actions that a launch service visits, with the phase of each action.
 
-The dry run uses it unchanged. The trace of a launch that really runs (`launch_trace.py`) extends it.
+The dry run uses this observer directly. The trace of a running launch (`launch_trace.py`) extends it.
 """
 
 from __future__ import annotations
@@ -30,21 +30,22 @@ _EVENTS = {'ProcessStarted': 'when {name} has started', 'ProcessExited': 'when {
 MOST_REACTIONS = 20_000
 """How often event handlers may return actions. Launch handles events that follow from events in one step."""
 _NO_BRANCH = ('IncludeLaunchDescription', 'TimerEvent')
-"""Events whose consequences belong directly to the action."""
+"""Events whose consequences belong to the branch of the action itself."""
 
 
 class Watch:
-    """Stores what launch visits as a tree of branches.
+    """Stores the actions that launch visits as a tree of branches.
 
     :param executed: a function that is called as executed(branch, context) after each action.
-    :param instead: functions that are called instead of executing an action, by the name of its class.
-    :param came_back: numbers of processes that were started again; the plan already contains the actions after their start and
-        end.
-    :ivar phase: the phase of the action that is visited now.
+    :param instead: functions that replace the execution of an action, by the name of the action's class.
+    :param came_back: the numbers of processes that were started again. The plan already contains the actions that follow their
+        start and end.
+    :ivar phase: the phase of the current action.
     :ivar outline: the root of all branches so far.
-    :ivar branch: the branch of the action that was entered last.
-    :ivar timers: the branch of each timer; launch has one handler for all timers.
-    :ivar reactions: how often handlers returned actions. Above a maximum, their actions are ignored, so that the launch ends.
+    :ivar branch: the branch of the action that launch entered last.
+    :ivar timers: the branch of each timer, because launch has one handler for all timers.
+    :ivar reactions: how often handlers have returned actions. Above a maximum, their actions are ignored, so that the launch
+        ends.
     """
 
     def __init__(
@@ -67,11 +68,11 @@ class Watch:
 
     @property
     def is_endless(self) -> bool:
-        """Whether the maximum of reactions was exceeded."""
+        """Whether the number of reactions exceeds the maximum."""
         return self.reactions > MOST_REACTIONS
 
     def enter(self, entity: Any, context: LaunchContext) -> None:
-        """Begin a branch. For this method and all that follow, see :class:`launch._observer.Observer`."""
+        """Begin a branch. :class:`launch._observer.Observer` describes this method and all methods below."""
         parent = self._open[-1]
         if isinstance(entity, Action):
             parent = self.branch = self._branch_of(entity, parent)
@@ -92,7 +93,7 @@ class Watch:
 
     @property
     def branch_now(self) -> Branch:
-        """The branch of the innermost action that is visited now."""
+        """The branch of the innermost action that launch visits now."""
         return self._open[-1]
 
     def leads_to(self, entity: Any, entities: Any) -> None:
@@ -142,7 +143,7 @@ class Watch:
 
 
 def written_origin(action: Any) -> Origin | None:
-    """Return the place at which a launch file creates the action; None if launch itself creates it."""
+    """Return the place at which a launch file creates the action. Return None if launch itself creates it."""
     if action.is_made_by_launch:
         return None
     origin: Origin | None = action.origin

@@ -1,7 +1,7 @@
-"""Explain a value: the chain from the first value to the one that has an effect.
+"""Explain a value: find the chain from the first value to the effective value.
 
-A step is a dict with `value`, `origin` (in words), `file` and `line` (or None), and `counts` (for the last step). `argument` has
-the steps of the launch argument that determines the value.
+A step is a dictionary with `value`, `origin` (a description), `file` and `line` (or None), and `counts` (True for the last step).
+`argument` contains the steps of the launch argument that determines the value.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ def branches(outline: Branch) -> Iterator[Branch]:
 
 
 def nodes_named(outline: Branch, name: str) -> list[Branch]:
-    """Return the nodes with that name. A node without a name in the launch file is found by its executable.
+    """Return the nodes with this name. If the launch file gives a node no name, the node has the name of its executable.
 
-    :raises UnusableInput: if no node has that name.
+    :raises UnusableInput: when no node has this name.
     """
     nodes = [branch for branch in branches(outline) if branch.item is not None and branch.item['kind'] == 'node']
     wanted = '/' + name.strip('/')
@@ -45,17 +45,18 @@ def nodes_named(outline: Branch, name: str) -> list[Branch]:
 
 
 def name_of(branch: Branch) -> str:
-    """Return the full name of a node, with its executable if the launch file gives no name."""
+    """Return the full name of a node. If the launch file gives it no name, use the name of its executable."""
     item = branch.item
     assert item is not None
     return item['runtime_name'] or f'{(item["namespace"] or "").rstrip("/")}/{item["executable"]}'
 
 
 def parameter_chain(node: Branch, parameter: str, default: Step | None = None) -> list[Step]:
-    """Return the steps of one parameter of a node.
+    """Return the steps of one parameter of a node, or an empty list if no value is set.
 
-    :param default: the default that the node itself declares, if it is known.
-    :returns: the steps; [] if no value is set.
+    :param node: the branch of the node.
+    :param parameter: the name of the parameter.
+    :param default: a step with the default that the program declares, or None if it is unknown.
     """
     steps = [] if default is None else [default]
     for one in node.given_parameters:
@@ -68,9 +69,9 @@ def parameter_chain(node: Branch, parameter: str, default: Step | None = None) -
 
 
 def argument_chain(outline: Branch, name: str) -> list[Step]:
-    """Return the steps of a launch argument, as seen by the launch file that declares it first.
+    """Return the steps of a launch argument for the launch file that declares it first.
 
-    :raises UnusableInput: if no launch file declares it.
+    :raises UnusableInput: when no launch file declares the argument.
     """
     declared = [branch for branch in branches(outline) if is_declaration(branch)]
     names = [branch.item['name'] for branch in declared if branch.item is not None]
@@ -99,7 +100,7 @@ def _steps_of_argument(setters: Mapping[str, Branch], origin: str) -> list[Step]
 
 
 def declared_steps(declaration: Branch) -> list[Step]:
-    """Return the default of an argument, and the values that replaced it."""
+    """Return the default of a launch argument, and the values that replaced the default."""
     item, action = declaration.item, declaration.action
     assert item is not None
     setter = declaration.setters.get(item['name'])
@@ -110,7 +111,7 @@ def declared_steps(declaration: Branch) -> list[Step]:
 
 
 def setter_steps(setter: Branch) -> list[Step]:
-    """Return the steps that set a launch configuration: a declaration, an include, an action, the command line."""
+    """Return the steps that set a launch configuration: a declaration, an include, an action, or the command line."""
     if is_declaration(setter):
         return declared_steps(setter)
     item = setter.item

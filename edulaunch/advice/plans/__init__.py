@@ -1,1 +1,1 @@
-"""Rules over dry runs of launch files (`edulaunch.advice.plan.Rehearsal`)."""
+"""Rules for dry runs of launch files (`edulaunch.advice.plan.Rehearsal`)."""

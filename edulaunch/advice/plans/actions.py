@@ -1,4 +1,4 @@
-"""Rules about actions without effect, unused launch arguments, and command lines without a program."""
+"""Rules about actions without an effect, unused launch arguments, and command lines that name no program."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ IDLE = frozenset(
     lesson='01_first_launch',
 )
 def remapping_to_itself(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a remapping of a name to itself, if both names are literal. Names from arguments may be equal by chance."""
+    """Report a remapping of a name to itself, if both names are literal. Names from launch arguments may be equal by chance."""
     from launch.utilities.texts import plain_text
 
     for branch, item in nodes(rehearsal):
@@ -45,7 +45,10 @@ def remapping_to_itself(rehearsal: Rehearsal) -> Iterator[Finding]:
     lesson='01_first_launch',
 )
 def starts_nothing(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a launch file that starts nothing. Do not report it if a condition left an action out, or if another action ran."""
+    """Report a launch file that starts nothing.
+
+    Do not report the launch file if a condition skipped an action, or if an action with another effect ran.
+    """
     plan = rehearsal.plan
     kinds = {item['kind'] for item in plan['items']}
     is_left_out = any(not branch.is_taken for branch in branches(rehearsal))
@@ -74,9 +77,9 @@ _STARTS = re.compile(r'\bsys\.exit\(|\bexit\(|\breturn LaunchDescription\(\[?\]?
     lesson=LESSON,
 )
 def argument_unused(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report an argument that no launch file uses, not even under a condition that was not met.
+    """Report a launch argument that no launch file uses, not even for an action that was skipped.
 
-    Yield nothing if a file could not be read.
+    Report nothing if a launch file could not be read.
     """
     declared = [branch for branch in branches(rehearsal) if branch.item is not None and branch.item['kind'] == 'argument']
     if not declared or rehearsal.plan['error'] is not None or any(word.startswith('file ') for word in rehearsal.missing[1]):
@@ -110,8 +113,9 @@ _COMPARED = re.compile(
     lesson=LESSON,
 )
 def condition_never(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a condition that no choice of an argument can meet. The condition is EqualsSubstitution, a Python expression or
-    LaunchConfigurationEquals.
+    """Report a condition that is false for each of an argument's choices.
+
+    The condition is an EqualsSubstitution, a Python expression or a LaunchConfigurationEquals.
     """
     from edulaunch.engine.nearest import nearest
 
@@ -177,7 +181,7 @@ def _commands(rehearsal: Rehearsal) -> Iterator[tuple[Branch, dict[str, Any]]]:
     level='error',
 )
 def no_package(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report an executable that is not on the PATH, but that a package of edulaunch has."""
+    """Report an executable that is not on PATH, if a package of edulaunch contains it."""
     from shutil import which
 
     for branch, item in nodes(rehearsal):

@@ -1,4 +1,6 @@
-"""Rules about correct launch files that cannot run here: they need an argument, a package, a module, or a launch test."""
+"""Rules about correct launch files that cannot run here, because an argument, a package or a module is missing, or because they
+are launch tests.
+"""
 
 from __future__ import annotations
 
@@ -54,7 +56,7 @@ _ABOUT = (
     hides=('launch.fails', 'launch.unknown-element'),
 )
 def needs_elsewhere(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a package or module that does not exist here, unless its name is nearly that of an existing one."""
+    """Report a package or module that does not exist here, unless its name resembles the name of an existing one."""
     error = rehearsal.plan['error']
     facts: dict[str, Any] = (error or {}).get('facts') or {}
     brought = None if error is None else _ELEMENTS.get(_first(_ELEMENT, error['text']) or '')
@@ -87,7 +89,7 @@ def needs_elsewhere(rehearsal: Rehearsal) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def needs_argument(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a required argument of the file itself, if no given argument may be a misspelling of it."""
+    """Report a required argument of the launch file itself, if the user has given no argument."""
     error = rehearsal.plan['error']
     needed = None if error is None or rehearsal.plan['given'] else _first(_ARGUMENT, error['text'])
     if needed is not None and any(one['name'] == needed for one in rehearsal.plan['arguments']):
@@ -121,7 +123,10 @@ def needs_keyboard(rehearsal: Rehearsal) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def needs_variable(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a required environment variable: EnvironmentVariable without a default, or os.environ['NAME']."""
+    """Report a missing environment variable that a launch file needs.
+
+    The launch file reads it with EnvironmentVariable without a default, or with os.environ['NAME'].
+    """
     error = rehearsal.plan['error']
     if error is None or (error.get('facts') or {}).get('near'):
         return
@@ -142,7 +147,7 @@ def needs_variable(rehearsal: Rehearsal) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def is_test(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a launch test that was run as a launch file. The error of launch shows it."""
+    """Report a launch test that was run as a launch file. The error message of launch shows that."""
     error = rehearsal.plan['error']
     legacy = None if error is None else _first(_LEGACY, error['text'])
     if error is not None and (legacy or (error.get('facts') or {}).get('about') == 'launch.test-description'):
@@ -159,8 +164,10 @@ def is_test(rehearsal: Rehearsal) -> Iterator[Finding]:
     hides=('launch.fails',),
 )
 def not_in_dry_run(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a change that a library tried to make. Changes by the launch file itself are not reported. The library may have
-    raised another exception with the same text.
+    """Report a change that a library tried to make, and that the dry run refused. Changes by the launch file itself are not
+    reported.
+
+    The library may have raised another exception with the same message.
     """
     error = rehearsal.plan['error']
     facts: dict[str, Any] = (error or {}).get('facts') or {}
@@ -176,7 +183,7 @@ def _first(pattern: re.Pattern[str], text: str) -> str | None:
 
 
 def _is_of_others(module: str) -> bool:
-    """Return whether a module does not belong to launch, and is not a misspelling of one that does."""
+    """Return whether a module does not belong to launch, and its name is not a misspelling of a module of launch."""
     return misspelt(module) is None
 
 

@@ -1,4 +1,4 @@
-"""Rules about parameter files without effect, and about paths that exist only in one folder or on one computer."""
+"""Rules about parameter files without an effect, and about paths that exist only in one folder or on one computer."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ LESSON = '03_parameters'
     hides=('programs.key-for-no-node',),
 )
 def key_for_no_node(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a parameter file without a key for the node, if the launch file names the node."""
+    """Report a parameter file that has no key for the node. The launch file must give the node a name."""
     from edulaunch.engine.graph.parameters import pattern_matches
     from edulaunch.engine.graph.ros_arguments import entries_of_file
 
@@ -67,7 +67,7 @@ def key_for_no_node(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _in_sources(path: str) -> str:
-    """Return the place of a share file in the sources of its package, if the package.xml in the prefix is a link to them."""
+    """Return the path of a share file in the sources of its package, if the installed package.xml is a link to the sources."""
     head, _, tail = path.rpartition(f'{os.sep}share{os.sep}')
     package, _, name = tail.partition(os.sep)
     manifest = os.path.realpath(os.path.join(head, 'share', package, 'package.xml'))
@@ -93,8 +93,9 @@ def is_container(executable: str) -> bool:
     hides=('launch.parameter-file-absent',),
 )
 def parameter_file_missing(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a missing parameter file. Skip files of missing packages, files that the launch file writes, and relative paths,
-    which have their own rule.
+    """Report a missing parameter file. Skip files of missing packages, and files that the launch file writes.
+
+    Another rule reports relative paths.
     """
     written = rehearsal.plan.get('not_done', ())
     for branch, item in nodes(rehearsal):
@@ -118,7 +119,7 @@ def parameter_file_missing(rehearsal: Rehearsal) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def parameter_order(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a value that is given last and has no effect, because of rcl's order of patterns."""
+    """Report a parameter value that comes last and still has no effect, because rcl sorts the patterns of node names."""
     for branch, item in nodes(rehearsal):
         if not any(os.path.isfile(source['file']) for source in item['parameter_sources']):
             continue
@@ -131,7 +132,7 @@ def parameter_order(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _given_behind(item: dict[str, Any], file: str, parameter: str) -> Any:
-    """Return the value that a dict sets after a parameter file, or None."""
+    """Return the value that a dictionary sets after a parameter file, or None."""
     sources = item['parameter_sources']
     first = next((number for number, source in enumerate(sources) if source['file'] == file), len(sources))
     for source in sources[first + 1 :]:
@@ -193,7 +194,7 @@ _DEFAULT = re.compile(r'\bdefault(_value)?\s*[=:]\s*$')
     confidence='asked',
 )
 def path_of_one_machine(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a literal path in a home folder."""
+    """Report a literal path into a home folder."""
     from edulaunch.engine.underlay_place import is_students
     from edulaunch.ros.sources.source_package import read_text
 
@@ -206,10 +207,10 @@ def path_of_one_machine(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _in_package(file: str, path: str) -> dict[str, Any]:
-    """Return facts about a path such as `src/PACKAGE/config/a.yaml`: its package, and the place where a build installs the file.
+    """Return facts about a path such as `src/PACKAGE/config/a.yaml`: the package, and the place where a build installs the file.
 
-    If the package is not in the workspace of the launch file, assume that the build keeps the folders. If the build does not
-    install the file, `unbuilt` names it.
+    If the package is not in the workspace of the launch file, assume that a build installs the same folders. If a build does not
+    install the file, the fact `unbuilt` names it.
     """
     from edulaunch.engine.packages import Index
     from edulaunch.engine.packages.discovery import find_workspaces, install_folders

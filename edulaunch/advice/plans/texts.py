@@ -1,4 +1,4 @@
-"""Rules about strings that do not arrive as intended, and about launch files that fail in the dry run."""
+"""Rules about strings that programs do not receive as intended, and about launch files that fail in the dry run."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def dollar_in_python(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _texts(value: Any) -> Iterator[str]:
-    """Yield all strings in plain data."""
+    """Yield all strings in nested plain data."""
     if isinstance(value, str):
         yield value
     elif isinstance(value, dict):
@@ -84,7 +84,7 @@ def _texts(value: Any) -> Iterator[str]:
     level='error',
 )
 def words_in_one(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report one string that contains an option and its value, or several numbers."""
+    """Report a string that contains an option and its value, or several numbers."""
     for branch, item in nodes(rehearsal):
         for word in item['arguments']:
             parts = word.split()
@@ -110,7 +110,7 @@ def _is_number(text: str) -> bool:
     level='error',
 )
 def fails(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report the error in the words of ROS 2, unless another rule explains it."""
+    """Report the error of a dry run with the message of ROS 2. The judge prefers other findings that explain the error."""
     error = rehearsal.plan['error']
     if error is not None:
         file, _, line = (error.get('origin') or '').rpartition(':')
@@ -125,6 +125,6 @@ def fails(rehearsal: Rehearsal) -> Iterator[Finding]:
 
 
 def _telling_line(text: str) -> str:
-    """Return the line of an error that names the cause, which ROS 2 puts below a heading."""
+    """Return the line of an error message that names the cause. ROS 2 prints this line below a heading."""
     lines = [line.strip(' -') for line in text.splitlines() if line.strip()]
     return next((line for line in lines if not line.endswith(':')), text)

@@ -1,1 +1,1 @@
-"""Rules over runs (`edulaunch.engine.recording.Recording`)."""
+"""Rules for runs (`edulaunch.engine.recording.Recording`)."""

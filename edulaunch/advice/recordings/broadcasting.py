@@ -1,4 +1,4 @@
-"""Rules about broadcast transforms: their frames, broadcasters, times and numbers."""
+"""Rules about broadcast transforms: their frames, broadcasters, times and values."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def _odd(recording: Recording, what: str) -> Iterator[Finding]:
     hides=('tf.separate-trees',),
 )
 def two_parents(recording: Recording) -> Iterator[Finding]:
-    """Report a frame that was broadcast with two parents in one run. The transforms of several nodes count together."""
+    """Report a frame that was broadcast with two parents in one run, by the same node or by several nodes."""
     for links in by_child(recording).values():
         parents = list(dict.fromkeys(link.parent.removeprefix('/') for link in links))
         if len(parents) > 1:
@@ -53,8 +53,9 @@ def two_parents(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def two_broadcasters(recording: Recording) -> Iterator[Finding]:
-    """Report a frame that nodes with two names broadcast in the same parent at the same time. If both are static, the first one
-    must still exist.
+    """Report a frame that two nodes broadcast with the same parent at the same time.
+
+    If both transforms are static, the node that sent the first one must still exist.
     """
     ended = {node.name: node.ended_s for node in recording.nodes}
     for links in by_child(recording).values():
@@ -75,8 +76,9 @@ def two_broadcasters(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def static_repeated(recording: Recording) -> Iterator[Finding]:
-    """Report a static transform that one program sends again and again. Two programs with different values are two
-    broadcasters.
+    """Report a static transform that one program sends repeatedly.
+
+    If two programs send different values, another rule reports them.
     """
     for fact in recording.facts:
         if fact.kind == 'static transform repeated':
@@ -94,7 +96,7 @@ def static_repeated(recording: Recording) -> Iterator[Finding]:
     lesson=STATIC,
 )
 def static_and_moving(recording: Recording) -> Iterator[Finding]:
-    """Report the same frame in the same parent on /tf and on /tf_static."""
+    """Report a frame that has the same parent on /tf and on /tf_static."""
     for links in by_child(recording).values():
         for one in links:
             other = next((link for link in links if link.parent == one.parent and not link.is_static), None)
@@ -110,8 +112,9 @@ def static_and_moving(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def slash_in_name(recording: Recording) -> Iterator[Finding]:
-    """Report a slash at the start of the name of a frame or of its parent, once for each node. The frame_prefix '/' of a
-    robot_state_publisher without a namespace is usual, and tf2 removes it.
+    """Report a slash at the start of a frame's name or of its parent's name, once for each node.
+
+    Skip a robot_state_publisher with the frame_prefix '/'. This is common without a namespace, and tf2 removes the slash.
     """
     told: set[str] = set()
     for one in broadcasts(recording):
@@ -122,7 +125,7 @@ def slash_in_name(recording: Recording) -> Iterator[Finding]:
 
 
 def _prefixing(recording: Recording) -> set[str]:
-    """Return the nodes with the parameter frame_prefix '/'."""
+    """Return the nodes whose parameter frame_prefix has the value '/'."""
     return {node for _, node, name, value, _ in recording.rows('parameters') if (name, value) == ('frame_prefix', '/')}
 
 
@@ -170,7 +173,7 @@ def nameless(recording: Recording) -> Iterator[Finding]:
     hides=('tf.empty-buffer',),
 )
 def zero_rotation(recording: Recording) -> Iterator[Finding]:
-    """Report a rotation of four zeros, as after `Quaternion(x=0.0, y=0.0, z=0.0, w=0.0)`, or of another length than 1."""
+    """Report a rotation of four zeros, as in `Quaternion(x=0.0, y=0.0, z=0.0, w=0.0)`, or a rotation whose length is not 1."""
     for one in broadcasts(recording):
         if 'long' in one.odd:
             yield _found(recording, one, time_s=one.odd['long'][0], length=round(one.length, 2))
@@ -189,7 +192,7 @@ def zero_rotation(recording: Recording) -> Iterator[Finding]:
     hides=('tf.empty-buffer',),
 )
 def not_a_number(recording: Recording) -> Iterator[Finding]:
-    """Report nan in a translation or rotation."""
+    """Report a translation or rotation that contains nan."""
     return _odd(recording, 'nan')
 
 
@@ -202,7 +205,7 @@ def not_a_number(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def unstamped(recording: Recording) -> Iterator[Finding]:
-    """Report moving frames without a time stamp. Static frames need none."""
+    """Report moving frames without a time stamp. Static frames do not need a time stamp."""
     return _odd(recording, 'unstamped')
 
 
@@ -216,7 +219,7 @@ def unstamped(recording: Recording) -> Iterator[Finding]:
     hides=('tf.lookup-past', 'tf.lookup-future'),
 )
 def other_clock(recording: Recording) -> Iterator[Finding]:
-    """Report stamps that differ much from the time of the broadcast, unless a node publishes /clock."""
+    """Report time stamps that differ greatly from the time of the broadcast, unless a node publishes /clock."""
     return iter(()) if '/clock' in recording.topics else _odd(recording, 'clock')
 
 
@@ -230,9 +233,7 @@ def other_clock(recording: Recording) -> Iterator[Finding]:
     hides=('tf.empty-buffer',),
 )
 def listener_not_kept(recording: Recording) -> Iterator[Finding]:
-    """Report a TransformListener that Python deleted while its node still existed. Ignore listeners deleted at the end of the
-    program.
-    """
+    """Report a TransformListener that Python deleted while its node and its program still existed."""
     ends = {process.name: process.ended_s for process in recording.processes}
     for fact in recording.facts:
         end = ends.get(fact.process or '')

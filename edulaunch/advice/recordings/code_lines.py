@@ -1,4 +1,4 @@
-"""Rules about lines of programs that Python accepts, but that do not do what the student meant, as the run has shown."""
+"""Rules about lines of programs that are valid Python but, as the run shows, do not do what the student meant."""
 
 from __future__ import annotations
 
@@ -30,8 +30,9 @@ FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
     hides=('messages.nobody-publishes', 'messages.nobody-listens', 'programs.ended-at-once', 'programs.never-spun'),
 )
 def not_called(recording: Recording) -> Iterator[Finding]:
-    """Report a statement that only names a method, as in `self.publisher.publish` or `rclpy.shutdown`. Data has no effect there
-    either, but `self.count` alone is rare, and is not the cause of anything.
+    """Report a statement that only names a method, as in `self.publisher.publish` or `rclpy.shutdown`.
+
+    A statement that only names a value, such as `self.count`, is rare and harmless, so the rule does not report it.
     """
     for file, tree in program_scripts(recording):
         for node in walked(tree):
@@ -65,7 +66,7 @@ CALLED = {
     hides=('messages.nobody-publishes', 'messages.nobody-listens', 'programs.after-shutdown'),
 )
 def made_after_spin(recording: Recording) -> Iterator[Finding]:
-    """Report an endpoint or a timer that is created after rclpy.spin() in the same block, if nothing spins after it."""
+    """Report an endpoint or a timer that a block creates after rclpy.spin(), if no later line spins."""
     for file, tree in program_scripts(recording):
         for body in (getattr(node, 'body', None) for node in walked(tree)):
             calls = [call for line in body for call in _calls(line)] if isinstance(body, list) else []
@@ -89,7 +90,7 @@ def made_after_spin(recording: Recording) -> Iterator[Finding]:
     hides=('programs.never-spun', 'messages.not-taken', 'programs.after-shutdown'),
 )
 def spun_in_turn(recording: Recording) -> Iterator[Finding]:
-    """Report two calls of rclpy.spin() in one block, for two nodes."""
+    """Report a block that calls rclpy.spin() twice, for two nodes."""
     for file, tree in program_scripts(recording):
         for body in (getattr(node, 'body', None) for node in walked(tree)):
             calls = [call for line in body for call in _calls(line)] if isinstance(body, list) else []
@@ -105,7 +106,7 @@ MADE = frozenset(('create_timer', 'create_publisher', 'create_subscription', 'cr
 
 
 def _calls(line: ast.AST) -> list[ast.Call]:
-    """Return the calls of one statement in the order of their lines, without the calls in functions that it defines."""
+    """Return the calls in one simple statement, in the order of `ast.walk`. Return an empty list for a compound statement."""
     if isinstance(line, (*FUNCTIONS, ast.ClassDef, ast.While, ast.For, ast.Try, ast.If, ast.With)):
         return []
     return [node for node in ast.walk(line) if isinstance(node, ast.Call)]
@@ -120,7 +121,7 @@ def _calls(line: ast.AST) -> list[ast.Call]:
     level='error',
 )
 def global_forgotten(recording: Recording) -> Iterator[Finding]:
-    """Report a variable of the module that one function only assigns, without `global`, and that another function only reads."""
+    """Report a module variable that one function only assigns, without `global`, and that another function only reads."""
     for file, tree in program_scripts(recording):
         made = {
             target.id: line.lineno
@@ -141,8 +142,9 @@ def global_forgotten(recording: Recording) -> Iterator[Finding]:
 
 
 def _uses(function: ast.FunctionDef) -> tuple[dict[str, int], set[str], set[str]]:
-    """Return the variables that a function stores, each with its line, the ones that it reads, and
-    the global ones."""
+    """Return the variables that a function uses: the assigned ones with their lines, the ones that it reads, and the global
+    ones.
+    """
     names = [node for node in ast.walk(function) if isinstance(node, ast.Name)]
     stored = {name.id: name.lineno for name in reversed(names) if isinstance(name.ctx, ast.Store)}
     declared = {one for node in ast.walk(function) if isinstance(node, (ast.Global, ast.Nonlocal)) for one in node.names}
@@ -168,7 +170,9 @@ _IN_COMMENT = re.compile(r'#.*?\b(\d+(?:\.\d+)?)\s*(?:hz|hertz)\b', re.IGNORECAS
     lesson='09_broadcaster_and_listener',
 )
 def period_in_hertz(recording: Recording) -> Iterator[Finding]:
-    """Report a timer whose period is a variable with a name such as `rate_hz`, or a number that its comment calls Hz."""
+    """Report a timer whose period is a frequency: a variable with a name such as `rate_hz`, or a number with 'Hz' in the
+    comment.
+    """
     for file, tree in program_scripts(recording):
         for call in walked(tree):
             if isinstance(call, ast.Call) and name_of_call(call) == 'create_timer' and call.args:
@@ -186,7 +190,7 @@ def period_in_hertz(recording: Recording) -> Iterator[Finding]:
 
 
 def only_number(tree: ast.Module, name: str) -> float | None:
-    """Return the number that a variable or attribute gets in its only assignment in a file."""
+    """Return the number that the only assignment to a variable or attribute assigns, or None."""
     values = [
         node.value
         for node in walked(tree)
@@ -208,8 +212,10 @@ def only_number(tree: ast.Module, name: str) -> float | None:
     hides=('programs.died', 'messages.too-early', 'messages.nobody-listens'),
 )
 def exit_in_callback(recording: Recording) -> Iterator[Finding]:
-    """Report exit() in a callback of a subscription, if the program ended by itself within a second of its first message. Other
-    nodes published on the topic for at least another second.
+    """Report exit() in a callback of a subscription.
+
+    The program must have ended by itself within a second after its first message. Other nodes must have published on the
+    topic for at least another second.
     """
     ended = {one.name: one for one in recording.own_processes if one.returncode == 0 and one.ended_s is not None}
     nodes = [node for node in recording.nodes if node.process in ended and node.name in own_nodes(recording)]
@@ -253,7 +259,7 @@ SAME_TIME = 20
     hides=('messages.not-taken', 'messages.two-commanders'),
 )
 def own_echo(recording: Recording) -> Iterator[Finding]:
-    """Report a node that publishes on the topic to which it subscribes, many times at one simulated time."""
+    """Report a node that subscribes to its own topic and publishes on it many times at one simulated time."""
     ends = ends_by_name(recording)
     own = own_nodes(recording)
     for (kind, topic), publishers in ends.items():
@@ -278,7 +284,7 @@ def own_echo(recording: Recording) -> Iterator[Finding]:
     hides=('messages.nobody-publishes', 'messages.nobody-listens', 'messages.other-topic'),
 )
 def yaml_key_twice(recording: Recording) -> Iterator[Finding]:
-    """Report a key that one mapping of a YAML launch file has twice."""
+    """Report a key that occurs twice in one mapping of a YAML launch file."""
     files = launch_files(recording) if recording.launch.error is None else []
     for file in dict.fromkeys(file for file in files if file.endswith(('.yaml', '.yml')) and os.path.isfile(file)):
         for key, first, again in _keys_twice(file):
@@ -286,7 +292,7 @@ def yaml_key_twice(recording: Recording) -> Iterator[Finding]:
 
 
 def _keys_twice(file: str) -> Iterator[tuple[str, int, int]]:
-    """Yield each repeated key of one mapping of a YAML file, with its first and its second line."""
+    """Yield each repeated key of a mapping in a YAML file, with the lines of its first and second occurrence."""
     import yaml
 
     with open(file, encoding='utf-8') as text:

@@ -1,4 +1,4 @@
-"""Rules about command lines and lines of programs that Python and ROS 2 accept without a message, and that have no effect."""
+"""Rules about command lines and lines of programs that Python and ROS 2 accept without a message, but that have no effect."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
 
 FEWEST = 5
-"""The number of one-letter words from which a command line is suspicious, because programs rarely get five of them."""
+"""With at least this many one-letter words, a command line is suspicious, because programs rarely receive five of them."""
 ROS_FLAGS = ('-p', '--param', '--params-file')
 """Options that need --ros-args. A remapping without it is deprecated, but ROS 2 applies it and logs how to write it."""
 
@@ -31,7 +31,7 @@ ROS_FLAGS = ('-p', '--param', '--params-file')
     hides=('programs.died',),
 )
 def arguments_of_letters(recording: Recording) -> Iterator[Finding]:
-    """Report a Node whose arguments are one string, as in `arguments='--x 1 --frame-id world'`."""
+    """Report a Node whose `arguments` are one string, as in `arguments='--x 1 --frame-id world'`."""
     for process in recording.processes:
         words = process.argv[1 : process.argv.index('--ros-args')] if '--ros-args' in process.argv else process.argv[1:]
         if process.package and len(words) >= FEWEST and all(len(word) == 1 for word in words):
@@ -72,7 +72,7 @@ def no_ros_args(recording: Recording) -> Iterator[Finding]:
     hides=('messages.nobody-listens', 'messages.nobody-publishes', 'messages.other-topic'),
 )
 def parameter_as_argument(recording: Recording) -> Iterator[Finding]:
-    """Report a word such as `speed:=2` before `--ros-args`, or without it, on the command line of a node."""
+    """Report a word such as `speed:=2` on the command line of a node that is not after `--ros-args`."""
     with_node = {node.process for node in recording.nodes}
     for process in recording.processes:
         words = process.argv[: process.argv.index('--ros-args')] if '--ros-args' in process.argv else process.argv
@@ -99,7 +99,7 @@ def parameter_as_argument(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def main_misspelt(recording: Recording) -> Iterator[Finding]:
-    """Report a script with a misspelt test, as in `if __name__ == 'main':`."""
+    """Report a script whose test for the main program is misspelt, as in `if __name__ == 'main':`."""
     run = {os.path.basename(word) for process in recording.own_processes for word in process.argv[:2]}
     for file, tree in program_scripts(recording):
         tests = [node.test for node in tree.body if isinstance(node, ast.If) and os.path.basename(file) in run]

@@ -1,4 +1,4 @@
-"""Rules about callbacks that wait for something that only a later callback can provide."""
+"""Rules about callbacks that wait for a result that only a later callback can provide."""
 
 from __future__ import annotations
 
@@ -20,8 +20,10 @@ WAITS = {'call': 'call()', 'look': 'while not future.done()', 'await': 'await'}
 
 
 def _of(recording: Recording, kind: str, *rest: str, but: frozenset[str] = frozenset()) -> Iterator[Finding]:
-    """Yield one finding for each fact of a kind. `rest` are the names of the other facts that the sentences contain.
+    """Yield one finding for each fact of a kind.
 
+    :param kind: the kind of the fact.
+    :param rest: the names of the other facts that the sentences contain.
     :param but: kinds of facts that already explain a fact of this kind in the same program.
     """
     explained = {fact.process for fact in recording.facts if fact.kind in but}
@@ -49,8 +51,9 @@ def _of(recording: Recording, kind: str, *rest: str, but: frozenset[str] = froze
     hides=('messages.reply-not-taken', 'messages.not-taken', 'time.slow-callback', 'turtlesim.slow-commands'),
 )
 def deadlock(recording: Recording) -> Iterator[Finding]:
-    """Report a callback that waits for a reply which only the same executor or callback group could receive. It waits in call(),
-    in a loop around future.done(), by spinning, or with await.
+    """Report a callback that waits for a reply which only the same executor or callback group could receive.
+
+    The callback waits in call(), in a loop around future.done(), by spinning, or with await.
     """
     for finding in _of(recording, 'callback waits', 'waiting'):
         waiting = finding.facts['waiting']
@@ -73,7 +76,7 @@ def deadlock(recording: Recording) -> Iterator[Finding]:
     hides=('time.sleep-in-callback', 'messages.not-taken', 'time.slow-callback'),
 )
 def goes_on(recording: Recording) -> Iterator[Finding]:
-    """Report a callback that still runs at the end, after at least half a second, while other callbacks of its node are due."""
+    """Report a callback that still runs at the end, after at least half a second, while other callbacks of its node wait."""
     for finding in _of(recording, 'callback goes on', 'timers', 'calls', but=EXPLAINED):
         calls = (finding.facts['calls'] or '').rpartition('.')[2] or None
         yield finding._replace(facts={**finding.facts, 'calls': calls})
@@ -94,7 +97,7 @@ EXPLAINED = frozenset(
     hides=('messages.not-taken', 'time.slow-callback'),
 )
 def spin_in_callback(recording: Recording) -> Iterator[Finding]:
-    """Report a callback that spins the executor which called it."""
+    """Report a callback that spins the executor by which it was called."""
     yield from _of(recording, 'spin in callback', 'spins')
     yield from _of(recording, 'spin in callback in vain', 'spins')
 
@@ -108,7 +111,7 @@ def spin_in_callback(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def node_taken_away(recording: Recording) -> Iterator[Finding]:
-    """Report a node that rclpy.spin... moves from the student's executor into the global one."""
+    """Report a node that a function such as rclpy.spin() moves from the student's executor to the global executor."""
     return _of(recording, 'node taken away', 'spins')
 
 
@@ -122,7 +125,7 @@ def node_taken_away(recording: Recording) -> Iterator[Finding]:
     hides=('messages.reply-not-taken', 'programs.never-spun'),
 )
 def other_node_spun(recording: Recording) -> Iterator[Finding]:
-    """Report code such as `spin_until_future_complete` with the future of another node's client."""
+    """Report a call such as `spin_until_future_complete` that waits for the future of another node's client."""
     return _of(recording, 'other node spun', 'other')
 
 
@@ -136,7 +139,7 @@ def other_node_spun(recording: Recording) -> Iterator[Finding]:
     hides=('messages.not-taken', 'time.slow-callback', 'turtlesim.slow-commands'),
 )
 def rate_in_callback(recording: Recording) -> Iterator[Finding]:
-    """Report rate.sleep() in a callback: the executor that calls the timer of the rate waits for that callback."""
+    """Report rate.sleep() in a callback. The executor cannot run the timer of the rate before the callback ends."""
     return _of(recording, 'rate in callback')
 
 
@@ -183,7 +186,7 @@ def callback_missing(recording: Recording) -> Iterator[Finding]:
     hides=('programs.not-activated', 'programs.died'),
 )
 def transition_failed(recording: Recording) -> Iterator[Finding]:
-    """Report a transition of a lifecycle node whose callback failed."""
+    """Report a failed transition of a lifecycle node: its callback returned a failure or raised an exception."""
     return _of(recording, 'transition failed', 'raised', 'returned', 'process')
 
 
@@ -196,7 +199,10 @@ def transition_failed(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def waits_for_input(recording: Recording) -> Iterator[Finding]:
-    """Report a program that reads its keyboard without a time limit. `terminal_window` reports programs in a terminal window."""
+    """Report a program that reads its keyboard without a time limit.
+
+    The rule `terminal_window` reports programs in a terminal window.
+    """
     windows = terminal_windows(recording)
     for fact in recording.facts:
         if fact.kind == 'waits for input' and fact.process is not None and fact.process not in windows:

@@ -29,7 +29,7 @@ SECOND = 1.0
     hides=('messages.reply-not-taken', 'messages.not-taken', 'tf.empty-buffer', 'tf.unknown-frame'),
 )
 def never_spun(recording: Recording) -> Iterator[Finding]:
-    """Report a node that has timers, subscriptions or services, existed for a second, and was in no executor."""
+    """Report a node that existed for a second and was never in an executor, if it has timers, subscriptions or services."""
     started = {node.name: node.started_s for node in recording.nodes}
     for fact in recording.facts:
         if fact.kind == 'node not spun' and fact.time_s - started.get(fact.data['node'], fact.time_s) >= SECOND:
@@ -49,7 +49,7 @@ BLOCKING = ('wait_for_service', 'wait_for_server', 'wait_for_message', 'private_
 
 
 def _waits_for_somebody(recording: Recording, data: dict[str, object]) -> bool:
-    """Return whether a program waits in `wait_for_service` or `input()`. Then another finding names the cause."""
+    """Return whether a program waits in `wait_for_service` or `input()`. Another rule reports this cause."""
     return str(data.get('calls', '')).partition('.')[2] in BLOCKING
 
 
@@ -65,7 +65,7 @@ def _waits_for_somebody(recording: Recording, data: dict[str, object]) -> bool:
     level='error',
 )
 def ended_at_once(recording: Recording) -> Iterator[Finding]:
-    """Report a program that ended with exit code 0 within a second and whose node never spun."""
+    """Report a program that ended with exit code 0 within a second, if its node never spun."""
     processes = {process.name: process for process in recording.processes}
     started = {node.name: node.started_s for node in recording.nodes}
     for fact in recording.facts:
@@ -85,7 +85,8 @@ def ended_at_once(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def not_taken(recording: Recording) -> Iterator[Finding]:
-    """Report old messages, or a full queue of a student's node, that no callback processed before the end of the run or node.
+    """Report messages for a student's node that no callback processed before the end of the run or of the node.
+
     Other rules report a node that never spins, or that waits for the keyboard.
     """
     unspun = {fact.data['node'] for fact in recording.facts if fact.kind == 'node not spun'}
@@ -111,7 +112,7 @@ def not_taken(recording: Recording) -> Iterator[Finding]:
     hides=('programs.never-spun',),
 )
 def reply_not_taken(recording: Recording) -> Iterator[Finding]:
-    """Report a reply that the client has not processed at the end of the run, at least a second after its arrival."""
+    """Report a reply that arrived at least a second before the end of the run, and that the client has not processed."""
     for fact in recording.facts:
         if fact.kind == 'reply waits':
             node, service = fact.data['node'], fact.data['service']
@@ -173,7 +174,7 @@ GOAL = '/_action/send_goal'
     level='error',
 )
 def asked_too_early(recording: Recording) -> Iterator[Finding]:
-    """Report a request to a service that was created only later."""
+    """Report a request to a service that did not exist until later."""
     offered: dict[str, float] = {}
     for end in recording.ends:
         if end.kind == 'service':
@@ -187,18 +188,18 @@ def asked_too_early(recording: Recording) -> Iterator[Finding]:
 
 
 def _alike(name: str, known: list[str]) -> str | None:
-    """Return the only known name with the same ending."""
+    """Return the known name with the same last part, or None if there is not exactly one."""
     same = [one for one in known if one.rpartition('/')[2] == name.rpartition('/')[2]]
     return same[0] if len(same) == 1 else None
 
 
 def _actions(recording: Recording) -> list[str]:
-    """Return the names of all actions that were offered."""
+    """Return the names of all actions that had a server."""
     names = (end.name for end in recording.ends if end.kind == 'service' and end.name.endswith(GOAL))
     return list(dict.fromkeys(name.removesuffix(GOAL) for name in names))
 
 
 def _parameters(recording: Recording) -> set[tuple[str, str]]:
-    """Return the node and service name of each client of the parameter services of existing nodes."""
+    """Return (node, service name) for each client of a parameter service of an existing node."""
     nodes = tuple(f'{name}/' for name in programs(recording))
     return {(end.node, end.name) for end in recording.ends if end.kind == 'client' and is_ros_own(end.name, nodes)}

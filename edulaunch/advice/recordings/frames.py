@@ -1,4 +1,4 @@
-"""Rules about the names in tf: transforms on another topic, prefixes, and a parent and a child that are swapped."""
+"""Rules about names in tf: transforms on another topic, prefixes of frames, and a swapped parent and child."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 LESSON = '09_broadcaster_and_listener'
 ENOUGH = 5
-"""The number of transforms from which two equal series have one cause."""
+"""With at least this many equal transforms, two series have the same cause."""
 
 
 @rule(
@@ -27,7 +27,7 @@ ENOUGH = 5
     hides=('tf.unknown-frame', 'tf.empty-buffer', 'programs.died', 'messages.nobody-listens', 'messages.other-topic'),
 )
 def other_topic(recording: Recording) -> Iterator[Finding]:
-    """Report a lookup of a frame that is broadcast on another topic than the one on which the node listens."""
+    """Report a lookup of a frame that is broadcast on a topic to which the node's listener does not subscribe."""
     failed = [fact for fact in recording.facts if fact.kind == 'lookup failed' and fact.data['unknown']]
     if not failed:
         return
@@ -60,7 +60,7 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
     hides=('tf.unknown-frame', 'tf.separate-trees'),
 )
 def frame_prefix(recording: Recording) -> Iterator[Finding]:
-    """Report a prefix without a slash at its end, if a lookup or another broadcaster uses the name with the slash."""
+    """Report a frame_prefix without a slash at its end, if a lookup or another broadcaster uses the name with the slash."""
     known = frame_names(recording)
     asked = {
         name for fact in recording.facts if fact.kind == 'lookup failed' for name in (fact.data['target'], fact.data['source'])
@@ -89,7 +89,7 @@ def frame_prefix(recording: Recording) -> Iterator[Finding]:
     hides=('tf.two-parents', 'tf.two-broadcasters', 'tf.loop', 'tf.unknown-frame', 'tf.separate-trees', 'turtlesim.wall'),
 )
 def swapped(recording: Recording) -> Iterator[Finding]:
-    """Report a broadcaster that sends the pose of a turtle in a transform whose parent is that turtle."""
+    """Report a broadcaster that sends the pose of a turtle in a transform in which the turtle is the parent."""
     poses = {turtle.rpartition('/')[2]: turtle for turtle in turtles(recording)}
     ends = ends_by_name(recording)
     for one in broadcasts(recording):

@@ -1,4 +1,4 @@
-"""Rules about values, arguments and descriptions that a program accepts, but understands differently."""
+"""Rules about values, arguments and descriptions that a program accepts, but interprets in another way than the user meant."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ GETTERS = ('declare_parameter', 'get_parameter', 'get_parameter_or')
     level='error',
 )
 def text_for_bool(recording: Recording) -> Iterator[Finding]:
-    """Report a string for a boolean parameter, if a program tests the value itself, as in `if value:`."""
+    """Report a string as the value of a boolean parameter, if a program tests the value itself, as in `if value:`."""
     tested: set[str] | None = None
     for node in recording.nodes:
         if node.name not in own_nodes(recording):
@@ -63,7 +63,7 @@ def _tested(recording: Recording) -> set[str]:
 
 
 def _parameter_read(node: ast.AST) -> str | None:
-    """Return the parameter that an expression reads, such as `self.get_parameter('x').value`."""
+    """Return the name of the parameter that an expression such as `self.get_parameter('x').value` reads, or None."""
     if isinstance(node, ast.Attribute) and node.attr in ('value', 'string_value'):
         inner: ast.AST = node.value
         while isinstance(inner, (ast.Attribute, ast.Call)):
@@ -82,8 +82,9 @@ def _parameter_read(node: ast.AST) -> str | None:
     lesson='03_parameters',
 )
 def parameter_read_once(recording: Recording) -> Iterator[Finding]:
-    """Report a parameter that was set successfully, but that the program reads only in a constructor, without a callback for
-    changes.
+    """Report a parameter that was set successfully, but that the program reads only in a constructor.
+
+    The program has no callback for changed parameters.
     """
     if not any(row[2] == SET for row in recording.rows('calls')):
         return
@@ -102,7 +103,10 @@ SET = 'rcl_interfaces/srv/SetParameters'
 
 
 def _read_in_constructor(recording: Recording, name: str) -> tuple[str, int] | None:
-    """Return the line of the only reads of a parameter, or None if there are others or a callback handles changes."""
+    """Return the file and line that read a parameter in a constructor.
+
+    Return None if the program also reads it elsewhere, or if a callback handles changes.
+    """
     place = None
     for file, tree in program_scripts(recording):
         inside = {
@@ -155,7 +159,7 @@ OPTIONS = (
     hides=('programs.died',),
 )
 def unknown_option(recording: Recording) -> Iterator[Finding]:
-    """Report the first unknown option of a static_transform_publisher that has ended."""
+    """Report the first unknown option of a static_transform_publisher that has ended with an error."""
     for process, words in _static_publishers(recording):
         unknown = [word for word in words if word.startswith('--') and ' ' not in word and word not in OPTIONS]
         if unknown and process.returncode:
@@ -173,7 +177,7 @@ def unknown_option(recording: Recording) -> Iterator[Finding]:
     confidence='asked',
 )
 def static_degrees(recording: Recording) -> Iterator[Finding]:
-    """Report an angle of a static_transform_publisher above a full turn."""
+    """Report an angle of a static_transform_publisher that is larger than a full turn."""
     for process, words in _static_publishers(recording):
         old = list(zip(('yaw', 'pitch', 'roll'), words[3:6], strict=False)) if _is_old(words) else []
         for option, text in [*zip(words, words[1:], strict=False), *old]:
@@ -192,7 +196,7 @@ def static_degrees(recording: Recording) -> Iterator[Finding]:
     confidence='asked',
 )
 def old_order(recording: Recording) -> Iterator[Finding]:
-    """Report eight arguments without options in which only the last angle is not 0."""
+    """Report a static_transform_publisher with eight arguments without options, in which only the last angle is not 0."""
     for process, words in _static_publishers(recording):
         if _is_old(words) and not _number(words[3]) and not _number(words[4]) and _number(words[5]):
             x, y, z, _, _, angle, parent, child = words
@@ -221,7 +225,7 @@ def _number(text: str) -> float | None:
     hides=('programs.died',),
 )
 def arguments_in_one(recording: Recording) -> Iterator[Finding]:
-    """Report an entry that begins with an option and continues after a space."""
+    """Report an argument of a program that contains an option and, after a space, its value."""
     for process in recording.processes:
         for word in process.argv[1:] if process.package else ():
             if re.match(r'--?[a-z][\w-]* \S', word):

@@ -1,4 +1,4 @@
-"""Rules about events and containers of a launch file that name a node, a state or a container that does not exist."""
+"""Rules about launch files that name a lifecycle node, a state or a container that does not exist."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ STATES = (
     hides=('messages.no-server', 'launch.component-not-loaded'),
 )
 def no_container(recording: Recording) -> Iterator[Finding]:
-    """Report a client of launch for the service of a container that no node has."""
+    """Report a launch that loads components into a container that does not exist."""
     served = [end.name for end in recording.ends if end.kind == 'service' and end.name.endswith(LOAD_NODE)]
     containers = [name.removesuffix(LOAD_NODE) for name in served]
     launches = {node.name for node in recording.nodes if node.name.rpartition('/')[2].startswith('launch_ros_')}
@@ -58,7 +58,7 @@ def no_container(recording: Recording) -> Iterator[Finding]:
 
 
 def _loading_line(recording: Recording, container: str) -> tuple[str | None, int | None]:
-    """Return the line that names a container, or the first line of the only LoadComposableNodes."""
+    """Return the file and line of the LoadComposableNodes that names a container. If there is only one, return its first line."""
     calls = [
         (file, call)
         for file, tree in launch_scripts(recording)
@@ -107,7 +107,7 @@ def no_such_state(recording: Recording) -> Iterator[Finding]:
     edits=(("'{written}'", "'{near}'"),),
 )
 def matches_no_node(recording: Recording) -> Iterator[Finding]:
-    """Report a matcher whose literal name no node of the run has."""
+    """Report a matcher with a literal name that no node of the run has."""
     names = [node.name for node in recording.nodes]
     for file, tree in launch_scripts(recording):
         for call in walked(tree):

@@ -1,4 +1,4 @@
-"""Problems that ROS 2 only logs: a missing parameter file or component, and a goal whose callback failed."""
+"""Rules about problems that ROS 2 only logs: a missing parameter file or component, and a goal whose callback failed."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ _COMPONENTS = re.compile(r'Failed to find class.*\n  help: components of \S+: (.
     level='error',
 )
 def parameter_file_absent(recording: Recording) -> Iterator[Finding]:
-    """Report a missing parameter file that launch_ros logs. Another rule reports relative paths."""
+    """Report a missing parameter file that launch_ros has logged. Another rule reports relative paths."""
     logs = [message for _, process, _, _, message in recording.rows('logs') if message.startswith(_NO_FILE)]
     for path in dict.fromkeys(message.removeprefix(_NO_FILE) for message in logs):
         file, line, joined = _written(recording, path)
@@ -54,7 +54,12 @@ def parameter_file_absent(recording: Recording) -> Iterator[Finding]:
 
 
 def _not_installed(launch_file: str | None, package: str, *inside: str) -> dict[str, Any]:
-    """Return facts about a file that is in the source folder of a package, the one of the launch file, but not installed."""
+    """Return facts about a file that exists in the package of the launch file but is not installed.
+
+    :param launch_file: the path of the launch file.
+    :param package: the name of the package.
+    :param inside: the parts of the file's path in the package.
+    """
     folder = os.path.dirname(os.path.realpath(launch_file or ''))
     while not os.path.isfile(os.path.join(folder, 'package.xml')) and folder != os.path.dirname(folder):
         folder = os.path.dirname(folder)
@@ -67,8 +72,9 @@ def _not_installed(launch_file: str | None, package: str, *inside: str) -> dict[
 
 
 def _written(recording: Recording, path: str) -> tuple[str | None, int | None, str | None]:
-    """Return the place in a launch file that contains the name of the file, and the part of os.path.join() there that begins with
-    a slash.
+    """Return the place in a launch file that contains the name of a parameter file.
+
+    The third value is the argument of os.path.join() there that begins with a slash, or None.
     """
     for file, _ in launch_scripts(recording):
         with open(file, encoding='utf-8') as text:
@@ -88,7 +94,7 @@ def _written(recording: Recording, path: str) -> tuple[str | None, int | None, s
     hides=('messages.nobody-publishes', 'messages.nobody-listens'),
 )
 def component_not_loaded(recording: Recording) -> Iterator[Finding]:
-    """Report a component that launch_ros could not load, with the components that the container names."""
+    """Report a component that launch_ros could not load. The finding lists the components that are available."""
     messages = [message for _, _, _, _, message in recording.rows('logs') if 'Failed to ' in message]
     lists = [match[1] for message in messages if (match := _COMPONENTS.match(message))]
     for message in messages:
@@ -109,7 +115,7 @@ def component_not_loaded(recording: Recording) -> Iterator[Finding]:
     level='info',
 )
 def native_component(recording: Recording) -> Iterator[Finding]:
-    """Report a C++ component that a container was asked to load."""
+    """Report a component in C++ that a launch or a user tried to load into a container."""
     for time_ns, _, _, _, message in recording.rows('logs'):
         match = re.search(r'\n  help: (\S+) of (\S+) is built from C\+\+', message)
         if match is not None:
@@ -126,7 +132,7 @@ def native_component(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def no_goal_response(recording: Recording) -> Iterator[Finding]:
-    """Report a goal callback that returned a boolean, None or another value."""
+    """Report a goal callback that returned a boolean, None or another wrong value."""
     for fact in recording.facts:
         if fact.kind == 'no goal response':
             file, line = fact_place(recording, fact)
@@ -147,7 +153,7 @@ def no_goal_response(recording: Recording) -> Iterator[Finding]:
     hides=('programs.goal-unfinished',),
 )
 def goal_failed(recording: Recording) -> Iterator[Finding]:
-    """Report an exception in an execute callback. rclpy catches it, and the node continues."""
+    """Report an exception in an execute callback. rclpy catches the exception, and the node continues to run."""
     for fact in recording.facts:
         if fact.kind == 'goal failed':
             file, line = fact_place(recording, fact)

@@ -49,7 +49,7 @@ def _found(recording: Recording, fact: Fact, frame: str, **facts: Any) -> Findin
     hides=('programs.died',),
 )
 def unknown_frame(recording: Recording) -> Iterator[Finding]:
-    """Report a requested frame that never existed in the whole run. A frame that appeared late is not reported."""
+    """Report a requested frame that never existed during the run. A frame that appeared late is not reported."""
     known = frame_names(recording)
     for fact in _lookups(recording):
         for name in fact.data['unknown'] if known else fact.data['unknown'][-1:]:
@@ -58,7 +58,10 @@ def unknown_frame(recording: Recording) -> Iterator[Finding]:
 
 
 def _near(name: str, known: list[str]) -> str | None:
-    """Return the frame that was probably meant. The same name with another number is another robot's frame."""
+    """Return the known frame that the student probably meant, or None.
+
+    A name that differs only in its number is the frame of another robot.
+    """
     near = nearest(name, known)
     return None if near is None or near.rstrip('0123456789') == name.rstrip('0123456789') else near
 
@@ -73,7 +76,7 @@ def _near(name: str, known: list[str]) -> str | None:
     hides=('programs.died',),
 )
 def leading_slash(recording: Recording) -> Iterator[Finding]:
-    """Report a frame that exists under the name without the slash."""
+    """Report a requested frame with a leading slash, if the frame exists without the slash."""
     known = frame_names(recording)
     for fact in _lookups(recording):
         for name in fact.data['unknown']:
@@ -101,7 +104,7 @@ def leading_slash(recording: Recording) -> Iterator[Finding]:
     hides=('programs.died',),
 )
 def empty_buffer(recording: Recording) -> Iterator[Finding]:
-    """Report frames that are broadcast, but have not reached the buffer of the lookup."""
+    """Report a lookup with an empty buffer, if the frames are broadcast."""
     known = frame_names(recording)
     for fact in _lookups(recording):
         name = next((name for name in fact.data['unknown'] if name in known), None)
@@ -150,7 +153,7 @@ MOMENT_S = 0.05
     hides=('programs.died',),
 )
 def separate_trees(recording: Recording) -> Iterator[Finding]:
-    """Report two existing frames that no chain of transforms connects in the whole run."""
+    """Report a lookup between two existing frames that no chain of transforms ever connects."""
     known = frame_names(recording)
     for fact in _lookups(recording):
         target, source = fact.data['target'], fact.data['source']
@@ -164,7 +167,10 @@ def separate_trees(recording: Recording) -> Iterator[Finding]:
 
 
 def _meant_root(recording: Recording, root: str) -> str | None:
-    """Return the frame of another tree of which a root is a misspelling. Names that differ in a number are different frames."""
+    """Return the frame of another tree of which a root is a misspelling, or None.
+
+    Names with different numbers are not misspellings.
+    """
     others = [frame for frame in frame_names(recording) if root_of(recording, frame) != root]
     near = nearest_spelling(root, [frame for frame in others if re.sub(r'\d+', '', frame) != re.sub(r'\d+', '', root)])
     is_close = near is not None and sorted(re.findall(r'\d+', near)) == sorted(re.findall(r'\d+', root))
@@ -185,7 +191,7 @@ def _meant_root(recording: Recording, root: str) -> str | None:
     hides=('programs.died', 'time.slow-callback'),
 )
 def lookup_future(recording: Recording) -> Iterator[Finding]:
-    """Report lookups that were all too early, including the last one."""
+    """Report lookups for a time that is later than all transforms in the buffer, if the last lookup failed, too."""
     for fact, gap_s in _extrapolations(recording, 'future'):
         yield _found(recording, fact, fact.data['source'], gap_s=gap_s, waited_s=fact.data['waited_s'] or None)
 
@@ -200,7 +206,7 @@ def lookup_future(recording: Recording) -> Iterator[Finding]:
     hides=('programs.died',),
 )
 def lookup_past(recording: Recording) -> Iterator[Finding]:
-    """Report lookups for times before everything in the buffer, including the last one."""
+    """Report lookups for a time that is earlier than all transforms in the buffer, if the last lookup failed, too."""
     for fact, gap_s in _extrapolations(recording, 'past'):
         yield _found(recording, fact, fact.data['source'], gap_s=gap_s)
 

@@ -1,4 +1,4 @@
-"""Rules about endpoints of one topic or service that do not match, remappings without effect, and nodes with equal names."""
+"""Rules about endpoints that do not match, remappings without an effect, and nodes with equal names."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ LESSON = '09_broadcaster_and_listener'
 
 
 def _unfit(recording: Recording, *policies: str) -> Iterator[Finding]:
-    """Yield pairs of endpoints that a QoS policy separates."""
+    """Yield a finding for each publisher and subscription that one of these QoS policies makes incompatible."""
     for mismatch in recording.mismatches:
         if mismatch.why in policies:
             file, line = end_place(recording, 'subscription', mismatch.topic, mismatch.subscriber)
@@ -41,7 +41,7 @@ def _unfit(recording: Recording, *policies: str) -> Iterator[Finding]:
     level='error',
 )
 def best_effort(recording: Recording) -> Iterator[Finding]:
-    """Report a best-effort publisher and a reliable subscription of one topic."""
+    """Report a best-effort publisher and a reliable subscription of the same topic."""
     return _unfit(recording, 'RELIABILITY')
 
 
@@ -57,7 +57,7 @@ def best_effort(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def not_kept(recording: Recording) -> Iterator[Finding]:
-    """Report a volatile publisher and a transient-local subscription."""
+    """Report a volatile publisher and a transient-local subscription of the same topic."""
     return _unfit(recording, 'DURABILITY')
 
 
@@ -70,7 +70,7 @@ def not_kept(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def quality(recording: Recording) -> Iterator[Finding]:
-    """Report incompatible deadlines and liveliness."""
+    """Report a publisher and a subscription whose deadlines or liveliness policies are incompatible."""
     return _unfit(recording, 'DEADLINE', 'LIVELINESS')
 
 
@@ -83,7 +83,7 @@ def quality(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def different_types(recording: Recording) -> Iterator[Finding]:
-    """Report two endpoints with different types, if neither has another partner on that topic."""
+    """Report a publisher and a subscription with different types, if none of them has another partner on the topic."""
     ends = ends_by_name(recording)
     for mismatch in recording.mismatches:
         if mismatch.why != 'TYPE':
@@ -143,8 +143,9 @@ SOON_S = 0.5
     hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes'),
 )
 def unused(recording: Recording) -> Iterator[Finding]:
-    """Report a remapping that no node of the program uses. Leave out programs that ended at once, and a remapping for a group of
-    programs if one of them uses it.
+    """Report a remapping that no node of the program uses. Skip programs that ended immediately.
+
+    Also skip a remapping for a group of programs if one of them uses it.
     """
     used = _used(recording)
     for process in recording.processes:
@@ -167,7 +168,7 @@ def unused(recording: Recording) -> Iterator[Finding]:
 
 
 def _used(recording: Recording) -> set[str]:
-    """Return the original names of all remappings that a node of their program has used."""
+    """Return the original names of all remappings that a node of the remapped program has used."""
     nodes: dict[str, list[NodeRecord]] = {}
     for node in recording.nodes:
         nodes.setdefault(node.process, []).append(node)
@@ -188,7 +189,7 @@ def _near(node: NodeRecord, rule: RemapRule, names: list[str]) -> str | None:
 
 
 def remappings(process: ProcessRecord) -> Iterator[RemapRule]:
-    """Yield the remapping rules of a command line that apply to topics and services."""
+    """Yield the remapping rules on a program's command line that apply to topics and services."""
     for flag, text in zip(process.argv, process.argv[1:], strict=False):
         if flag in ('-r', '--remap'):
             try:
@@ -200,7 +201,7 @@ def remappings(process: ProcessRecord) -> Iterator[RemapRule]:
 
 
 def _has(node: NodeRecord, rule: RemapRule) -> bool:
-    """Return whether the node has an endpoint with the rule's new name, or the rule is for another node."""
+    """Return whether a node has an endpoint with the new name of a remapping rule."""
     namespace, _, name = node.name.rpartition('/')
     if rule.node_name not in (None, name):
         return False
@@ -226,7 +227,7 @@ def _names(node: NodeRecord) -> list[str]:
 def same_name(recording: Recording) -> Iterator[Finding]:
     """Report two nodes that have the same name at the same time.
 
-    Ignore a node that was started again after its end, and the nodes of `ros2` commands.
+    Skip a node that was started again after its end, and the nodes of `ros2` commands.
     """
     origins = {process.name: process.origin for process in recording.processes}
     alive: dict[str, tuple[str, float | None]] = {}

@@ -1,4 +1,4 @@
-"""Rules about valid messages that do not do what was intended. They compare numbers of the messages."""
+"""Rules about valid messages that do not do what the student intended. The rules compare the numbers in the messages."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ lookup.
 
 
 FAR = 0.98
-"""The cosine of half the angle between heading and rotation. Below it, they differ: by more than 23 degrees."""
+"""A limit for the cosine of half the angle between heading and rotation. Below this value, the angle is more than 0.4 rad."""
 
 
 @rule(
@@ -69,8 +69,9 @@ FAR = 0.98
     hides=('turtlesim.wall', 'turtlesim.slow-commands', 'messages.two-commanders'),
 )
 def lookup_swapped(recording: Recording) -> Iterator[Finding]:
-    """Report a follower whose turning speed depends on the angle at which the leader sees it. It should depend on the angle at
-    which it sees the leader.
+    """Report a follower that turns by the angle at which the leader sees the follower.
+
+    The follower should turn by the angle at which it sees the leader.
     """
     names, own = list(turtles(recording)), own_nodes(recording)
     turned = {finding.facts['turtle'] for finding in other_yaw.look(recording)} if len(names) > 1 else set()
@@ -114,19 +115,23 @@ def _poses(recording: Recording, turtle: str) -> tuple[list[int], list[Any]]:
 
 
 def _at(poses: tuple[list[int], list[Any]], time_ns: int) -> Any:
-    """Return the last pose before a time, or None."""
+    """Return the last pose before a time, or None.
+
+    :param poses: the times in nanoseconds, and the poses.
+    :param time_ns: the time in nanoseconds.
+    """
     number = bisect_right(poses[0], time_ns) - 1
     return None if number < 0 else poses[1][number]
 
 
 def _bearing(seen_from: Any, of: Any) -> float:
-    """Return the angle at which one turtle sees another, in radians from its own heading."""
+    """Return the direction from one turtle to another, in radians relative to the heading of the first turtle."""
     angle = math.atan2(of[1] - seen_from[1], of[0] - seen_from[0]) - seen_from[2]
     return math.atan2(math.sin(angle), math.cos(angle))
 
 
 def _is_one_number(ratios: list[float]) -> bool:
-    """Return whether nine of ten values are close to their median."""
+    """Return whether at least 90 % of the values are close to their median."""
     ordered = sorted(ratios)
     middle = ordered[len(ordered) // 2]
     near = sum(abs(value - middle) <= CLOSE * abs(middle) for value in ratios)
@@ -135,8 +140,9 @@ def _is_one_number(ratios: list[float]) -> bool:
 
 @lru_cache(maxsize=1)
 def _turned(recording: Recording) -> list[tuple[Broadcasts, str, list[tuple[float, float, Any]]]]:
-    """Return each moving frame of a turtle with the turtle and its transforms: sine and cosine of half the heading, and the
-    rotation.
+    """Return the moving frames of turtles, each with the name of the turtle and its transforms.
+
+    A transform is the sine and the cosine of half the heading, and the rotation.
     """
     frames = {turtle[1:]: turtle for turtle in turtles(recording)}
     turned = []
@@ -169,8 +175,9 @@ def _turned(recording: Recording) -> list[tuple[Broadcasts, str, list[tuple[floa
     hides=('turtlesim.wall', 'tf.lookup-swapped'),
 )
 def other_yaw(recording: Recording) -> Iterator[Finding]:
-    """Report a frame at its turtle's position whose rotation differs from the heading by 0.2 rad or more in nine of ten
-    transforms.
+    """Report a turtle's frame whose rotation differs from the turtle's heading by more than 0.4 rad in nine of ten transforms.
+
+    The frame must have the position of the turtle.
     """
     for one, turtle, known in _turned(recording):
         upright = [(s, c, q) for s, c, q in known if abs(q[0]) < CLOSE and abs(q[1]) < CLOSE]
@@ -194,8 +201,9 @@ def other_yaw(recording: Recording) -> Iterator[Finding]:
     hides=('turtlesim.wall',),
 )
 def quaternion_order(recording: Recording) -> Iterator[Finding]:
-    """Report a turtle's frame with a wrong order of the quaternion: x is the cosine of half the heading, and w the sine. All of
-    the last transforms must have it.
+    """Report a turtle's frame whose quaternions have the wrong order: x is the cosine of half the heading, and w is the sine.
+
+    All of the last transforms must have this order.
     """
     for one, _, known in _turned(recording):
         if known and all(
@@ -215,7 +223,7 @@ def quaternion_order(recording: Recording) -> Iterator[Finding]:
     hides=('turtlesim.wall', 'tf.quaternion-order'),
 )
 def other_axis(recording: Recording) -> Iterator[Finding]:
-    """Report a turtle's frame whose rotation has the sine of half the heading in x or y, and nothing in z."""
+    """Report a turtle's frame whose quaternions contain the sine of half the heading in x or y instead of z."""
     for one, turtle, known in _turned(recording):
         for at, axis in ((0, 'x'), (1, 'y')):
             exact = [
@@ -241,8 +249,10 @@ def other_axis(recording: Recording) -> Iterator[Finding]:
     hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes', 'launch.remapping-unused'),
 )
 def remapping_reversed(recording: Recording) -> Iterator[Finding]:
-    """Report a remapping with swapped names. The node is alone under the second name, and another node is alone under the first
-    name. If the code of the node contains the first name, the order is right, and the other node needs the same remapping.
+    """Report a remapping with swapped names.
+
+    The node's endpoint has the second name and no partner, and another node's endpoint has the first name and no partner. If the
+    code of the node contains the first name, the order is right, and the other node needs the same remapping.
     """
     lone = {kind: {(end.name, end.type): end for end in lone_ends(recording, kind)} for kind in ('publisher', 'subscription')}
     for process in recording.processes:
@@ -276,13 +286,13 @@ def remapping_reversed(recording: Recording) -> Iterator[Finding]:
 
 
 def _code_of(recording: Recording, end: EndRecord) -> str:
-    """Return the lines that create an endpoint. They are in a launch file if a program of ROS 2 creates it."""
+    """Return the lines that create an endpoint. For a program of ROS 2, they are the lines that start it in a launch file."""
     file, line = end_place(recording, end.kind, end.name, end.node)
     return ''.join(linecache.getline(file or '', (line or 0) + number) for number in range(3))  # the call may have several lines
 
 
 def _has_first_name(code: str, end: EndRecord, old: str) -> bool:
-    """Return whether the call that creates an endpoint contains the name that a remapping replaced."""
+    """Return whether the lines that create an endpoint contain the name that a remapping has replaced."""
     first, second = (name.rpartition('/')[2] for name in (old, end.name))
     return first != second and re.search(rf'\b{re.escape(first)}[\'"]', code) is not None
 
@@ -305,8 +315,8 @@ def _has_first_name(code: str, end: EndRecord, old: str) -> bool:
     edits=(("'{first}' '{second}'", "'{first}', '{second}'"), ('"{first}" "{second}"', '"{first}", "{second}"')),
 )
 def joined_strings_used(recording: Recording) -> Iterator[Finding]:
-    """Report two strings on one line that Python joins, if a topic, service, node or frame of the run contains the
-    joined name.
+    """Report two strings on one line that Python joins, if a topic, service, node or frame of the run contains the joined
+    name.
     """
     lone = [end.name for kind in ('publisher', 'subscription') for end in lone_ends(recording, kind)]
     unknown = [name for fact in recording.facts if fact.kind == 'lookup failed' for name in fact.data['unknown']]
@@ -332,7 +342,7 @@ def joined_strings_used(recording: Recording) -> Iterator[Finding]:
     hides=('tf.two-parents', 'tf.separate-trees', 'tf.unknown-frame', 'tf.lookup-past', 'tf.lookup-future'),
 )
 def loop(recording: Recording) -> Iterator[Finding]:
-    """Report a loop of frames once, at the first transform of each frame."""
+    """Report each loop of frames once, at the first transform of one of its frames."""
     links = {child: found_links[0] for child, found_links in by_child(recording).items()}
     seen: set[str] = set()
     for start in links:

@@ -1,4 +1,4 @@
-"""Rules about silent problems between computers: no other computer, another clock, or another definition of a type."""
+"""Rules about problems between computers that cause no error: no other computer, another clock, or another type definition."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def alone(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def other_clock(recording: Recording) -> Iterator[Finding]:
-    """Report each node whose stamps are from another clock, once."""
+    """Report each node once if its time stamps come from another clock."""
     for note in _notes(recording, 'clock'):
         yield found('node', note.text, time_s=note.time_s)
 
@@ -64,7 +64,7 @@ def other_clock(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def other_definition(recording: Recording) -> Iterator[Finding]:
-    """Report each type with another definition on another computer, once."""
+    """Report each type once if another computer has another definition of the type."""
     for note in _notes(recording, 'hash'):
         package = note.text.partition('/')[0]
         yield found('package', package, time_s=note.time_s, type=note.text)

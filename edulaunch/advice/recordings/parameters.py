@@ -1,4 +1,4 @@
-"""Rules about parameter values that never reached their nodes, and launch arguments that no launch file declares."""
+"""Rules about parameter values that never reached a node, and launch arguments that no launch file declares."""
 
 from __future__ import annotations
 
@@ -33,8 +33,9 @@ SET = 'rcl_interfaces/srv/SetParameters'
     level='error',
 )
 def not_declared(recording: Recording) -> Iterator[Finding]:
-    """Report a parameter value for a node that does not declare it. Skip a value from a source that serves several nodes if
-    another node declares it, and a program that died early.
+    """Report a parameter value for a node that does not declare the parameter. Skip programs that ended early with an error.
+
+    If the source of the value serves several nodes, skip the value if another node declares the parameter.
     """
     dead = {process.name for process in recording.processes if process.returncode not in ENDED_WELL}
     dead |= {fact.process for fact in recording.facts if fact.kind == 'server awaited' and fact.process}
@@ -69,7 +70,7 @@ ROS_PARAMETERS = ('qos_overrides.', 'use_sim_time', 'start_type_description_serv
     level='error',
 )
 def key_for_no_node(recording: Recording) -> Iterator[Finding]:
-    """Report a file whose entries match no node. The rule over launch files does not know the names that programs choose."""
+    """Report a parameter file whose entries match no node. The rule for dry runs does not know the names that programs choose."""
     passed_over: dict[str, list[Fact]] = {}
     for fact in recording.facts:
         if fact.kind == 'keys for no node':
@@ -126,7 +127,7 @@ def refused(recording: Recording) -> Iterator[Finding]:
     lesson='01_first_launch',
 )
 def unknown_argument(recording: Recording) -> Iterator[Finding]:
-    """Report a launch argument that no launch file declares. Skip it if a file reads a configuration of that name."""
+    """Report a launch argument that no launch file declares, unless a launch file reads a configuration with that name."""
     for argument, time_s in _unread(recording):
         if argument.included is None:
             near = nearest(argument.name, argument.declared)
@@ -161,7 +162,7 @@ def undeclared_in_include(recording: Recording) -> Iterator[Finding]:
 
 
 def _unread(recording: Recording) -> Iterator[tuple[UnreadArgument, float | None]]:
-    """Yield the unused arguments of the run's own launch and of each `ros2 launch` that a user typed, with its end."""
+    """Yield the unused launch arguments of the run, and of each `ros2 launch` in a terminal with the time at which it ended."""
     yield from ((argument, None) for argument in recording.launch.unread)
     for fact in recording.facts:
         if fact.kind == 'argument unread':

@@ -33,7 +33,7 @@ _ENDED = re.compile(r'\[ERROR\] \[(?P<name>[^\]]+)\]: process has died \[pid \d+
     do='choose another name, such as self.my{attribute}',
 )
 def private_name(recording: Recording) -> Iterator[Finding]:
-    """Report an attribute of a node that replaces a private attribute of the real rclpy."""
+    """Report an attribute of a student's node that replaces a private attribute of the real rclpy."""
     for fact in recording.facts:
         if fact.kind == 'private name':
             file, line = fact_place(recording, fact)
@@ -79,7 +79,10 @@ def died(recording: Recording) -> Iterator[Finding]:
 
 
 def _outside(recording: Recording) -> Iterator[Finding]:
-    """Yield the programs that are not simulated, such as `python3 misspelt.py`. Launch logs their end."""
+    """Yield the programs that are not simulated, such as `python3 misspelt.py`, and that ended with an error.
+
+    Launch logs their end.
+    """
     ours = {process.name for process in recording.processes}
     launches = {'launch', *(process.name for process in recording.processes if process.argv[:2] == ['ros2', 'launch'])}
     lines = [line for row in recording.output if row.process in launches for line in row.text.splitlines()]
@@ -93,9 +96,10 @@ def _outside(recording: Recording) -> Iterator[Finding]:
 
 
 def _last_words(printed: list[str]) -> dict[str, Any]:
-    """Return the help of a command of edulaunch as `help`, or otherwise the last line that contains an error as `said`.
+    """Return facts about the last lines of a program's output.
 
-    The last line of a C++ program, `terminate called ...`, has less information than its log.
+    They are the `help` of a command of edulaunch, or the last line that contains an error as `said`. The last line of a C++
+    program, `terminate called ...`, contains less information than its log.
     """
     if not printed:
         return {}
@@ -107,13 +111,13 @@ def _last_words(printed: list[str]) -> dict[str, Any]:
 
 
 def _short(text: str) -> str:
-    """Return the first line of a message, shortened."""
+    """Return the first line of a message. A long line is shortened."""
     line = text.partition('\n')[0]
     return line if len(line) <= LONGEST else f'{line[:LONGEST].rpartition(" ")[0] or line[:LONGEST]} ...'
 
 
 def _is_launch(recording: Recording, process: ProcessRecord) -> bool:
-    """Return whether this program is `ros2 launch` itself, whose end is reported elsewhere."""
+    """Return whether this program is the `ros2 launch` of the recording. Other rules report its end."""
     return process.argv[:3] == ['ros2', 'launch', recording.launch.file]
 
 
@@ -122,7 +126,7 @@ def _is_command(process: ProcessRecord) -> bool:
 
 
 def _is_child(recording: Recording, process: ProcessRecord) -> bool:
-    """Return whether an earlier program with the same name is still running."""
+    """Return whether an earlier program with the same name was still running when this program started."""
     for other in recording.processes:
         if other is process:
             return False
@@ -133,7 +137,7 @@ def _is_child(recording: Recording, process: ProcessRecord) -> bool:
 
 
 def _output_lines(recording: Recording, process: ProcessRecord) -> list[str]:
-    """Return the lines that a program wrote to its error stream."""
+    """Return the lines that a program wrote to standard error."""
     text = ''.join(row.text for row in recording.output if row.process == process.name and row.stream == 'stderr')
     return [line.strip() for line in text.splitlines() if line.strip()]
 
@@ -155,7 +159,7 @@ TERMINALS = ('gnome-terminal', 'konsole', 'xterm', 'x-terminal-emulator')
 
 
 def terminal_windows(recording: Recording) -> dict[str, ProcessRecord]:
-    """Return the programs that open a terminal window on a real computer, by name."""
+    """Return the programs that would open a terminal window on a real computer, by name."""
     return {process.name: process for process in recording.processes if os.path.basename(process.argv[0]) in TERMINALS}
 
 
@@ -169,7 +173,7 @@ def terminal_windows(recording: Recording) -> dict[str, ProcessRecord]:
     confidence='asked',
 )
 def output_hidden(recording: Recording) -> Iterator[Finding]:
-    """Report nodes of a launch that neither print nor log anything visible. A node with its own window does not count."""
+    """Report nodes of a launch whose output and log messages appear nowhere. A node with a window does not count."""
     launched = {process.name: process for process in recording.processes if process.origin is not None and process.package}
     first: dict[str, str] = {}
     shown: list[str] = []

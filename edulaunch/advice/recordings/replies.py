@@ -1,4 +1,4 @@
-"""Rules about replies that a program reads before they arrive."""
+"""Rules about replies that a program reads before they have arrived."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ WAITING = ('done', 'sleep', 'wait', 'is_set', 'add_done_callback', 'result_timeo
     hides=('messages.reply-not-taken',),
 )
 def result_before_reply(recording: Recording) -> Iterator[Finding]:
-    """Report a future that a function gets from an asynchronous call, and reads in the same function without waiting for it."""
+    """Report the future of an asynchronous call that a function reads without waiting for it."""
     for file, tree in program_scripts(recording):
         for function in walked(tree):
             if not isinstance(function, FUNCTIONS):
@@ -59,7 +59,7 @@ def result_before_reply(recording: Recording) -> Iterator[Finding]:
 
 
 def _own(function: ast.FunctionDef | ast.AsyncFunctionDef) -> Iterator[ast.AST]:
-    """Yield the nodes of a function without the functions inside it, which run later."""
+    """Yield the syntax nodes of a function. Skip the functions inside it, because they run later."""
     todo: list[ast.AST] = list(function.body)
     while todo:
         node = todo.pop(0)

@@ -1,4 +1,4 @@
-"""Rules about robot descriptions, joints, and bags of topics that do not exist."""
+"""Rules about robot descriptions, joints, and bags that record topics that do not exist."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def _place(process: ProcessRecord) -> dict[str, Any]:
     level='error',
 )
 def bag_of_nothing(recording: Recording) -> Iterator[Finding]:
-    """Report topics on the command line of `ros2 bag record` that do not exist."""
+    """Report topics that do not exist on the command line of `ros2 bag record`."""
     ends = ends_by_name(recording)
     sent = [name for kind, name in ends if kind == 'publisher']
     for process in recording.processes:
@@ -57,7 +57,7 @@ def bag_of_nothing(recording: Recording) -> Iterator[Finding]:
     hides=('programs.died',),
 )
 def description_is_path(recording: Recording) -> Iterator[Finding]:
-    """Report a robot_description that ends like the name of a URDF file."""
+    """Report a robot_description that is the name of a URDF file instead of its content."""
     for process in recording.processes:
         if process.executable == 'robot_state_publisher':
             for text in _texts(recording, process):
@@ -66,8 +66,9 @@ def description_is_path(recording: Recording) -> Iterator[Finding]:
 
 
 def _texts(recording: Recording, process: ProcessRecord) -> Iterator[str]:
-    """Yield the values of robot_description: from the node, or from the command line if the program died before it created its
-    node.
+    """Yield the values of a program's parameter robot_description.
+
+    They come from its node, or from its command line if the program ended before it created the node.
     """
     for _, node, name, value, _ in recording.rows('parameters'):
         if (
@@ -84,7 +85,10 @@ def _texts(recording: Recording, process: ProcessRecord) -> Iterator[str]:
 
 
 def _in_file(path: str) -> Iterator[str]:
-    """Yield the value in a parameter file of launch. A temporary file no longer exists after the run."""
+    """Yield the robot_description in a parameter file.
+
+    Yield nothing for a temporary file, which no longer exists after the run.
+    """
     if os.path.isfile(path) and os.path.getsize(path) < 100_000:
         with open(path, encoding='utf-8', errors='replace') as file:
             yield from re.findall(r'robot_description: *[\'"]?([^\'"\n<]+)', file.read())
@@ -97,7 +101,7 @@ MOVABLE = re.compile(
 
 
 def _movable(recording: Recording) -> Iterator[tuple[str, list[str]]]:
-    """Yield robot state publishers with the movable joints of their robots, without joints that mimic another joint."""
+    """Yield each robot_state_publisher with the movable joints of its robot. Skip joints that mimic another joint."""
     for node in recording.nodes:
         described = (
             recording.parameters(node.name).get('robot_description')
@@ -127,8 +131,9 @@ def _movable(recording: Recording) -> Iterator[tuple[str, list[str]]]:
     hides=('messages.nobody-publishes', 'messages.other-topic'),
 )
 def no_joint_states(recording: Recording) -> Iterator[Finding]:
-    """Report a robot_state_publisher that existed for a second while no node published joint states. Skip nodes that launch files
-    of ROS packages start.
+    """Report a robot_state_publisher that existed for a second while no node published joint states.
+
+    Skip nodes that launch files of ROS packages start.
     """
     ours = tuple(os.path.join(path, '') for path, name in recording.rows('roots') if name == '@underlay')
     ends = ends_by_name(recording)
@@ -173,8 +178,9 @@ JOINT_STATE = 'sensor_msgs/msg/JointState'
     level='error',
 )
 def other_joint(recording: Recording) -> Iterator[Finding]:
-    """Report the last message of each node on joint_states if it names unknown joints, or has fewer or more
-    positions than names.
+    """Report the last message of a node on joint_states if it names unknown joints.
+
+    Also report it if the numbers of positions and names differ.
     """
     for state_publisher, joints in _movable(recording):
         for topic in dict.fromkeys(

@@ -1,4 +1,4 @@
-"""Rules about small slips in programs that Python accepts: an f that is missing, swapped arguments, and a call that blocks."""
+"""Rules about small mistakes in programs that are valid Python: a missing f, swapped arguments, and a call that blocks."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _X, _Y = re.compile(r'(?:^|[._]|d|delta|diff)x(?:_?\w*)?$'), re.compile(r'(?:^|[
     level='error',
 )
 def f_forgotten(recording: Recording) -> Iterator[Finding]:
-    """Report a printed or logged string with a name in braces, which the output of the run contains literally."""
+    """Report a string with a name in braces that a program prints or logs, if the output contains the braces."""
     shown: str | None = None
     for file, tree in program_scripts(recording):
         for call in walked(tree):
@@ -44,7 +44,7 @@ def f_forgotten(recording: Recording) -> Iterator[Finding]:
 
 
 def _is_known(tree: ast.Module, written: str) -> bool:
-    """Return whether a program has a variable, a parameter or an attribute of self with the name in braces."""
+    """Return whether a program has a variable, a parameter or an attribute of `self` with the name in the braces."""
     top, _, rest = written.partition('.')
     name = re.match(r'\w+', rest if top == 'self' else top)
     return name is not None and any(
@@ -65,7 +65,7 @@ def _is_known(tree: ast.Module, written: str) -> bool:
     hides=('turtlesim.wall',),
 )
 def atan2_swapped(recording: Recording) -> Iterator[Finding]:
-    """Report a call of atan2 whose first argument is named after x, and whose second one is named after y."""
+    """Report a call of atan2 if the names in its first argument contain x, and the names in its second argument contain y."""
     for file, tree in program_scripts(recording):
         for call in walked(tree):
             if isinstance(call, ast.Call) and name_of_call(call) == 'atan2' and len(call.args) == 2:
@@ -76,7 +76,7 @@ def atan2_swapped(recording: Recording) -> Iterator[Finding]:
 
 
 def _axis(node: ast.expr) -> str | None:
-    """Return the axis after which all names of an expression are called."""
+    """Return 'x' or 'y' if all names in an expression stand for this axis, otherwise None."""
     names = [
         one.attr if isinstance(one, ast.Attribute) else one.id
         for one in ast.walk(node)
@@ -97,7 +97,7 @@ def _axis(node: ast.expr) -> str | None:
     hides=('messages.reply-not-taken', 'programs.never-spun'),
 )
 def call_in_constructor(recording: Recording) -> Iterator[Finding]:
-    """Report call() in the constructor of a node whose reply arrived and was never read."""
+    """Report call() in the constructor of a node, if the reply arrived but the client never read it."""
     waiting = {fact.data['node'] for fact in recording.facts if fact.kind == 'reply waits'} & own_nodes(recording)
     for file, tree in program_scripts(recording) if waiting else ():
         for method in walked(tree):

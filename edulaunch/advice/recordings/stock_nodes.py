@@ -1,4 +1,7 @@
-"""Rules about values that ended a program of ROS 2, as its last lines say: parameters of another type, and robot descriptions."""
+"""Rules about values that made a program of ROS 2 end: parameters of a wrong type, and robot descriptions.
+
+The rules read the last lines of the program's output.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +28,7 @@ _NUMBER = re.compile(r'-?\d+(?:\.\d+)?')
 
 
 def _printed(recording: Recording) -> Iterator[tuple[ProcessRecord, str]]:
-    """Yield each program that ended with an error, and what it printed to its standard error."""
+    """Yield each program that ended with an error, and the content of its standard error."""
     for process in recording.processes:
         if process.package and process.returncode not in (None, 0, -2, -15):
             yield process, ''.join(row.text for row in recording.output if row.process == process.name and row.stream == 'stderr')
@@ -44,7 +47,7 @@ def _printed(recording: Recording) -> Iterator[tuple[ProcessRecord, str]]:
     hides=('programs.died', 'programs.parameter-not-declared', 'messages.nobody-publishes', 'messages.nobody-listens'),
 )
 def value_of_other_type(recording: Recording) -> Iterator[Finding]:
-    """Report a value that a program of ROS 2 refused at its start, such as '200' in quotes for an integer."""
+    """Report a parameter value that a program of ROS 2 rejected at its start, such as the string '200' for an integer."""
     for process, printed in _printed(recording):
         match = _TYPE.search(printed)
         if match is None:
@@ -67,7 +70,7 @@ def value_of_other_type(recording: Recording) -> Iterator[Finding]:
 
 
 def _meant(value: str, expected: str) -> str | None:
-    """Return the value of the expected type that was probably meant."""
+    """Return the value of the expected type that the student probably meant, or None."""
     inner = value.strip('\'"')
     if expected == 'integer' and _NUMBER.fullmatch(inner):
         return str(round(float(inner)))
@@ -84,7 +87,7 @@ JOINT_TYPES = ('continuous', 'fixed', 'floating', 'planar', 'prismatic', 'revolu
 
 
 def _description(recording: Recording, process: ProcessRecord) -> str:
-    """Return the robot_description of a program, or '' if it has none."""
+    """Return the robot_description of a program, or an empty string."""
     nodes = {node.name for node in recording.nodes if node.process == process.name}
     values = (
         row[3]
@@ -95,7 +98,10 @@ def _description(recording: Recording, process: ProcessRecord) -> str:
 
 
 def _urdf_place(recording: Recording, description: str, sign: str) -> tuple[str, int] | None:
-    """Return the file beside a launch file that contains a robot description, and the first line with `sign`."""
+    """Return the file that contains a robot description, and the first line that contains `sign`.
+
+    The file is in the folder of a launch file, or in a folder `urdf`. Return None if there is no such file.
+    """
     folders = dict.fromkeys(os.path.dirname(file) for file, _ in launch_scripts(recording))
     for folder in folders:
         for inner in (folder, os.path.join(folder, 'urdf'), os.path.join(os.path.dirname(folder), 'urdf')):
@@ -120,7 +126,7 @@ def _urdf_place(recording: Recording, description: str, sign: str) -> tuple[str,
     hides=('programs.died', 'launch.joint-type', 'tf.unknown-frame', 'messages.no-joint-states'),
 )
 def xacro_not_processed(recording: Recording) -> Iterator[Finding]:
-    """Report a robot description whose elements begin with `xacro:`."""
+    """Report a robot description that still contains elements of xacro, such as `xacro:property`."""
     for process in recording.processes:
         if process.executable == 'robot_state_publisher':
             tag = re.search(r'<(xacro:\w+)', _XML_COMMENT.sub('', _description(recording, process)))
@@ -157,7 +163,7 @@ def sdf_description(recording: Recording) -> Iterator[Finding]:
     hides=('programs.died', 'tf.unknown-frame', 'messages.no-joint-states', 'messages.nobody-publishes'),
 )
 def joint_type(recording: Recording) -> Iterator[Finding]:
-    """Report the type of a joint that robot_state_publisher refused."""
+    """Report the type of a joint that robot_state_publisher rejected."""
     for process, printed in _printed(recording):
         match = _JOINT.search(printed)
         if match is not None and _XML.search(printed):

@@ -1,4 +1,4 @@
-"""Rules about topics whose endpoints have different names, and about several nodes that drive one robot."""
+"""Rules about publishers and subscriptions whose topics have different names, and about several nodes that command one robot."""
 
 from __future__ import annotations
 
@@ -21,8 +21,12 @@ _PAIR = {'publisher': 'subscription', 'subscription': 'publisher'}
 
 
 def lone_ends(recording: Recording, kind: str) -> list[EndRecord]:
-    """Return the publishers or subscriptions whose topic never had an endpoint of the opposite kind. Return only the first one of
-    each node and topic.
+    """Return the publishers or subscriptions whose topic never had an endpoint of the opposite kind.
+
+    Return only the first endpoint of each node and topic.
+
+    :param recording: the recording.
+    :param kind: 'publisher' or 'subscription'.
     """
     ends = ends_by_name(recording)
     first: dict[tuple[str, str], EndRecord] = {}
@@ -34,9 +38,12 @@ def lone_ends(recording: Recording, kind: str) -> list[EndRecord]:
 
 
 def meant(end: EndRecord, others: list[EndRecord]) -> EndRecord | None:
-    """Return the one endpoint without a partner with which this endpoint was probably meant to communicate.
+    """Return the endpoint that was probably meant as the partner of this endpoint, or None.
 
-    It has the same type, and a name with nearly the same spelling or the same ending.
+    Its type is the same, and its name has nearly the same spelling or the same last part.
+
+    :param end: the endpoint without a partner.
+    :param others: the endpoints of the opposite kind that have no partner.
     """
     same = {other.name: other for other in others if other.type == end.type and other.node != end.node}
     near = nearest_spelling(end.name, same)
@@ -60,8 +67,9 @@ def _sent(recording: Recording, end: EndRecord) -> bool:
     hides=('messages.nobody-listens', 'messages.nobody-publishes'),
 )
 def other_topic(recording: Recording) -> Iterator[Finding]:
-    """Report two topics of one type, each with one endpoint only, whose names are nearly equal or have the same ending. One of
-    the endpoints belongs to a student.
+    """Report two topics of one type whose names are nearly equal, or have the same last part.
+
+    One topic has only publishers, and the other topic has only subscriptions. At least one of the nodes belongs to a student.
     """
     subscriptions = lone_ends(recording, 'subscription')
     own = own_nodes(recording) | _commands(recording)
@@ -86,9 +94,9 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
 
 
 def _is_outdone(recording: Recording, end: EndRecord, other: EndRecord) -> bool:
-    """Return whether another topic of this type without a subscription shares more of its last words with the subscription.
+    """Return whether another topic without a subscription resembles the topic of the subscription more.
 
-    A subscription to `/b/turtle1/pose` resembles `/a/turtle1/pose` more than `/a/turtle2/pose`.
+    For example, a subscription to `/b/turtle1/pose` resembles `/a/turtle1/pose` more than `/a/turtle2/pose`.
     """
     shared = _shared_words(end.name, other.name)
     alone = (each.name for each in lone_ends(recording, 'publisher') if each.type == end.type)
@@ -96,7 +104,7 @@ def _is_outdone(recording: Recording, end: EndRecord, other: EndRecord) -> bool:
 
 
 def _shared_words(one: str, other: str) -> int:
-    """Return the number of equal words at the end of two names: 2 for `/a/turtle1/pose` and `/b/turtle1/pose`."""
+    """Return the number of equal parts at the end of two names: 2 for `/a/turtle1/pose` and `/b/turtle1/pose`."""
     pairs = zip(reversed(one.split('/')), reversed(other.split('/')), strict=False)
     return next((number for number, (first, second) in enumerate(pairs) if first != second), 0)
 
@@ -114,9 +122,9 @@ def _moved(recording: Recording, topic: str) -> tuple[str, str] | tuple[None, No
 
 
 def _part_of_a_larger_launch(recording: Recording, end: EndRecord, other: EndRecord) -> bool:
-    """Return whether a remapping of the launch file wrote one of the two names on purpose.
+    """Return whether the launch file remaps one of the two names on purpose, for a larger launch.
 
-    No node has the namespace of this name. The names differ in this namespace only, and it is not a misspelling.
+    No node has the namespace of this name. The names differ only in this namespace, and the namespace is not a misspelling.
     """
     for one, partner in ((end, other), (other, end)):
         space, _, rest = one.name[1:].partition('/')
@@ -133,7 +141,7 @@ def _part_of_a_larger_launch(recording: Recording, end: EndRecord, other: EndRec
 
 
 def _commands(recording: Recording) -> set[str]:
-    """Return the nodes with remappings from launch files, and those of `ros2 topic pub`, because a student typed their names."""
+    """Return the nodes with remappings from launch files and the nodes of `ros2 topic` commands. A student typed their topics."""
     typed = {process.name for process in recording.processes if '-r' in process.argv or process.argv[1:2] == ['topic']}
     return {node.name for node in recording.nodes if node.process in typed}
 
@@ -152,7 +160,7 @@ def _commands(recording: Recording) -> set[str]:
     level='error',
 )
 def nobody_listens(recording: Recording) -> Iterator[Finding]:
-    """Report a topic of velocities without a subscription. Most other topics may lack one."""
+    """Report a topic for velocities that has no subscription. Other topics often have no subscription."""
     ends = ends_by_name(recording)
     subscribed = [name for kind, name in ends if kind == 'subscription']
     for end in lone_ends(recording, 'publisher'):
@@ -167,7 +175,7 @@ def nobody_listens(recording: Recording) -> Iterator[Finding]:
 
 
 def _empty_part(name: str) -> str | None:
-    """Return 'None' if a program made the name from a variable without a value."""
+    """Return 'None' if a part of the name is the string 'None', because a program used a variable without a value."""
     return 'None' if 'None' in name.split('/') else None
 
 
@@ -187,7 +195,7 @@ COMMANDS = ('geometry_msgs/msg/Twist', 'geometry_msgs/msg/TwistStamped')
     confidence='asked',
 )
 def nobody_publishes(recording: Recording) -> Iterator[Finding]:
-    """Report subscriptions of students' nodes that existed for a second without a publisher."""
+    """Report a subscription of a student's node that existed for a second without a publisher."""
     sent = [name for kind, name in ends_by_name(recording) if kind == 'publisher' and not is_ros_own(name)]
     own = own_nodes(recording)
     for end in lone_ends(recording, 'subscription'):
@@ -214,8 +222,9 @@ def nobody_publishes(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def too_early(recording: Recording) -> Iterator[Finding]:
-    """Report a topic whose messages were all sent before its first subscription existed, unless publisher and subscription are
-    transient local. If both were created at the same time, the program that started first counts as earlier.
+    """Report a topic whose last message was sent before its first subscription existed, unless both are transient local.
+
+    If publisher and subscription were created at the same time, the program that started first counts as earlier.
     """
     last: dict[str, float] = {}
     for row in recording.rows('topics'):
@@ -240,7 +249,7 @@ def too_early(recording: Recording) -> Iterator[Finding]:
 
 
 def _is_in_other_program(recording: Recording, end: EndRecord, others: list[EndRecord]) -> bool:
-    """Return whether an endpoint belongs to another program than all others."""
+    """Return whether the program of an endpoint is different from the programs of all other endpoints."""
     return all(programs(recording).get(other.node) != programs(recording).get(end.node) for other in others)
 
 
@@ -256,7 +265,7 @@ CLOSE_NS = 1_000_000_000
     lesson='10_carrots',
 )
 def two_commanders(recording: Recording) -> Iterator[Finding]:
-    """Report two nodes that send different velocities within a second of each other, at least five times."""
+    """Report two nodes that send different velocities to one topic within a second of each other, at least five times."""
     for (kind, topic), publishers in ends_by_name(recording).items():
         nodes = {end.node for end in publishers}
         if kind != 'publisher' or publishers[0].type not in COMMANDS or len(nodes) < 2:
@@ -268,7 +277,10 @@ def two_commanders(recording: Recording) -> Iterator[Finding]:
 
 
 def _quarrels(rows: list[tuple[int, str, object]]) -> tuple[int, float, tuple[str, str]]:
-    """Return how often another node sends another velocity within a second, the time of the first case, and that node."""
+    """Return how often a node sends another velocity within a second after a different node.
+
+    Also return the time of the first case in seconds, and the two nodes.
+    """
     turns, first_s, pair = 0, 0.0, ('', '')
     for (before_ns, node, wire), (time_ns, other, new) in zip(rows, rows[1:], strict=False):
         if node != other and wire != new and time_ns - before_ns < CLOSE_NS:

@@ -1,4 +1,4 @@
-"""Rules about tasks of turtles: a goal in degrees, a turtle that mimics itself, and an angle that is compared exactly."""
+"""Rules about tasks with turtles: a goal in degrees, a turtle that mimics itself, and an exact comparison of an angle."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ FIELDS = ('x', 'y', 'theta', 'linear_velocity', 'angular_velocity')
     confidence='asked',
 )
 def goal_in_degrees(recording: Recording) -> Iterator[Finding]:
-    """Report a goal of RotateAbsolute above a full turn."""
+    """Report a goal of RotateAbsolute that is larger than a full turn."""
     for time_ns, service, type_name, client, request, *_ in recording.rows('calls'):
         if type_name == 'turtlesim/action/RotateAbsolute_SendGoal' and abs(request[1]) > FULL_TURN:
             action = service.removesuffix('/_action/send_goal')
@@ -50,7 +50,7 @@ def goal_in_degrees(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def mimics_itself(recording: Recording) -> Iterator[Finding]:
-    """Report a node of the program mimic that has one turtle on both sides."""
+    """Report a node of the program mimic whose input and output belong to the same turtle."""
     programs = {process.name for process in recording.processes if process.executable == 'mimic'}
     for node in recording.nodes:
         if node.process in programs:
@@ -71,7 +71,7 @@ def mimics_itself(recording: Recording) -> Iterator[Finding]:
     hides=('turtlesim.wall',),
 )
 def exact_float(recording: Recording) -> Iterator[Finding]:
-    """Report `pose.theta == math.pi / 2` in a program, if the recorded values passed that value without being equal to it."""
+    """Report `pose.theta == math.pi / 2` in a program, if the recorded values passed this value but never were equal to it."""
     own = own_nodes(recording)
     scripts = program_scripts(recording)
     compared = [one for file, tree in scripts for one in _comparisons(file, tree)]
@@ -89,7 +89,7 @@ def exact_float(recording: Recording) -> Iterator[Finding]:
 
 
 def _comparisons(file: str, tree: ast.Module) -> Iterator[tuple[str, ast.Compare, ast.Attribute, ast.expr, float]]:
-    """Yield comparisons with == between a field of a pose and a value that the file alone decides."""
+    """Yield the comparisons with == between a field of a pose and a value that is known from the file alone."""
     for test in walked(tree):
         if isinstance(test, ast.Compare) and len(test.ops) == 1 and isinstance(test.ops[0], ast.Eq):
             sides = (test.left, test.comparators[0])
@@ -100,7 +100,10 @@ def _comparisons(file: str, tree: ast.Module) -> Iterator[tuple[str, ast.Compare
 
 
 def _value(tree: ast.Module, node: ast.expr) -> float | None:
-    """Return the number that an expression of literals, math.pi and variables with one value has."""
+    """Return the value of an expression of literals, math.pi and variables with a single value.
+
+    Return None for any other expression.
+    """
     if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)) and not isinstance(node.value, bool):
         return float(node.value)
     if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):

@@ -1,4 +1,4 @@
-"""Rules about turtles that do not do what was intended."""
+"""Rules about turtles that do not do what the student intended."""
 
 from __future__ import annotations
 
@@ -27,7 +27,11 @@ TWIST = 'geometry_msgs/msg/Twist'
 
 
 def _calls(recording: Recording, kind: str) -> Iterator[tuple[float, str, str, Any, Any]]:
-    """Yield the requests of a service type of turtlesim: time in s, service, client, request, and reply (both as wire tuples)."""
+    """Yield the calls of a service type of turtlesim.
+
+    Each tuple contains the time in seconds, the service, the client, the request, and the reply. Request and reply are wire
+    tuples.
+    """
     for time_ns, service, type_name, client, request, _, replied, response in recording.rows('calls'):
         if type_name == f'turtlesim/srv/{kind}':
             yield time_ns / 1e9, service, client, request, response if replied is not None else None
@@ -35,7 +39,7 @@ def _calls(recording: Recording, kind: str) -> Iterator[tuple[float, str, str, A
 
 @lru_cache(maxsize=1)
 def turtles(recording: Recording) -> dict[str, str]:
-    """Return all turtles that ever existed, by absolute name, with their turtlesim."""
+    """Return the turtlesim node of each turtle that existed during the run, by the absolute name of the turtle."""
     served = {name for kind, name in ends_by_name(recording) if kind == 'service' and name.endswith('/set_pen')}
     found: dict[str, str] = {}
     for (kind, name), ends in ends_by_name(recording).items():
@@ -47,7 +51,7 @@ def turtles(recording: Recording) -> dict[str, str]:
 
 @lru_cache(maxsize=1)
 def commands(recording: Recording) -> dict[str, list[tuple[int, str, Any]]]:
-    """Return the commands for each existing turtle: (time in ns, node, wire tuple)."""
+    """Return the velocity commands for each turtle as (time in nanoseconds, node, wire tuple)."""
     topics = {turtle: f'{turtle}/cmd_vel' for turtle in turtles(recording)}
     return {turtle: recording.published(topic, TWIST) for turtle, topic in topics.items() if topic in recording.topics}
 
@@ -60,7 +64,7 @@ def commands(recording: Recording) -> dict[str, list[tuple[int, str, Any]]]:
     lesson=LESSON,
 )
 def wall(recording: Recording) -> Iterator[Finding]:
-    """Report a turtle that pushed against an edge for half a second."""
+    """Report a turtle that pushed against an edge of the window for half a second."""
     if not any('I hit the wall' in row[4] for row in recording.rows('logs')):
         return
     for turtle, node in turtles(recording).items():
@@ -91,7 +95,7 @@ def _driver(recording: Recording, turtle: str) -> str | None:
     level='error',
 )
 def spawn_taken(recording: Recording) -> Iterator[Finding]:
-    """Report a spawn whose name was already taken. The name in the reply is empty."""
+    """Report a spawn with a name that already existed. In that case, the name in the reply is empty."""
     for time_s, _, client, request, response in _calls(recording, 'Spawn'):
         if response is not None and not response[0]:
             file, line = node_place(recording, client)
@@ -108,7 +112,7 @@ def spawn_taken(recording: Recording) -> Iterator[Finding]:
     hides=('turtlesim.wall',),
 )
 def outside(recording: Recording) -> Iterator[Finding]:
-    """Report a spawn or teleport_absolute outside the window."""
+    """Report a spawn or teleport_absolute to a place outside the window."""
     for kind in ('Spawn', 'TeleportAbsolute'):
         for time_s, service, client, request, _ in _calls(recording, kind):
             if not (0 <= request[0] <= SIDE and 0 <= request[1] <= SIDE):
@@ -127,7 +131,10 @@ def outside(recording: Recording) -> Iterator[Finding]:
     confidence='asked',
 )
 def degrees(recording: Recording) -> Iterator[Finding]:
-    """Report angles above a full turn, and speeds above three turns a second, but no speeds that a controller calculates."""
+    """Report angles above a full turn, and turning speeds above three turns a second.
+
+    Skip speeds that a controller calculates.
+    """
     for kind, at in (('Spawn', 2), ('TeleportAbsolute', 2), ('TeleportRelative', 1)):
         for time_s, service, client, request, _ in _calls(recording, kind):
             if abs(request[at]) > FULL_TURN:
@@ -161,7 +168,7 @@ def degrees(recording: Recording) -> Iterator[Finding]:
     confidence='asked',
 )
 def pen_off(recording: Recording) -> Iterator[Finding]:
-    """Report a colour or a width together with off, if no request ever switches the pen of that turtle on."""
+    """Report a request that sets a colour or width and switches the pen off, if no request switches this pen on."""
     down = {row[1] for row in _calls(recording, 'SetPen') if not row[3][4]}
     for time_s, service, client, request, _ in _calls(recording, 'SetPen'):
         if request[4] and any(request[:4]) and service not in down:
@@ -187,7 +194,7 @@ def pen_off(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def kill_unknown(recording: Recording) -> Iterator[Finding]:
-    """Report a kill of an unknown turtle, which turtlesim logs."""
+    """Report a kill request for an unknown turtle, which turtlesim has logged."""
     names = [turtle.rpartition('/')[2] for turtle in turtles(recording)]
     for time_ns, process, _, _, message in recording.rows('logs'):
         match = _NO_TURTLE.match(message)
@@ -214,7 +221,7 @@ def kill_unknown(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def killed(recording: Recording) -> Iterator[Finding]:
-    """Report commands after a kill, if no spawn with the same name came in between."""
+    """Report commands for a killed turtle, if no spawn with the same name followed the kill."""
     spawned = [(time_s, request[3]) for time_s, _, _, request, _ in _calls(recording, 'Spawn')]
     for time_s, service, _, request, _ in _calls(recording, 'Kill'):
         turtle = f'{service.rpartition("/")[0]}/{request[0]}'
@@ -237,7 +244,7 @@ _NO_TURTLE = re.compile(r'Tried to kill turtle \[(.*)\], which does not exist')
     level='error',
 )
 def ignored_axes(recording: Recording) -> Iterator[Finding]:
-    """Report a node whose commands contain only numbers that turtlesim ignores."""
+    """Report a node whose velocity commands contain only components that turtlesim ignores."""
     for turtle, rows in commands(recording).items():
         holonomic = recording.parameters(turtles(recording)[turtle]).get('holonomic')
         counting = (0, 5, 1) if holonomic is not None and holonomic.value else (0, 5)
@@ -265,7 +272,7 @@ AXES = ('linear.x', 'linear.y', 'linear.z', 'angular.x', 'angular.y', 'angular.z
     lesson=LESSON,
 )
 def slow_commands(recording: Recording) -> Iterator[Finding]:
-    """Report speed commands of one student's node where at least every second gap is longer than a second."""
+    """Report a student's node that sends velocity commands too rarely: at least half of the gaps are longer than a second."""
     own = own_nodes(recording)
     dead = {process.name for process in recording.processes if process.exception and process.exception['type'] not in INTERRUPTS}
     failed = {node.name for node in recording.nodes if node.process in dead}

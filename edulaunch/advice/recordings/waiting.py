@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 LESSON = '09_broadcaster_and_listener'
 OFTEN = 3
-"""The number of late calls from which they form a pattern, because the first calls of nodes are often late."""
+"""With at least this many late calls, they form a pattern. The first calls of nodes are often late."""
 
 
 def _of(recording: Recording, kind: str) -> list[Fact]:
@@ -22,7 +22,7 @@ def _of(recording: Recording, kind: str) -> list[Fact]:
 
 
 def _late(recording: Recording) -> list[Fact]:
-    """Return the facts about timers whose calls were skipped repeatedly, and about topics with waiting messages."""
+    """Return the facts about timers that skipped calls repeatedly, and about topics with waiting messages."""
     skipped = [fact for fact in _of(recording, 'timer skipped') if fact.times >= OFTEN]
     return [*skipped, *_of(recording, 'messages wait')]
 
@@ -37,7 +37,7 @@ def _late(recording: Recording) -> list[Fact]:
     hides=('messages.not-taken', 'time.slow-callback'),
 )
 def timers_pile_up(recording: Recording) -> Iterator[Finding]:
-    """Report a line that creates timers of one callback again and again."""
+    """Report a line that repeatedly creates timers for the same callback."""
     started = {node.name: node.started_s for node in recording.nodes}
     for fact in recording.facts:
         node = str(fact.data.get('node'))
@@ -59,7 +59,7 @@ def timers_pile_up(recording: Recording) -> Iterator[Finding]:
     hides=('time.slow-callback', 'messages.not-taken'),
 )
 def sleep_in_callback(recording: Recording) -> Iterator[Finding]:
-    """Report each callback that sleeps, once, if something else in the program was late because of it."""
+    """Report each callback once if it sleeps and so delays a timer or a message of its program."""
     reported: set[tuple[str | None, str | None]] = set()
     for fact in _of(recording, 'sleep in callback'):
         late = [one for one in _late(recording) if one.process == fact.process]
@@ -129,7 +129,7 @@ def timer_period(recording: Recording) -> Iterator[Finding]:
     hides=('tf.unstamped',),
 )
 def no_clock(recording: Recording) -> Iterator[Finding]:
-    """Report a node with use_sim_time in a run without any message on /clock."""
+    """Report a node with use_sim_time in a run without a message on /clock."""
     clock = recording.topics.get('/clock')
     if clock is not None and clock.count:
         return
@@ -157,7 +157,7 @@ CHANGE = 'lifecycle_msgs/srv/ChangeState'
     hides=('messages.nobody-publishes', 'messages.no-server'),
 )
 def not_configured(recording: Recording) -> Iterator[Finding]:
-    """Report a lifecycle node without any transition in the whole run."""
+    """Report a lifecycle node that made no transition during the whole run."""
     for node, states in _lifecycles(recording):
         if not states:
             file, line = node_place(recording, node)
@@ -173,7 +173,7 @@ def not_configured(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def not_activated(recording: Recording) -> Iterator[Finding]:
-    """Report a lifecycle node that was configured once and never became active, if no node manages its states."""
+    """Report a lifecycle node that is configured and never became active, if no other node manages its states."""
     for node, states in _lifecycles(recording):
         if states and 'active' not in states and states[-1] == 'inactive' and not _is_led(recording, node):
             file, line = node_place(recording, node)
@@ -186,7 +186,7 @@ def _is_led(recording: Recording, node: str) -> bool:
 
 
 def _lifecycles(recording: Recording) -> Iterator[tuple[str, list[str]]]:
-    """Return the lifecycle nodes with the states that they reached, in order."""
+    """Yield each lifecycle node with the states that it reached, in order."""
     for (kind, name), ends in ends_by_name(recording).items():
         if kind == 'service' and ends[0].type == CHANGE and name.endswith('/change_state'):
             node = name.removesuffix('/change_state')
@@ -207,7 +207,7 @@ def _lifecycles(recording: Recording) -> Iterator[tuple[str, list[str]]]:
     hides=('programs.died',),
 )
 def ended_by_force(recording: Recording) -> Iterator[Finding]:
-    """Report a program to which launch had to send SIGTERM or SIGKILL, as launch logs."""
+    """Report a program to which launch had to send SIGTERM or SIGKILL, if launch has logged that."""
     refused = {word for row in recording.rows('output') if 'failed to terminate' in row[3] for word in _named(row[3])}
     for fact in recording.facts:
         if fact.kind == 'ended by force' and fact.process in refused:
@@ -218,7 +218,7 @@ def ended_by_force(recording: Recording) -> Iterator[Finding]:
 
 
 def _named(text: str) -> Iterator[str]:
-    """Return the program in a line of launch such as '[ERROR] [listener-2]: process[listener-2] failed to terminate ...'."""
+    """Yield the programs in lines of launch such as '[ERROR] [listener-2]: process[listener-2] failed to terminate ...'."""
     for line in text.splitlines():
         before, found_it, _ = line.partition('] failed to terminate')
         if found_it:

@@ -1,4 +1,4 @@
-"""Rules about mistakes in the text of programs and launch files whose effect a run has shown."""
+"""Rules about mistakes in the source of programs and launch files whose effect a run has shown."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     level='error',
 )
 def goal_unfinished(recording: Recording) -> Iterator[Finding]:
-    """Report an execute callback that returned without setting the state of its goal, as rclpy logs."""
+    """Report an execute callback that returned without setting the state of its goal. rclpy logs this."""
     reported: set[str] = set()
     for time_ns, process, _, _, message in recording.rows('logs'):
         if message.startswith('Goal state not set') and process not in reported:
@@ -70,7 +70,7 @@ def spun_once(recording: Recording) -> Iterator[Finding]:
 
 
 def _goes_on(recording: Recording, node: NodeRecord, topic: str) -> bool:
-    """Return whether other nodes published on a topic for at least a second after a node had left."""
+    """Return whether other nodes published on a topic for at least a second after a node had ended."""
     others = [end for end in ends_by_name(recording).get(('publisher', topic), ()) if end.node != node.name]
     times = [row['times'][-1] / 1e9 for row in recording.rows('topics') if row['topic'] == topic and row['times']]
     return not is_ros_own(topic) and bool(others and times) and max(times) > (node.ended_s or node.started_s) + 1.0
@@ -86,7 +86,7 @@ def _goes_on(recording: Recording, node: NodeRecord, topic: str) -> bool:
     hides=('messages.field', 'programs.callback-arguments', 'programs.died'),
 )
 def method_twice(recording: Recording) -> Iterator[Finding]:
-    """Report two definitions of one name in one class, without decorators, as `@property` and its setter have."""
+    """Report two methods with one name in one class. Skip methods with decorators, such as a property and its setter."""
     for file, tree in program_scripts(recording):
         for klass in (node for node in walked(tree) if isinstance(node, ast.ClassDef)):
             first: dict[str, ast.FunctionDef] = {}
@@ -105,7 +105,7 @@ def method_twice(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def activated_without_super(recording: Recording) -> Iterator[Finding]:
-    """Report a class with lifecycle publishers whose own on_activate() calls no other on_activate()."""
+    """Report a class with lifecycle publishers whose on_activate() does not call on_activate() of the base class."""
     for file, tree in program_scripts(recording):
         for klass in (node for node in walked(tree) if isinstance(node, ast.ClassDef)):
             text = ast.unparse(klass)
@@ -122,7 +122,7 @@ def activated_without_super(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def spin_in_constructor(recording: Recording) -> Iterator[Finding]:
-    """Report a call of rclpy.spin(self) in a constructor that is not its last line."""
+    """Report a call of rclpy.spin(self) in a constructor, if other lines follow it."""
     for file, tree in program_scripts(recording):
         for klass in (node for node in walked(tree) if isinstance(node, ast.ClassDef)):
             for method in klass.body:
@@ -141,7 +141,7 @@ def spin_in_constructor(recording: Recording) -> Iterator[Finding]:
     edits=(('=+', '+='),),
 )
 def equals_plus(recording: Recording) -> Iterator[Finding]:
-    """Report `=+` with a space after it. The sign of a number has no space after it."""
+    """Report `=+` with a space after it. A plus sign before a number has no space after it."""
     for file, tree in program_scripts(recording):
         for node in walked(tree):
             is_plus = isinstance(node, ast.Assign) and isinstance(node.value, ast.UnaryOp) and isinstance(node.value.op, ast.UAdd)
@@ -165,7 +165,7 @@ MANY_PUBLISHERS = 5
     hides=('messages.too-early',),
 )
 def publisher_each_time(recording: Recording) -> Iterator[Finding]:
-    """Report at least five publishers of one node on one topic that each send a message when they are created."""
+    """Report at least five publishers of one node on one topic, if each publisher sends a message when it is created."""
     made: dict[tuple[str, str], set[float]] = {}
     own = own_nodes(recording)
     for (kind, topic), ends in ends_by_name(recording).items():
@@ -194,8 +194,9 @@ ENDING = ('Shutdown', 'EmitEvent', 'LogInfo')
     confidence='asked',
 )
 def waits_for_endless(recording: Recording) -> Iterator[Finding]:
-    """Report a handler that waits for the end of an endless program, after at least five seconds. Skip a handler that only shuts
-    the launch down or logs.
+    """Report a handler that waits for the end of an endless program, if the program ran for at least five seconds.
+
+    Skip a handler that only shuts the launch down or logs.
     """
     for file, tree in launch_scripts(recording):
         made = {
@@ -220,6 +221,6 @@ def waits_for_endless(recording: Recording) -> Iterator[Finding]:
 
 
 def _outlived(recording: Recording, process: ProcessRecord) -> bool:
-    """Return whether a program ran to the end of the run, or until Ctrl-C ended it."""
+    """Return whether a program ran for a long time, until the run ended or a signal ended the program."""
     end_s = recording.duration_s if process.ended_s is None else process.ended_s
     return process.returncode in (None, -2, -15) and end_s - process.started_s >= RUNS_LONG_S

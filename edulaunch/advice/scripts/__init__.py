@@ -1,1 +1,1 @@
-"""Rules over the syntax trees of the launch files of a run or of a dry run."""
+"""Rules for the syntax trees of the launch files of a run or of a dry run."""

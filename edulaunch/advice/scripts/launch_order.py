@@ -1,5 +1,6 @@
-"""Rules about the order of actions in a launch file, events that never come, and delays in the wrong unit. No code of the file is
-executed.
+"""Rules about the order of actions in a launch file, events that never happen, and delays in the wrong unit.
+
+No code of the file is executed.
 """
 
 from __future__ import annotations
@@ -50,7 +51,7 @@ LESSON_CONDITIONS = '04_conditions'
     hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes', 'programs.parameter-not-declared'),
 )
 def setting_after_nodes(scripts: list[Script]) -> Iterator[Finding]:
-    """Report an action that changes later programs, if all programs of its literal list start before it."""
+    """Report an action that changes later programs, if it is in a literal list and all programs of the list come before it."""
     for file, tree in scripts:
         for items in (node for node in walked(tree) if isinstance(node, ast.List)):
             variables = _variables(tree)
@@ -66,7 +67,7 @@ def setting_after_nodes(scripts: list[Script]) -> Iterator[Finding]:
 
 
 def _variables(tree: ast.Module) -> dict[str, ast.expr]:
-    """Return the assigned value of each variable that is assigned once."""
+    """Return the value of each variable to which the file assigns exactly once."""
     values: dict[str, list[ast.expr]] = {}
     for node in walked(tree):
         if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
@@ -84,7 +85,7 @@ def _variables(tree: ast.Module) -> dict[str, ast.expr]:
     hides=('launch.not-added',),
 )
 def waits_for_unstarted(scripts: list[Script]) -> Iterator[Finding]:
-    """Report an action that is used as target_action, but is not in the launch description."""
+    """Report an action that is used as target_action, but is missing in the launch description."""
     for file, tree in scripts:
         variables = _variables(tree)
         reads: dict[str, int] = {}
@@ -114,7 +115,7 @@ LONG_S = 300.0
     confidence='asked',
 )
 def timer_in_milliseconds(scripts: list[Script]) -> Iterator[Finding]:
-    """Report a literal timer period of 300 or more."""
+    """Report a literal timer period of 300 s or more. The student probably meant milliseconds."""
     for file, tree in scripts:
         for call in walked(tree):
             if isinstance(call, ast.Call) and name_of_call(call) == 'TimerAction':
@@ -181,7 +182,7 @@ def ends_on_start(scripts: list[Script]) -> Iterator[Finding]:
     hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes'),
 )
 def namespace_twice(scripts: list[Script]) -> Iterator[Finding]:
-    """Report a second PushRosNamespace in one list, if there are nodes after the first one and after the second one."""
+    """Report a second PushRosNamespace in one list, if nodes follow both the first and the second one."""
     for file, tree in scripts:
         variables = _variables(tree)
         for items in _action_lists(tree):
@@ -200,7 +201,10 @@ def namespace_twice(scripts: list[Script]) -> Iterator[Finding]:
 
 
 def _action_lists(tree: ast.Module) -> Iterator[list[ast.expr]]:
-    """Yield the literal lists of a launch file, and the actions that each function adds with add_action(), in order."""
+    """Yield the literal lists of a launch file.
+
+    For each function, also yield the actions that it adds with add_action(), in order.
+    """
     for node in walked(tree):
         if isinstance(node, ast.List):
             yield node.elts
@@ -227,7 +231,7 @@ def _ends_launch(action: ast.expr) -> bool:
     edits=(('event={event}', 'event={event}()'),),
 )
 def event_class(scripts: list[Script]) -> Iterator[Finding]:
-    """Report the class of an event in place of an event, as in `EmitEvent(event=Shutdown)`."""
+    """Report the class of an event in place of an event object, as in `EmitEvent(event=Shutdown)`."""
     for file, tree in scripts:
         imported = {
             (name.asname or name.name): name.name
@@ -273,7 +277,7 @@ HANDLING = ('on_exit', 'on_start', 'on_completion', 'on_shutdown', 'entities', '
 
 
 def _action_places(tree: ast.Module) -> Iterator[tuple[str, list[ast.expr]]]:
-    """Yield the places of a launch file that contain actions, each with its values."""
+    """Yield each place in a launch file where actions are expected, as a description and the expressions there."""
     for node in walked(tree):
         value = node.value if isinstance(node, ast.keyword) and node.arg in HANDLING else None
         if isinstance(node, ast.keyword) and value is not None:
@@ -291,7 +295,7 @@ def _action_places(tree: ast.Module) -> Iterator[tuple[str, list[ast.expr]]]:
     level='error',
 )
 def equals_swapped(scripts: list[Script]) -> Iterator[Finding]:
-    """Report swapped values of LaunchConfigurationEquals, if one of them is an argument that some script declares."""
+    """Report swapped values of LaunchConfigurationEquals, if the second value is an argument that a script declares."""
     calls = [(file, call) for file, tree in scripts for call in walked(tree) if isinstance(call, ast.Call)]
     declared = {
         _text(call, 0, 'name') for _, call in calls if name_of_call(call) in ('DeclareLaunchArgument', 'SetLaunchConfiguration')
@@ -305,6 +309,6 @@ def equals_swapped(scripts: list[Script]) -> Iterator[Finding]:
 
 
 def _text(call: ast.Call, number: int, name: str) -> str | None:
-    """Return the literal string of an argument of a call, given by position or by name."""
+    """Return the literal string that a call passes as an argument, by position or by keyword, or None."""
     value = call.args[number] if len(call.args) > number else keyword_of(call, name)
     return value.value if isinstance(value, ast.Constant) and isinstance(value.value, str) else None

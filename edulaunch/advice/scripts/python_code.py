@@ -1,5 +1,6 @@
-"""Rules about Python code that runs while launch loads the file, although it is meant for later. The code is not
-executed here.
+"""Rules about Python code that runs when launch loads the file, although it should run later.
+
+The rules do not execute the code.
 """
 
 from __future__ import annotations
@@ -47,8 +48,9 @@ Function = ast.FunctionDef | ast.AsyncFunctionDef | ast.Module
     level='error',
 )
 def python_if(scripts: list[Script]) -> Iterator[Finding]:
-    """Report an `if` about a LaunchConfiguration or a variable that contains one. `.perform(context)` returns a string, which a
-    script may compare.
+    """Report an `if` that tests a LaunchConfiguration, or a variable that contains one.
+
+    `.perform(context)` returns a string, so a script may compare its result.
     """
     for file, tree in scripts:
         for function in _functions(tree):
@@ -81,7 +83,10 @@ def condition_compared(scripts: list[Script]) -> Iterator[Finding]:
 
 
 def _in_function(finding: Finding, function: Function) -> Finding:
-    """Return a finding. In a function that launch calls with its context, it gets the fact that advises `perform`."""
+    """Return a finding.
+
+    If launch calls the function with its context, add the fact `context`, so that the advice names `perform`.
+    """
     arguments = [] if isinstance(function, ast.Module) else function.args.args
     if not arguments or arguments[0].arg != 'context':
         return finding
@@ -123,7 +128,7 @@ def _functions(tree: ast.Module) -> Iterator[Function]:
 
 
 def _own(function: Function) -> Iterator[ast.AST]:
-    """Yield all nodes of a function without the nested functions."""
+    """Yield all syntax nodes of a function, without the nodes of nested functions and classes."""
     todo: list[ast.AST] = list(function.body)
     while todo:
         node = todo.pop()
@@ -133,14 +138,14 @@ def _own(function: Function) -> Iterator[ast.AST]:
 
 
 def _tests(function: Function) -> Iterator[ast.expr]:
-    """Yield the parts of the condition of an `if`, in both of its forms."""
+    """Yield the parts of the condition of each `if` statement and each conditional expression."""
     for node in _own(function):
         if isinstance(node, (ast.If, ast.IfExp)):
             yield from node.test.values if isinstance(node.test, ast.BoolOp) else (node.test,)
 
 
 def _configurations(function: Function) -> dict[str, str | None]:
-    """Return the variables that only ever contain a LaunchConfiguration, with the name of the argument if it is literal."""
+    """Return the variables that always contain a LaunchConfiguration. The value is the name of the argument, if it is literal."""
     found: dict[str, str | None] = {}
     others: set[str] = set()
     for node in _own(function):
@@ -185,7 +190,7 @@ launch description while it goes through that list.
     level='error',
 )
 def opaque_returns_nothing(scripts: list[Script]) -> Iterator[Finding]:
-    """Report a function of an OpaqueFunction that creates an action and returns no value."""
+    """Report a function for OpaqueFunction that creates an action and returns no value."""
     for file, tree in scripts:
         named = {
             node.value.id
@@ -221,7 +226,7 @@ def opaque_returns_nothing(scripts: list[Script]) -> Iterator[Finding]:
     level='error',
 )
 def not_added(scripts: list[Script]) -> Iterator[Finding]:
-    """Report a variable of generate_launch_description() that contains an action and is never read."""
+    """Report a variable of generate_launch_description() that contains an action, but that no line reads."""
     for file, tree in scripts:
         for function in _functions(tree):
             if isinstance(function, ast.Module) or function.name != 'generate_launch_description':
@@ -242,14 +247,17 @@ def _unread(function: ast.FunctionDef | ast.AsyncFunctionDef, read: set[str], fi
 
 
 def _adds(function: ast.FunctionDef | ast.AsyncFunctionDef) -> str | None:
-    """Return the variable whose add_action() a function calls."""
+    """Return the variable on which a function calls add_action(), or None."""
     called = [node.func for node in ast.walk(function) if isinstance(node, ast.Call)]
     adding = [one.value for one in called if isinstance(one, ast.Attribute) and one.attr == 'add_action']
     return next((one.id for one in adding if isinstance(one, ast.Name)), None)
 
 
 def _is_in_comment(name: str, file: str) -> bool:
-    """Return whether a line that is commented out, or inside a string, uses the variable, which is a deliberate choice."""
+    """Return whether a line in a comment or a string adds the variable.
+
+    In that case, the student left the action out on purpose.
+    """
     from edulaunch.ros.sources.source_package import read_text
 
     name = re.escape(name)

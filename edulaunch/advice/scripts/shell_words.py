@@ -1,4 +1,4 @@
-"""Rules about words in a launch file that only a shell understands. No code of the file is executed."""
+"""Rules about words in a launch file that only a shell interprets. No code of the file is executed."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Rules over the sources of packages (`Source`)."""
+"""Rules for the sources of packages (`PackageInWorkspace`)."""

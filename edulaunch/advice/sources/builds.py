@@ -1,4 +1,4 @@
-"""Rules about outdated builds, and about scripts of CMake packages that are installed as programs."""
+"""Rules about outdated builds, and about scripts that CMake packages install as programs."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ LEVELS_ABOVE = 4
     lesson='07_packages',
 )
 def changed_after_build(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report source files that differ from the installed ones, or are not installed. The rule compares contents, not times.
+    """Report source files that are not installed, or that differ from the installed files. The rule compares contents, not times.
 
-    Links, and the files that `--symlink-install` writes in place of modules, always lead to the sources.
+    Links always lead to the sources. So do the files that `--symlink-install` writes in place of modules.
     """
     package = source.package
     prefix, workspace = _installed_prefix(package.folder, package.name)
@@ -52,7 +52,10 @@ def changed_after_build(source: PackageInWorkspace) -> Iterator[Finding]:
 
 
 def _installed_prefix(folder: str, package: str) -> tuple[str | None, str]:
-    """Return the prefix into which colcon installed a package, alone or with all others, and the workspace."""
+    """Return the prefix into which colcon installed a package, and the workspace. Without a build, return None as the prefix.
+
+    The prefix may belong to this package alone, or to all packages.
+    """
     for _ in range(LEVELS_ABOVE):
         folder = os.path.dirname(folder)
         for prefix in (os.path.join(folder, 'install', package), os.path.join(folder, 'install')):
@@ -85,7 +88,7 @@ INSTALL = 'add install(PROGRAMS {written} DESTINATION lib/${{PROJECT_NAME}}) to 
     level='error',
 )
 def no_shebang(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report a script without `#!` that install(PROGRAMS) installs."""
+    """Report a script without `#!` that CMakeLists.txt installs as a program."""
     programs = _programs(source)
     for path, text in _scripts(source):
         if os.path.realpath(path) in programs and _runs(text) and not text.startswith('#!'):
@@ -101,8 +104,9 @@ def no_shebang(source: PackageInWorkspace) -> Iterator[Finding]:
     level='error',
 )
 def program_not_installed(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report a script that starts rclpy and is not installed, if a launch file of the package starts it, or the package installs
-    no program.
+    """Report a script that starts rclpy and is not installed.
+
+    A launch file of the package must start the script, or the package must install no program.
     """
     launched, has_none = executables_launched(source), not _programs(source) and not source.package.contents.native
     for path in _left_out(source):
@@ -119,7 +123,7 @@ def program_not_installed(source: PackageInWorkspace) -> Iterator[Finding]:
     level='info',
 )
 def program_left_out(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report a script that is not installed in a package that installs other programs, because this may be intended."""
+    """Report a script that is not installed, in a package that installs other programs. This may be intended."""
     launched, has_none = executables_launched(source), not _programs(source) and not source.package.contents.native
     for path in _left_out(source):
         if not has_none and os.path.basename(path) not in launched:
@@ -127,7 +131,7 @@ def program_left_out(source: PackageInWorkspace) -> Iterator[Finding]:
 
 
 def _left_out(source: PackageInWorkspace) -> Iterator[str]:
-    """Report scripts that start rclpy, if no build installs them and they are not modules of a Python package."""
+    """Yield the scripts that start rclpy, if no build installs them and they are not modules of a Python package."""
     installed = source.installed
     modules = tuple(place + os.sep for place in source.package.contents.python_modules.values())
     for path, text in _scripts(source) if source.is_certain else ():
@@ -155,7 +159,7 @@ _EXECUTABLE = re.compile(r"""(?:\bexec(?:utable)?\s*[=:]|["'\s]-m["',]*)\s*["']?
     level='error',
 )
 def program_not_executable(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report a script that install(FILES) puts below lib/."""
+    """Report a script below lib/ that is installed without the permission to execute it, as install(FILES) does."""
     installed, programs = source.installed, _programs(source)
     modules = tuple(place + os.sep for place in source.package.contents.python_modules.values())
     for path, text in _scripts(source):
@@ -174,7 +178,7 @@ def program_not_executable(source: PackageInWorkspace) -> Iterator[Finding]:
     level='error',
 )
 def main_never_called(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report an installed program that never calls a function at its top level or under `if`."""
+    """Report an installed program with a function main, if no top-level statement of the module calls a function."""
     programs = _programs(source)
     for path, text in _scripts(source):
         tree = parsed(path) if os.path.realpath(path) in programs and 'def main' in text else None
@@ -183,14 +187,14 @@ def main_never_called(source: PackageInWorkspace) -> Iterator[Finding]:
 
 
 def _calls(statement: ast.stmt) -> bool:
-    """Return whether a top-level statement of a module calls something when the module runs."""
+    """Return whether a top-level statement calls a function when the module runs."""
     if isinstance(statement, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Import, ast.ImportFrom, ast.Assign)):
         return False
     return any(isinstance(node, ast.Call) for node in ast.walk(statement))
 
 
 def _scripts(source: PackageInWorkspace) -> Iterator[tuple[str, str]]:
-    """Yield (file, text) of the readable Python files of a CMake package."""
+    """Yield (path, content) of the readable Python files of a CMake package, without tests."""
     if source.is_readable and not source.package.is_python:
         package = source.package
         yield from ((path, read_text(path)) for path in package.python_files if not package.is_test(path))

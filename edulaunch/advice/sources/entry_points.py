@@ -1,4 +1,4 @@
-"""Rules about mistakes that lead to "No executable found": invalid entry points, and nodes without an entry point."""
+"""Rules about mistakes that cause "No executable found": invalid entry points, and nodes without an entry point."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ LESSON = '07_packages'
     edits=(('{module}', '{near}', 'near'),),
 )
 def entry_point_module(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report an entry point in setup.py or setup.cfg whose module setup() does not install."""
+    """Report an entry point in setup.py or setup.cfg whose module is not installed by setup()."""
     package = source.package
     for executable, module, function in _entry_points(source):
         if module_file(package, module) is None and not _is_of_another(source, module):
@@ -46,7 +46,7 @@ def entry_point_module(source: PackageInWorkspace) -> Iterator[Finding]:
 
 
 def _meant(package: SourcePackage, executable: str, module: str) -> str | None:
-    """Return the module of a package that an entry point with a wrong module probably means."""
+    """Return the module that an entry point with a wrong module probably means, or None."""
     leaf, modules = module.rpartition('.')[2], modules_of(package)
     if leaf == 'py' and module[:-3] in modules:
         return module[:-3]
@@ -58,7 +58,7 @@ def _meant(package: SourcePackage, executable: str, module: str) -> str | None:
 
 
 def _is_of_another(source: PackageInWorkspace, module: str) -> bool:
-    """Return whether a module belongs to another package of the workspace, which a build accepts."""
+    """Return whether a module belongs to another package of the workspace. A build accepts such an entry point."""
     top, folder = module.partition('.')[0], os.path.dirname(source.package.folder)
     return top != source.package.name and (
         top in source.around.packages() or os.path.isfile(os.path.join(folder, top, 'package.xml'))
@@ -75,7 +75,7 @@ def _is_of_another(source: PackageInWorkspace, module: str) -> bool:
     edits=((':{function}', ':{near}', 'near'),),
 )
 def entry_point_function(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report an entry point whose function the module neither defines nor imports at its top level."""
+    """Report an entry point whose function does not exist: the module neither defines nor imports it at its top level."""
     for package, executable, module, function, path, tree in _read_entry_points(source):
         names, wanted = defined_names(tree), function.partition('.')[0]
         if function and wanted not in names:
@@ -94,7 +94,10 @@ def entry_point_function(source: PackageInWorkspace) -> Iterator[Finding]:
     hides=('packages.entry-point-module',),
 )
 def entry_point_colon(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report `package.module` and `package.module.main`: a build installs both, but neither starts."""
+    """Report an entry point without a colon, `package.module` or `package.module.main`.
+
+    A build installs it, but it cannot start.
+    """
     package = source.package
     for executable, module, function in _entry_points(source):
         above, _, leaf = module.rpartition('.')
@@ -121,7 +124,7 @@ def entry_point_colon(source: PackageInWorkspace) -> Iterator[Finding]:
     level='error',
 )
 def main_wants_arguments(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report a main function with required arguments. The script of setuptools calls it without arguments."""
+    """Report a main function with required arguments. The script that setuptools generates calls it without arguments."""
     for package, executable, module, function, path, tree in _read_entry_points(source):
         called = main_of(tree, function)
         if called is None:
@@ -143,9 +146,7 @@ def main_wants_arguments(source: PackageInWorkspace) -> Iterator[Finding]:
     edits=(('', "'{executable} = {module}:main'", 'console_scripts'),),
 )
 def node_without_entry_point(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report a node without an entry point that a launch file of the package starts, or any node if the package has no entry
-    points.
-    """
+    """Report a node without an entry point if a launch file of the package starts it, or if the package has no entry points."""
     launched = executables_launched(source)
     for one in _unnamed(source):
         if one.facts['executable'] in launched or not source.package.contents.entry_points:
@@ -162,7 +163,7 @@ def node_without_entry_point(source: PackageInWorkspace) -> Iterator[Finding]:
     edits=(('', "'{executable} = {module}:main'", 'console_scripts'),),
 )
 def node_left_out(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report a node without an entry point in a package with other entry points, because this may be intended."""
+    """Report a node without an entry point in a package with other entry points. This may be intended."""
     launched = executables_launched(source)
     for one in _unnamed(source):
         if one.facts['executable'] not in launched and source.package.contents.entry_points:
@@ -170,7 +171,10 @@ def node_left_out(source: PackageInWorkspace) -> Iterator[Finding]:
 
 
 def _unnamed(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Yield the modules without an entry point whose main() starts rclpy. Skip a module if a misspelt entry point may mean it."""
+    """Yield a finding for each module without an entry point whose main() starts rclpy.
+
+    Skip a module if a misspelt entry point may mean it.
+    """
     package = source.package
     if not (source.is_readable and package.is_python):
         return
@@ -195,7 +199,7 @@ def _unnamed(source: PackageInWorkspace) -> Iterator[Finding]:
     level='error',
 )
 def node_in_wrong_folder(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report a node outside the installed modules and scripts of a package with setup.py."""
+    """Report a node in a package with setup.py whose file is neither an installed module nor an installed script."""
     package = source.package
     if not (source.is_readable and package.is_python):
         return
@@ -224,7 +228,7 @@ def node_in_wrong_folder(source: PackageInWorkspace) -> Iterator[Finding]:
     hides=('packages.entry-point-module', 'packages.node-in-wrong-folder'),
 )
 def no_init(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report the folder of the package's modules if it has no __init__.py, so that setup() does not install it."""
+    """Report the folder with the package's modules if it has no __init__.py. In that case, setup() does not install it."""
     package = source.package
     folder = os.path.join(package.folder, package.name)
     has_modules = os.path.isdir(folder) and any(name.endswith('.py') for name in os.listdir(folder))
@@ -234,14 +238,14 @@ def no_init(source: PackageInWorkspace) -> Iterator[Finding]:
 
 
 def _entry_points(source: PackageInWorkspace) -> Iterator[tuple[str, str, str]]:
-    """Yield (executable, module, function) of a package whose build file is readable."""
+    """Yield (executable, module, function) for each entry point, if the build file of the package can be read."""
     if source.is_readable:
         for place, (module, function) in source.package.contents.entry_points.items():
             yield os.path.basename(place), module, function
 
 
 def _read_entry_points(source: PackageInWorkspace) -> Iterator[tuple[SourcePackage, str, str, str, str, ast.Module]]:
-    """Yield the entry points whose module is readable Python: package, executable, module, function, file, syntax tree."""
+    """Yield (package, executable, module, function, file, syntax tree) for each entry point whose module is valid Python."""
     for executable, module, function in _entry_points(source):
         path = module_file(source.package, module)
         tree = None if path is None else parsed(path)

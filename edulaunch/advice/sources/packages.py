@@ -1,5 +1,5 @@
-"""Rules about files of a package that are not installed or are not valid Python, missing dependencies, and package names that
-differ.
+"""Rules about files of a package that are not installed or not valid Python, missing dependencies, and differing package
+names.
 """
 
 from __future__ import annotations
@@ -40,8 +40,9 @@ NOT_LAUNCHED = frozenset(('doc', 'docs', 'example', 'examples', 'src'))
     edits=(('', "(os.path.join('share', package_name, '{folder}'), glob('{pattern}'))", 'data_files'),),
 )
 def launch_file_not_installed(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report a file that has the name or the folder of a launch file and that no build installs. Launch tests need not be
-    installed.
+    """Report a launch file that a build does not install. Launch tests do not have to be installed.
+
+    The name or the folder of the file shows that it is a launch file.
     """
     package = source.package
     for path in _not_installed(source):
@@ -58,7 +59,7 @@ def launch_file_not_installed(source: PackageInWorkspace) -> Iterator[Finding]:
     edits=(('', "(os.path.join('share', package_name, '{folder}'), glob('{pattern}'))", 'data_files'),),
 )
 def data_not_installed(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report a file for parameters, robots or worlds that is not installed, if a launch file or program names it."""
+    """Report a file for parameters, robots or worlds that a build does not install, if a launch file or program names it."""
     package = source.package
     written = '\n'.join(_asking_texts(source))
     for path in _not_installed(source):
@@ -78,15 +79,16 @@ def data_not_installed(source: PackageInWorkspace) -> Iterator[Finding]:
 
 
 def _asking_texts(source: PackageInWorkspace) -> Iterator[str]:
-    """Yield the files of the package that use a share folder, without comments."""
+    """Yield the content, without comments, of the package's files that use a share folder."""
     for text in map(read_text, _used_texts(source)):
         if 'share' in text:
             yield _COMMENT.sub('', text)
 
 
 def _used_texts(source: PackageInWorkspace) -> Iterator[str]:
-    """Yield launch files, and the Python files that a build installs. If the installed files are not known, yield all Python
-    files.
+    """Yield the paths of the launch files, and of the Python files that a build installs.
+
+    If the installed files are unknown, yield all Python files.
     """
     package, installed = source.package, source.installed
     modules = tuple(package.contents.python_modules.values())
@@ -119,7 +121,7 @@ def _of_file(package: str, path: str, facts: dict[str, Any]) -> Finding:
     level='error',
 )
 def not_python(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report invalid syntax, tabs mixed with spaces, and an encoding other than UTF-8."""
+    """Report Python files with invalid syntax, tabs that are mixed with spaces, or an encoding other than UTF-8."""
     for path in source.package.python_files:
         name = os.path.basename(path)
         try:
@@ -144,7 +146,7 @@ UNUSED = frozenset(('antigravity', 'idlelib', 'this', 'turtle', 'turtledemo'))
     do='rename it, for example to my_{module}',
 )
 def hides_python(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report an installed top-level module that hides a module of Python."""
+    """Report an installed top-level module that hides a module of the standard library."""
     for module, file in source.package.contents.python_modules.items():
         if module in sys.stdlib_module_names and module not in UNUSED:
             yield found('module', module, file=file, package=source.package.name)
@@ -182,7 +184,7 @@ _XML_LAUNCHED = re.compile(r"""\bpkg\s*[:=]\s*["']?(\w+)["']?""")
     edits=(('', '<exec_depend>{dependency}</exec_depend>', 'manifest'),),
 )
 def dependency_missing(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report a package that is imported or launched but not a dependency, once, where it is first used."""
+    """Report each package once that a file imports or launches, but that package.xml does not list as a dependency."""
     for name, file, line, how in _missing(source):
         if not _is_of_launch(name, file):
             tags = [f'<{one.tag}>' for one in source.package.dependencies if one.name == name]
@@ -199,7 +201,7 @@ def dependency_missing(source: PackageInWorkspace) -> Iterator[Finding]:
     level='info',
 )
 def launch_not_named(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report a package whose launch files need dependencies that package.xml does not name, once for each package."""
+    """Report a package whose launch files need dependencies that package.xml does not list. Name only the first dependency."""
     for name, file, line, _ in _missing(source):
         if _is_of_launch(name, file):
             yield found('dependency', name, file=file, line=line)
@@ -222,7 +224,7 @@ def _missing(source: PackageInWorkspace) -> Iterator[tuple[str, str, int, str]]:
 
 
 def _uses(source: PackageInWorkspace) -> Iterator[tuple[str, str, int, str]]:
-    """Yield (package, file, line, 'imported' or 'launched') in the order of files and lines."""
+    """Yield (package, file, line, 'imported' or 'launched') for each use of a package, in the order of files and lines."""
     launched: list[tuple[str, str, int, str]] = []
     for path in _used_texts(source):
         is_launch = source.package.is_launch_file(path)
@@ -240,7 +242,7 @@ def _uses(source: PackageInWorkspace) -> Iterator[tuple[str, str, int, str]]:
 
 
 def _launched_by_markup(path: str) -> Iterator[tuple[int, str]]:
-    """Yield (line, package) of an XML or YAML launch file, without its comments."""
+    """Yield (line, package) for each package that an XML or YAML launch file uses. Skip comments."""
     text = _COMMENT.sub(lambda found: '\n' * found[0].count('\n'), read_text(path))
     for number, line in enumerate(text.splitlines(), 1):
         yield from ((number, name) for name in _XML_LAUNCHED.findall(line))
@@ -262,7 +264,7 @@ _PROJECT = re.compile(r'^\s*project\s*\(\s*([\w.-]+)', re.MULTILINE | re.IGNOREC
     level='error',
 )
 def name_differs(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report a name under which setup.py installs files, or of project() in CMakeLists.txt, that differs from package.xml."""
+    """Report a package name in setup.py, or in project() of CMakeLists.txt, that differs from the name in package.xml."""
     package = source.package
     build = package.build_file()
     pattern = _SETUP_NAME if package.is_python else _PROJECT

@@ -1,8 +1,8 @@
-"""Check a file while the student writes it. The findings have a line, a column, and the edit that corrects them if it is certain.
+"""Check a file while the student writes it. The findings have a line, a column, and the edit if a certain one exists.
 
-`check(text, path)` executes no code of the file. It looks at launch files, parameter files, package files and nodes. It predicts
-errors of Python and launch as `Failure` objects, and the rules over errors judge these as they do after a run. Start reading in
-`check.py`.
+`check(text, path)` executes no code of the file. It checks launch files, parameter files, package files and nodes. It predicts
+errors of Python and launch as `Failure` objects. The rules for errors judge these objects as they do after a run. Start reading
+in `check.py`.
 """
 
 from __future__ import annotations

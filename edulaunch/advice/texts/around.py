@@ -1,4 +1,4 @@
-"""The packages around a file: those of its workspace and the built-in ones."""
+"""The packages that a file can use: the packages of its workspace, and the built-in packages."""
 
 from __future__ import annotations
 
@@ -17,10 +17,11 @@ if TYPE_CHECKING:
 
 
 class Around:
-    """The packages that a launch of the text would find. They are read once. A new object reads them again.
+    """The packages that launch would find for a file. Each object reads the packages once.
 
-    :param path: the path at which the text is stored.
-    :param workspaces: folders with packages. The default is the folders that a command beside the file would find.
+    :param path: the path of the file.
+    :param workspaces: folders with packages (default: the folders that a command in the folder of the file would find).
+    :param env: the environment variables that determine these folders.
     """
 
     def __init__(self, path: str, workspaces: Sequence[str] = (), env: Mapping[str, str] | None = None) -> None:
@@ -31,12 +32,12 @@ class Around:
 
     @cached_property
     def workspaces(self) -> list[str]:
-        """Folders with packages."""
+        """The folders that contain the packages."""
         return self._workspaces or find_workspaces(os.path.dirname(self.path), self._env, self.path)
 
     @cached_property
     def index(self) -> Index:
-        """The packages."""
+        """The index of the packages."""
         from edulaunch.ros.sources import read_source
 
         built, sources = install_folders(self.workspaces)
@@ -44,7 +45,7 @@ class Around:
 
     @cached_property
     def registry(self) -> Any:
-        """The messages, services and actions of all packages."""
+        """The registry of the messages, services and actions of all packages."""
         return interfaces_of(self.index)[1]
 
     @cached_property
@@ -60,7 +61,7 @@ class Around:
         return self._executables[package]
 
     def launch_files(self, package: str) -> dict[str, str]:
-        """Return the installed launch files of a package: name -> path below its share folder."""
+        """Return the path below the share folder of each installed launch file of a package, by its name."""
         share = self.index.share(package) if package in self.packages else None
         found: dict[str, str] = {}
         for folder, folders, names in os.walk(share or '', followlinks=True) if share else ():
@@ -71,15 +72,16 @@ class Around:
         return found
 
     def unknown_package(self, package: str) -> dict[str, Any] | None:
-        """Return facts about a misspelt package; None for an existing package, or one that may be elsewhere."""
+        """Return facts about a misspelt package. Return None if the package exists, or may exist elsewhere."""
         if package in self.packages or self.index.absent(package) is not None:
             return None
         near = nearest_spelling(package, self.packages)
         return {'about': 'packages.unknown', 'package': package, 'near': near, 'searched': self.workspaces} if near else None
 
     def unknown_executable(self, package: str, executable: str) -> dict[str, Any] | None:
-        """Return facts about an executable that a package does not have; None if the package has it, or is not
-        known well enough.
+        """Return facts about an executable that a package does not contain.
+
+        Return None if the package contains it, or if the executables of the package are unknown.
         """
         from edulaunch.ros.sources.missing import missing_executable
 

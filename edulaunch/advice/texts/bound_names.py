@@ -1,4 +1,4 @@
-"""The names in a Python text: the defined ones, the undefined ones, and the module from which each was imported."""
+"""Find the defined and undefined names in a Python file, and the modules from which names are imported."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ ALWAYS = frozenset((*dir(builtins), '__file__', '__name__', '__doc__', '__packag
 
 
 def bound_names(tree: ast.Module) -> set[str] | None:
-    """Return every name that the file defines anywhere; None if `import *`, `exec` or `globals()` may define others."""
+    """Return all names that a file defines. Return None if `import *`, `exec` or `globals()` may define other names."""
     found: set[str] = set()
     for node in ast.walk(tree):
         if isinstance(node, (ast.Import, ast.ImportFrom)):
@@ -49,9 +49,11 @@ def bound_names(tree: ast.Module) -> set[str] | None:
 
 
 def unknown_names(text: Text, tree: ast.Module, process: str | None = None) -> Iterator[Foreseen]:
-    """Yield the undefined names that the file uses, each at its first use.
+    """Yield an error for each undefined name, at its first use.
 
-    :param process: the name of the program; None for a launch file.
+    :param text: the file.
+    :param tree: the syntax tree of the file.
+    :param process: the name of the program, or None for a launch file.
     """
     bound = bound_names(tree)
     if bound is None:
@@ -67,7 +69,7 @@ def unknown_names(text: Text, tree: ast.Module, process: str | None = None) -> I
 
 
 def imported(tree: ast.Module) -> dict[str, str]:
-    """Return the full name of each imported name: 'Node' -> 'launch_ros.actions.Node', 'actions' -> 'launch.actions'."""
+    """Return the full name of each imported name, such as 'Node' -> 'launch_ros.actions.Node'."""
     found: dict[str, str] = {}
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and node.module and not node.level:
@@ -83,7 +85,11 @@ def imported(tree: ast.Module) -> dict[str, str]:
 
 
 def full_name(function: ast.expr, names: dict[str, str]) -> str | None:
-    """Return the full name of a called function according to the imports; None if it is not imported."""
+    """Return the full name of a called function, or None if the file does not import it.
+
+    :param function: the expression before the brackets of the call.
+    :param names: the result of :func:`imported`.
+    """
     parts: list[str] = []
     while isinstance(function, ast.Attribute):
         parts.insert(0, function.attr)
@@ -93,7 +99,7 @@ def full_name(function: ast.expr, names: dict[str, str]) -> str | None:
 
 
 def launch_imports(text: Text, tree: ast.Module) -> Iterator[Foreseen]:
-    """Yield imports of modules or names that launch does not have."""
+    """Yield an error for each import of a module or name that launch does not have."""
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and node.module and not node.level:
             module = node.module
@@ -123,7 +129,7 @@ def _no_module(text: Text, module: str, node: ast.stmt) -> Foreseen:
 
 @cache
 def is_module(name: str) -> bool:
-    """Return whether a built-in module has that name. No file of a student is imported."""
+    """Return whether a module of launch has this name. No file of a student is imported for that."""
     if name in MODULES:
         return True
     if name.partition('.')[0] not in OF_LAUNCH:
@@ -136,7 +142,7 @@ def is_module(name: str) -> bool:
 
 @cache
 def has_name(module: str, name: str) -> bool:
-    """Return whether a module of launch has a name, or a module of that name."""
+    """Return whether a module of launch contains a name, or a submodule with that name."""
     if name in names_in(module):
         return True
     try:
@@ -147,7 +153,7 @@ def has_name(module: str, name: str) -> bool:
 
 
 def interface_imports(text: Text, tree: ast.Module, process: str, registry: Any) -> Iterator[Foreseen]:
-    """Yield imports of messages, services and actions that a package of interfaces does not have."""
+    """Yield an error for each import of a message, service or action that its package does not contain."""
     for node in ast.walk(tree):
         if not (isinstance(node, ast.ImportFrom) and node.module and not node.level):
             continue
@@ -180,7 +186,7 @@ def _no_interface(text: Text, node: ast.ImportFrom, alias: ast.alias, known: lis
 
 
 def text_of(node: ast.AST | None) -> str | None:
-    """Return the value of a string literal, or None for anything else."""
+    """Return the value of a string literal. Return None for any other syntax node."""
     return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None
 
 

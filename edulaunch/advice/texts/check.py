@@ -1,4 +1,4 @@
-"""`check(text, path)`: the mistakes in a file while the student writes it."""
+"""`check(text, path)`: find the mistakes in a file while the student writes it."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _MARKUP = re.compile(r'[._]launch\.(xml|ya?ml)$')
 
 
 class Marked(NamedTuple):
-    """A finding with its place in the file, and the edits that certainly correct it, if there are any."""
+    """A finding with its span in the file, and the edits that certainly correct the mistake, if there are any."""
 
     finding: Finding
     span: Span
@@ -39,7 +39,7 @@ class Marked(NamedTuple):
 
 
 def kind_of(path: str, text: str) -> str | None:
-    """Return the kind of a file by its name and content; None for a file that is not checked."""
+    """Return the kind of a file, from its name and content. Return None for a file that is not checked."""
     name = os.path.basename(path)
     if name == 'package.xml':
         return MANIFEST
@@ -59,10 +59,11 @@ def kind_of(path: str, text: str) -> str | None:
 
 
 def check(text: str, path: str, around: Around | None = None) -> list[Marked]:
-    """Return the mistakes in the content of a file, the worst first. None of its code is executed.
+    """Return the mistakes in the content of a file, with the most serious one first. No code of the file is executed.
 
-    :param path: the path of the text. Its name determines the kind of file, and its folder determines the packages around it.
-    :param around: the packages around it. By default, they are read again.
+    :param text: the content of the file.
+    :param path: the path of the file. Its name determines the kind of file, and its folder determines the available packages.
+    :param around: the available packages. By default, they are read again.
     """
     kind = kind_of(path, text)
     if kind is None or len(text) > LONGEST:
@@ -92,7 +93,7 @@ def _looked_at(kind: str, text: Text, around: Around) -> Iterator[Marked]:
 
 
 def _of_failures(text: Text, failures: Iterable[Foreseen]) -> Iterator[Marked]:
-    """Yield findings of the rules over errors for the predicted errors."""
+    """Yield the findings of the rules for errors about predicted errors."""
     for foreseen in failures:
         for finding in judge_failure(foreseen.failure)[:1]:
             finding = finding._replace(file=text.path, process=None)
@@ -100,8 +101,13 @@ def _of_failures(text: Text, failures: Iterable[Foreseen]) -> Iterator[Marked]:
 
 
 def marked(finding: Finding, text: Text, span: Span | None = None, edits: Edits | None = None) -> Marked:
-    """Return a finding with its place in the text: its known place, or a word that occurs once in its line, or the line.
+    """Return a finding with its span in the file.
 
+    The span is the given one, a word that occurs once in the line of the finding, or the whole line.
+
+    :param finding: the finding.
+    :param text: the file.
+    :param span: the span of the mistake, or None if it is unknown.
     :param edits: the certain edits, or None for the edits of the rule.
     """
     if edits is None:
@@ -129,7 +135,7 @@ def _narrowed(finding: Finding, text: Text, edits: Edits) -> Span:
 
 
 def _ordered(marks: Iterable[Marked]) -> list[Marked]:
-    """Return findings in the order of a report: the worst first, each once, and no consequences of others."""
+    """Return the findings in the order of a report, without duplicates and without consequences of other findings."""
     listed = list(marks)
     by_finding = {id(mark.finding): mark for mark in listed}
     return [by_finding[id(finding)] for finding in in_order([mark.finding for mark in listed])]

@@ -1,4 +1,4 @@
-"""The edits that correct a finding, made from the edit forms of its rule if text and place are certain."""
+"""Create the edits that correct a finding, from the edit forms of its rule. There is no edit if the place is not certain."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from edulaunch.engine.nearest import nearest_spelling
 
 
 class Edit(NamedTuple):
-    """One change of a file: `old`, which is at `span`, is replaced by `new`.
+    """A change of a file. `new` replaces the string `old`, which is at `span`.
 
     :ivar file: the path of the file.
     """
@@ -30,7 +30,7 @@ Edits = tuple[Edit, ...]
 
 
 def written(finding: Finding) -> tuple[str, str, str] | None:
-    """Return (old, new, place) of the first edit form of a rule whose facts are all known."""
+    """Return (old, new, place) of the first edit form of a rule whose facts are all known, or None."""
     facts = {**finding.facts, finding.kind: finding.name}
     for old, new, place in rule_named(finding.rule).edits:
         if all(facts.get(name) not in (None, '', [], ()) for name in (*fields_of(old), *fields_of(new))):
@@ -43,7 +43,9 @@ def written(finding: Finding) -> tuple[str, str, str] | None:
 def edits_of(finding: Finding, text: Text, within: Span | None = None) -> Edits:
     """Return the edits of a file that correct a finding.
 
-    :param within: the place of the mistake, if it is known more exactly than by its line.
+    :param finding: the finding.
+    :param text: the file.
+    :param within: the span of the mistake, if more than its line is known.
     """
     form = written(finding)
     if form is None:
@@ -59,12 +61,20 @@ def edits_of(finding: Finding, text: Text, within: Span | None = None) -> Edits:
 
 
 def inserted(text: Text, offset: int, new: str) -> Edit:
-    """Return an edit that only inserts text."""
+    """Return an edit that only inserts a string.
+
+    :param text: the file.
+    :param offset: the offset at which the string is inserted.
+    :param new: the string.
+    """
     return Edit(text.path, Span(offset, offset), '', new)
 
 
 def _import(text: Text, line: str, facts: dict[str, Any]) -> Edits:
-    """Return the edit that adds an import: after the last one at the top of the file, or below its docstring and comments."""
+    """Return the edit that adds an import after the last import at the top of the file.
+
+    Without imports, the edit adds it below the docstring and comments.
+    """
     tree = text.tree
     if tree is None or line in text.text.splitlines():
         return ()
@@ -115,8 +125,9 @@ def _list_of(tree: ast.Module, keyword: str) -> ast.List | None:
 
 
 def _behind_last(text: Text, found: ast.List, end: int, new: str) -> Edit:
-    """Return the edit that adds an item after the last one of a list. It gets its own line if the other items have their own
-    lines.
+    """Return the edit that adds an item after the last item of a list.
+
+    The new item gets its own line if the other items have their own lines.
     """
     opened = text.of_node(found).start
     if not found.elts:
@@ -132,7 +143,10 @@ def _behind_last(text: Text, found: ast.List, end: int, new: str) -> Edit:
 
 
 def _manifest(text: Text, new: str, facts: dict[str, Any]) -> Edits:
-    """Return the edit that adds a line to a package.xml, after the last dependency, or before <export> or the end."""
+    """Return the edit that adds a line to package.xml after the last dependency.
+
+    Without dependencies, the edit adds the line before <export> or at the end.
+    """
     if new in text.text:
         return ()
     found = list(re.finditer(r'^([ \t]*)<(?:\w+_)?depend>.*</(?:\w+_)?depend>[ \t]*$', text.text, re.MULTILINE))
@@ -155,7 +169,7 @@ FILES = {'data_files': 'setup.py', 'console_scripts': 'setup.py', 'manifest': 'p
 
 
 def applied(text: str, edits: Edits) -> str:
-    """Return the text after the edits. If two edits overlap, the first one counts."""
+    """Return the content of a file after the edits. If two edits overlap, only one of them is applied."""
     made, last = text, len(text) + 1
     for edit in sorted(edits, key=lambda one: one.span, reverse=True):
         if edit.span.end <= last and text[edit.span.start : edit.span.end] == edit.old:

@@ -46,7 +46,7 @@ def foreseen_in_launch(text: Text, tree: ast.Module, around: Around) -> Iterator
 
 
 def _entry(text: Text, tree: ast.Module) -> Iterator[Foreseen]:
-    """Yield errors about the function that every launch file needs, and about its return value."""
+    """Yield errors about generate_launch_description(), which every launch file needs, and about its return value."""
     functions = {node.name: node for node in tree.body if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))}
     others = {
         name.id for node in tree.body for name in ast.walk(node) if isinstance(name, ast.Name) and isinstance(name.ctx, ast.Store)
@@ -92,7 +92,7 @@ def _of_call(text: Text, call: ast.Call, names: dict[str, str], around: Around) 
 
 
 def _called_item(text: Text, call: ast.Call, names: dict[str, str]) -> Iterator[Foreseen]:
-    """Yield two items of a list that have no comma between them."""
+    """Yield an error for two items of a list without a comma between them. Python reads them as a call."""
     inner: Any = call.func
     name = (full_name(inner.func, names) or '').rpartition('.')[2]
     if name and isinstance(class_named(name), type):
@@ -102,7 +102,7 @@ def _called_item(text: Text, call: ast.Call, names: dict[str, str]) -> Iterator[
 
 
 def _arguments(text: Text, call: ast.Call, cls: Any) -> Iterator[Foreseen]:
-    """Yield unknown arguments, missing arguments, and arguments without names."""
+    """Yield errors for unknown arguments, missing arguments, and too many positional arguments."""
     known = keywords_of(cls)
     if not known or any(isinstance(one, ast.Starred) for one in call.args):
         return
@@ -129,7 +129,7 @@ def _arguments(text: Text, call: ast.Call, cls: Any) -> Iterator[Foreseen]:
 
 
 def _needed(cls: Any, positional: int) -> tuple[list[str], int]:
-    """Return the arguments that a constructor still needs by name, and the number of its positional arguments."""
+    """Return the arguments that a constructor still requires, and the number of positional arguments that it accepts."""
     function = cls.__init__
     code = getattr(function, '__code__', None)
     if code is None or code.co_flags & 0x04:  # *args
@@ -157,7 +157,7 @@ def _executable(text: Text, package: ast.expr | None, node: ast.expr | None, aro
 
 
 def _declared(calls: list[ast.Call], names: dict[str, str]) -> set[str]:
-    """Return the launch arguments and configurations that the file itself defines."""
+    """Return the launch arguments and launch configurations that the file itself defines."""
     found = set()
     for call in calls:
         if (full_name(call.func, names) or '').rpartition('.')[2] in DECLARING and call.args:
@@ -166,7 +166,7 @@ def _declared(calls: list[ast.Call], names: dict[str, str]) -> set[str]:
 
 
 def _configuration(text: Text, call: ast.Call, names: dict[str, str], declared: set[str]) -> Iterator[Foreseen]:
-    """Yield an undeclared launch configuration whose name is nearly that of a declared one."""
+    """Yield an error for an undeclared launch configuration whose name resembles a declared one."""
     if (full_name(call.func, names) or '').rpartition('.')[2] != 'LaunchConfiguration' or not call.args:
         return
     name = text_of(call.args[0])
@@ -180,7 +180,7 @@ def _configuration(text: Text, call: ast.Call, names: dict[str, str], declared: 
 
 
 def joined_in_lists(text: Text, tree: ast.Module) -> Iterator[tuple[Finding, Span]]:
-    """Yield two adjacent strings on one line of a list or pair, which Python joins."""
+    """Yield a finding for two adjacent strings on one line of a list or tuple, which Python joins."""
     for node in ast.walk(tree):
         for item in node.elts if isinstance(node, (ast.List, ast.Tuple)) else ():
             if text_of(item) is None or item.lineno != item.end_lineno:

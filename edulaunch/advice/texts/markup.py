@@ -1,4 +1,4 @@
-"""Predict errors of launch and rcl in XML and YAML launch files and in parameter files. Reading them executes no code."""
+"""Predict errors of launch and rcl in XML and YAML launch files and in parameter files. No code is executed."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _DECLARED = {
 
 
 def foreseen_in_markup(text: Text, around: Around) -> Iterator[Foreseen]:
-    """Yield the errors of launch in an XML or YAML launch file: at the outermost level, one error for each element."""
+    """Yield the errors of launch in an XML or YAML launch file, at most one for each element of the outermost level."""
     source()
     format = 'xml' if text.path.endswith('.xml') else 'yaml'
     if format == 'xml':
@@ -63,7 +63,7 @@ def _of_error(text: Text, error: Exception) -> Foreseen:
 
 
 def _span(text: Text, failure: Failure, line: int) -> Span | None:
-    """Return the place of the attribute, element or substitution that the facts name."""
+    """Return the span of the attribute, element or substitution that the facts name, or None."""
     extent = text.extent(line)
     for name in ('attribute', 'call', 'element'):
         word = failure.facts.get(name)
@@ -74,7 +74,7 @@ def _span(text: Text, failure: Failure, line: int) -> Span | None:
 
 
 def _names(text: Text, format: str, around: Around) -> Iterator[Foreseen]:
-    """Yield misspelt packages, executables and launch arguments."""
+    """Yield errors for misspelt packages, executables and launch arguments."""
     package: str | None = None
     for pair in _PAIR[format].finditer(text.text):
         span = Span(*pair.span('value'))
@@ -107,7 +107,7 @@ def _misspelt(text: Text, span: Span, message: str, facts: dict[str, Any]) -> Fo
 
 
 def foreseen_in_parameters(text: Text) -> Iterator[Foreseen]:
-    """Yield the first error of rcl in a parameter file. rcl reads no further."""
+    """Yield the first error of rcl in a parameter file. rcl stops reading at this error."""
     try:
         read_parameter_file(text.text)
     except ParameterFileError as error:

@@ -1,4 +1,4 @@
-"""Check setup.py and package.xml in an editor: the rules over sources look at a copy of the package with the new text."""
+"""Check setup.py and package.xml in an editor: apply the rules for sources to a copy of the package with the new content."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ LEFT_OUT = frozenset(('.git', '__pycache__', 'build', 'install', 'log', 'node_mo
 
 
 def findings_of_package(text: Text) -> list[Finding]:
-    """Return the findings about a file when the package contains the new text instead of the stored file."""
+    """Return the findings about a file, for a package that contains the new content instead of the stored file."""
     folder = package_around(os.path.dirname(text.path))
     if folder is None:
         return []
@@ -33,7 +33,7 @@ def findings_of_package(text: Text) -> list[Finding]:
 
 
 def _link(folder: str, copy: str) -> None:
-    """Create a folder with links to the same files. The files that define the package are copied."""
+    """Create a copy of a folder that contains links to the same files. The files that define the package are copied."""
     for number, path in enumerate(_files(folder)):
         if number >= MOST_FILES:
             return

@@ -1,4 +1,6 @@
-"""Predict errors in the programs of nodes: names without an import, missing interfaces, fields that a message does not have."""
+"""Predict errors in the programs of nodes: names without an import, missing interfaces, and fields that a message does not
+have.
+"""
 
 from __future__ import annotations
 
@@ -25,8 +27,9 @@ def foreseen_in_program(text: Text, tree: ast.Module, around: Around) -> Iterato
 
 
 def _fields(text: Text, tree: ast.Module, process: str, registry: Any) -> Iterator[Foreseen]:
-    """Yield unknown fields, such as `message.liner` after `message = Twist()`, of variables that hold only one class in their
-    function.
+    """Yield an error for each unknown field, such as `message.liner` after `message = Twist()`.
+
+    Check only variables that always contain messages of one class in their function.
     """
     names = imported(tree)
     for function in (node for node in ast.walk(tree) if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))):
@@ -37,7 +40,7 @@ def _fields(text: Text, tree: ast.Module, process: str, registry: Any) -> Iterat
 
 
 def _messages(function: ast.AST, names: dict[str, str], registry: Any) -> dict[str, Any]:
-    """Return the variables that only ever hold a new message of one class."""
+    """Return the variables that always contain a new message of the same class, with this class."""
     made: dict[str, list[Any]] = {}
     for node in ast.walk(function):
         if isinstance(node, ast.Assign):

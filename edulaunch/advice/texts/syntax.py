@@ -1,4 +1,4 @@
-"""Syntax errors of Python with their places, and the edits that Python confirms."""
+"""Find syntax errors of Python with their places, and edits after which Python can parse the file."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Foreseen(NamedTuple):
 
 
 def syntax_error(text: Text) -> Foreseen | None:
-    """Return the first error that Python finds; None if it can parse the text."""
+    """Return the first syntax error, or None if Python can parse the file."""
     try:
         ast.parse(text.text, text.path)
     except SyntaxError as error:
@@ -44,7 +44,7 @@ def syntax_error(text: Text) -> Foreseen | None:
 
 
 def _certain(text: Text, error: SyntaxError, span: Span) -> Edits:
-    """Return the first of the possible edits after which Python can read further."""
+    """Return the first possible edits after which Python can parse more of the file, or no edits."""
     line = error.lineno or 1
     for edits in _tries(text, error.msg, line, span):
         if _reads(text.text, edits, line):
@@ -81,7 +81,7 @@ def _tries(text: Text, message: str, line: int, span: Span) -> Iterator[Edits]:
 
 
 def _reads(text: str, edits: Edits, line: int) -> bool:
-    """Return whether Python can parse the edited text beyond that line."""
+    """Return whether Python can parse the edited file beyond this line."""
     try:
         ast.parse(applied(text, edits))
     except SyntaxError as error:
@@ -92,7 +92,7 @@ def _reads(text: str, edits: Edits, line: int) -> bool:
 
 
 def _gaps(text: Text, span: Span) -> Iterator[int]:
-    """Yield the offset after each word or closing bracket of a part, from its first line."""
+    """Yield the offset after each word or closing bracket in a span, beginning at the start of its first line."""
     start = text.whole_line(text.place(span.start).line)
     part = text.text[start.start : max(span.end, text.whole_line(text.place(span.end).line).end)]
     try:
@@ -114,7 +114,7 @@ def _gaps(text: Text, span: Span) -> Iterator[int]:
 
 
 def _end_of_code(text: Text, line: int) -> int:
-    """Return the end of a line, before a comment."""
+    """Return the offset of the end of the code in a line, before a comment."""
     start, end = text.line_span(line)
     before = text.text[start:end].partition('#')[0].rstrip()
     return start + len(before)

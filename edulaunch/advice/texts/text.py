@@ -1,4 +1,4 @@
-"""The content of a file with offsets, lines and columns, and the places of the parts of a Python file."""
+"""The content of a file with offsets, lines and columns, and the spans of the parts of a Python file."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ LONGEST = 400_000
 
 
 class Span(NamedTuple):
-    """A part of a file: the offset of its first character, and the offset after its last one."""
+    """A part of a file: the offset of its first character, and the offset after its last character."""
 
     start: int
     end: int
 
 
 class Place(NamedTuple):
-    """A place in a file: lines count from 1, columns from 0, in characters."""
+    """A place in a file. Lines count from 1, and columns count characters from 0."""
 
     line: int
     column: int
@@ -29,7 +29,7 @@ class Place(NamedTuple):
 class Text:
     """The content of a file or of an editor.
 
-    :ivar path: the path where it is stored, or will be.
+    :ivar path: the path of the file, which may not exist yet.
     """
 
     def __init__(self, text: str, path: str) -> None:
@@ -39,7 +39,7 @@ class Text:
 
     @cached_property
     def tree(self) -> ast.Module | None:
-        """The syntax tree of a Python text; None if Python cannot parse it."""
+        """The syntax tree of a Python file, or None if Python cannot parse it."""
         try:
             return ast.parse(self.text, self.path)
         except (SyntaxError, ValueError, RecursionError):
@@ -56,25 +56,25 @@ class Text:
         return Place(number, offset - self._starts[number - 1])
 
     def offset(self, line: int, column: int) -> int:
-        """Return the offset of a place. A place outside the text is moved to its nearest end."""
+        """Return the offset of a line and column. A place outside the file is moved to the nearest end of a line."""
         number = min(max(line, 1), len(self._starts))
         return min(self._starts[number - 1] + max(column, 0), self.whole_line(number).end)
 
     def whole_line(self, line: int) -> Span:
-        """Return a line without its line break."""
+        """Return the span of a line without its line break."""
         number = min(max(line, 1), len(self._starts))
         start = self._starts[number - 1]
         end = self.text.find('\n', start)
         return Span(start, len(self.text) if end < 0 else end)
 
     def line_span(self, line: int) -> Span:
-        """Return a line without its indentation and the spaces at its end."""
+        """Return the span of a line without its indentation and the spaces at its end."""
         start, end = self.whole_line(line)
         words = self.text[start:end]
         return Span(start + len(words) - len(words.lstrip()), start + len(words.rstrip())) if words.strip() else Span(start, end)
 
     def _byte_offset(self, line: int, column: int) -> int:
-        """Return the offset of a place of a syntax tree, whose columns count bytes."""
+        """Return the offset of a place in a syntax tree, whose columns count bytes."""
         start, end = self.whole_line(line)
         words = self.text[start:end]
         return start + (column if words.isascii() else len(words.encode()[:column].decode(errors='ignore')))
@@ -84,7 +84,11 @@ class Text:
         return Span(self._byte_offset(node.lineno, node.col_offset), self._byte_offset(node.end_lineno, node.end_col_offset))
 
     def found(self, words: str, within: Span) -> Span | None:
-        """Return the span of the words in a part of the text; None if they do not occur there exactly once."""
+        """Return the span of a string in a part of the file. Return None if the string does not occur there exactly once.
+
+        :param words: the string to find.
+        :param within: the part of the file to search.
+        """
         before = r'(?<!\w)' if words[:1].isidentifier() else ''
         behind = r'(?!\w)' if words[-1:].isidentifier() or words[-1:].isdigit() else ''
         spans = [
@@ -94,7 +98,7 @@ class Text:
         return spans[0] if len(spans) == 1 else None
 
     def extent(self, line: int) -> Span:
-        """Return the span of the code that begins in a line: the call or statement in Python, the tag in XML, or otherwise the
+        """Return the span of the code that begins in a line: a call or statement in Python, a tag in XML, or otherwise the
         line.
         """
         own = self.line_span(line)

@@ -1,6 +1,6 @@
-"""Tools for a student's packages: create new ones (`new_package`), and find missing dependencies (`dependencies`).
+"""Tools for a student's packages: create new packages (`new_package`), and find missing dependencies (`dependencies`).
 
-No code of a package runs.
+No code of a package is executed.
 """
 
 from __future__ import annotations

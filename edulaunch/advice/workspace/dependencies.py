@@ -26,7 +26,7 @@ PYTHON_NAMES = {'opencv-python': 'cv2', 'opencv': 'cv2', 'pil': 'PIL', 'pyyaml':
 
 
 class Missing(NamedTuple):
-    """A missing dependency of a package, and the nearest existing name."""
+    """A missing dependency of a package, and the most similar existing name."""
 
     package: SourcePackage
     dependency: Dependency
@@ -34,7 +34,7 @@ class Missing(NamedTuple):
 
 
 def missing_dependencies(path: str) -> tuple[list[str], list[Missing]]:
-    """Return the packages below `path`, and each of their dependencies that neither the underlay nor the workspace has."""
+    """Return the packages below `path`, and each dependency that neither edulaunch nor the workspace contains."""
     index = Index((), [path], read_source=read_source)
     packages = source_packages(index)
     here = list(index.packages())
@@ -49,8 +49,9 @@ def missing_dependencies(path: str) -> tuple[list[str], list[Missing]]:
 
 
 def is_here(name: str, here: list[str]) -> bool:
-    """Return whether a dependency is available, or needed only for building or for compiled programs, which edulaunch does not
-    do.
+    """Return whether a dependency is available or is not needed.
+
+    Dependencies that are only for builds or for compiled programs are not needed, because edulaunch does not build packages.
     """
     if SAME.get(name, name) in here or any(fnmatchcase(name, pattern) for pattern in NOT_NEEDED):
         return True

@@ -1,4 +1,4 @@
-"""Create a package, its package.xml, and the output of `ros2 pkg create`."""
+"""Create a package with its package.xml, and print the output of `ros2 pkg create`."""
 
 from __future__ import annotations
 
@@ -18,9 +18,11 @@ _NAME = re.compile(r'[a-z][a-z0-9_]*')
 
 
 def create_package(package: NewPackage, say: Callable[[str], object]) -> None:
-    """Create the files of a package. `say` is called with each line of the output.
+    """Create the files of a package.
 
-    :raises PackageError: if the name is invalid, the build type is unknown, or the folder already exists.
+    :param package: the properties of the package.
+    :param say: a function that is called with each line of the output.
+    :raises PackageError: when the name is invalid, the build type is unknown, or the folder already exists.
     """
     _refuse(package)
     for line in _summary(package):
@@ -83,7 +85,7 @@ def _summary(package: NewPackage) -> list[str]:
 
 
 class _Writer:
-    """Writes files below the package's folder, and reports each one."""
+    """Writes files below the folder of the package, and reports each file."""
 
     def __init__(self, package: NewPackage, say: Callable[[str], object]) -> None:
         self.say = say
@@ -91,12 +93,12 @@ class _Writer:
         self._shown = os.path.join(os.curdir, package.name) if package.destination == os.curdir else package.folder
 
     def folder(self, name: str) -> None:
-        """Create a folder."""
+        """Report a folder, and create it."""
         self.say(f'creating folder {os.path.join(self._shown, name).removesuffix("/.")}')
         os.makedirs(os.path.join(self._folder, name), exist_ok=True)
 
     def file(self, name: str, text: str) -> None:
-        """Write a file and report it."""
+        """Report a file, and write it."""
         self.say(f'creating {os.path.join(self._shown, name)}')
         self.quiet(name, text)
 
@@ -107,7 +109,7 @@ class _Writer:
 
 
 def manifest_text(package: NewPackage) -> str:
-    """Return the package.xml."""
+    """Return the content of the package.xml of a package."""
     from xml.sax.saxutils import escape, quoteattr
 
     tool = [] if package.build_type == 'ament_python' else [f'<buildtool_depend>{package.build_type}</buildtool_depend>']

@@ -1,5 +1,6 @@
-"""Answers to commands that set up a real ROS 2 computer or open a window. They explain why the command is not needed, and which
-command shows the same information.
+"""Explain commands that set up a real ROS 2 computer or open a window, and that are not needed here.
+
+The explanations name the command that shows the same information.
 """
 
 from __future__ import annotations
@@ -19,11 +20,11 @@ WINDOWS = {
     'rqt_tf_tree': 'tree',
     'rviz2': 'frames',
 }
-"""Commands or packages, with the tab of the live view that replaces each."""
+"""Commands and packages with a window, and the tab of the live view that replaces it."""
 
 
 def shown_by(name: str) -> str:
-    """Return the sentence that names the tab of the live view."""
+    """Return the sentence about a program with a window that names the tab of the live view with the same content."""
     return f'{name} opens a window, but there is no screen: `edulaunch view --tab {WINDOWS[name]}` shows the same in a browser'
 
 
@@ -43,13 +44,18 @@ _SHOWN = 5
 
 
 def answer(words: Sequence[str], folder: str = os.curdir) -> str | None:
-    """Return the sentence for `colcon`, `rosdep`, `vcs`, `apt` with packages of ROS, `source` of setup files, and windows.
+    """Return the explanation of a command that is not needed here, or None for any other command.
 
-    It also answers `ls` of folders that only a build creates.
+    These commands have an explanation:
+
+    - `colcon`, `rosdep` and `vcs`
+    - `apt` with packages of ROS
+    - `source` of setup files
+    - `ls` of folders that only a build creates
+    - programs that open a window
 
     :param words: the command line, including `sudo`.
     :param folder: the current folder of the command.
-    :return: None for any other command.
     """
     rest = [word for word in words if word != 'sudo']
     command, arguments = (rest or [''])[0], rest[1:]

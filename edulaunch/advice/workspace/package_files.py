@@ -1,4 +1,4 @@
-"""The files of a new Python or CMake package, and the text of its license."""
+"""Write the files of a new Python or CMake package, including the text of its license."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ LINTERS = {
 
 @dataclass(frozen=True)
 class NewPackage:
-    """The properties of a package that is going to be created. The defaults are those of `ros2 pkg create`."""
+    """The properties of a package to create. The defaults are those of `ros2 pkg create`."""
 
     name: str
     destination: str = os.curdir
@@ -92,7 +92,7 @@ class NewPackage:
 
 
 def write_python(package: NewPackage, writer: Any) -> None:
-    """Write the files of a Python package, in the order of `ros2 pkg create`."""
+    """Write the files of a Python package in the order in which `ros2 pkg create` writes them."""
     name = package.name
     entry = f"            '{package.node_name} = {name}.{package.node_name}:main',\n" if package.node_name else ''
     writer.say('creating source folder')
@@ -208,7 +208,7 @@ namespace {name}
 
 
 def write_cmake(package: NewPackage, writer: Any) -> None:
-    """Write the files of a CMake package, in the order of `ros2 pkg create`."""
+    """Write the files of a CMake package in the order in which `ros2 pkg create` writes them."""
     name, library, node = package.name, package.library_name, package.node_name
     writer.say('creating source and include folder')
     writer.folder('src')
@@ -228,7 +228,7 @@ def write_cmake(package: NewPackage, writer: Any) -> None:
 
 
 def cmake_text(package: NewPackage) -> str:
-    """Return the CMakeLists.txt."""
+    """Return the content of the CMakeLists.txt of a package."""
     finds = ''.join(f'find_package({name} REQUIRED)\n' for name in package.dependencies)
     text = HEAD.format(name=package.name, finds=finds)
     for template, key, target in ((LIBRARY, 'library', package.library_name), (NODE, 'node', package.node_name)):
@@ -254,7 +254,13 @@ SPDX = {'BSD-2.0': 'BSD-3-Clause'}
 
 
 def license_notice(identifier: str, holder: str) -> str | None:
-    """Return the LICENSE file, with the name of the license and the address of its text, or None for an unknown identifier."""
+    """Return the content of the LICENSE file, or None for an unknown identifier.
+
+    It contains the name of the license and the address of the license's text.
+
+    :param identifier: the license, such as 'Apache-2.0'.
+    :param holder: the name of the copyright holder.
+    """
     if identifier not in LICENSES:
         return None
     spdx = SPDX.get(identifier, identifier)

@@ -1,1 +1,1 @@
-"""Rules over a whole workspace (`Workspace`). None of its code is executed."""
+"""Rules for a whole workspace (`Workspace`). No code of the workspace is executed."""

@@ -1,4 +1,4 @@
-"""Rules about the folders of a workspace and the files around its packages."""
+"""Rules about the folders of a workspace, and about files outside of its packages."""
 
 from __future__ import annotations
 
@@ -27,7 +27,10 @@ BUILD_SIGNS = {
     level='error',
 )
 def none_here(workspace: Workspace) -> Iterator[Finding]:
-    """Report a package.xml that cannot be read, or a folder that colcon skips."""
+    """Report a workspace without packages.
+
+    Other rules report a package.xml that cannot be read, and a folder that colcon skips.
+    """
     if not workspace.packages and not workspace.around.warnings and _mark(workspace.path) is None:
         yield found('folder', os.path.basename(workspace.path), file=workspace.path)
 
@@ -40,7 +43,10 @@ def none_here(workspace: Workspace) -> Iterator[Finding]:
     level='info',
 )
 def passed_over(workspace: Workspace) -> Iterator[Finding]:
-    """Report a folder that colcon skips. The packages below it are left out on purpose."""
+    """Report a workspace that colcon skips because of a marker file.
+
+    It contains no packages, because they are left out on purpose.
+    """
     mark = _mark(workspace.path)
     if not workspace.packages and mark is not None:
         yield found('folder', os.path.basename(workspace.path), file=workspace.path, mark=mark)
@@ -58,7 +64,7 @@ def _mark(folder: str) -> str | None:
     level='info',
 )
 def of_ros_1(workspace: Workspace) -> Iterator[Finding]:
-    """Report a package of ROS 1. Other rules do not check it."""
+    """Report a package of ROS 1. No other rule checks such a package."""
     for source in workspace.sources:
         if source.is_of_ros_1:
             yield found('package', source.package.name, file=source.package.manifest_file)
@@ -71,7 +77,7 @@ def of_ros_1(workspace: Workspace) -> Iterator[Finding]:
     do='add {folder}/ to .gitignore, and remove it with `git rm -r --cached {folder}`',
 )
 def build_output_committed(workspace: Workspace) -> Iterator[Finding]:
-    """Report build output in a repository whose .gitignore does not name it."""
+    """Report build output in a git repository whose .gitignore does not name it."""
     for name, signs in BUILD_SIGNS.items():
         folder = os.path.join(workspace.path, name)
         if any(os.path.exists(os.path.join(folder, sign)) for sign in signs) and _is_committed(workspace.path):
@@ -95,7 +101,7 @@ def _is_committed(path: str) -> bool:
     level='info',
 )
 def package_is_repository(workspace: Workspace) -> Iterator[Finding]:
-    """Report a package.xml beside .git."""
+    """Report a package in the top folder of a git repository, if the doctor checks this folder as a workspace."""
     for package in workspace.packages:
         if package.folder == workspace.path and os.path.isdir(os.path.join(workspace.path, '.git')):
             yield found('package', package.name, file=package.manifest_file)
@@ -115,7 +121,7 @@ def package_is_repository(workspace: Workspace) -> Iterator[Finding]:
     level='error',
 )
 def build_file(workspace: Workspace) -> Iterator[Finding]:
-    """Report problems that were noticed while package.xml, setup.py, setup.cfg and CMakeLists.txt were read."""
+    """Report the problems that edulaunch found when it read package.xml, setup.py, setup.cfg and CMakeLists.txt."""
     for warning in workspace.around.warnings:
         if not warning.about:
             name, line = os.path.basename(warning.file), warning.line or None
@@ -147,7 +153,7 @@ def build_unknown(workspace: Workspace) -> Iterator[Finding]:
     do='change to the workspace that you mean with cd; within one workspace, change the <name> of one of the two packages',
 )
 def same_name(workspace: Workspace) -> Iterator[Finding]:
-    """Report the package that is left out because another one has the same name."""
+    """Report a package that is left out because another package has the same name."""
     for warning in workspace.around.warnings:
         match = (
             re.match(r"there is a package '(.*)' in (.*)/ already", warning.sentence) if warning.about == 'same name' else None

@@ -1,6 +1,6 @@
-"""The command line: `main` reads the verb of `edulaunch VERB ...` and loads only the file of that verb.
+"""The command line of edulaunch. `main` reads the verb of `edulaunch VERB ...` and loads only the file of that verb.
 
-The file of a verb has `VERB_arguments(parser)` and `VERB_verb(arguments)`, which returns the exit code.
+The file of a verb defines `VERB_arguments(parser)` and `VERB_verb(arguments)`. The second function returns the exit code.
 """
 
 from __future__ import annotations
@@ -11,7 +11,10 @@ if TYPE_CHECKING:
 
 
 def arguments_of(parser: argparse.ArgumentParser) -> list[argparse.Action]:
-    """Return the options and positional arguments of a parser, in order; argparse has no public name for them."""
+    """Return the options and positional arguments of a parser in the order in which they were added.
+
+    argparse has no public name for this list.
+    """
     return parser._actions
 
 

@@ -1,7 +1,7 @@
-"""`source .venv/bin/activate` sets edulaunch up: commands, completion, ROS's import packages, answers to set-up lines.
+"""Make `source .venv/bin/activate` set up edulaunch: commands, completion, import packages, and answers to set-up lines.
 
-`edulaunch env --install` writes the lines into the environment once, so that a new shell starts no Python. `bin/activate` reads
-the written file, and `deactivate` undoes everything.
+`edulaunch env --install` writes the shell code once, so that a new shell does not have to start Python. `bin/activate` reads
+the written file, and `deactivate` undoes all changes.
 """
 
 from __future__ import annotations
@@ -35,11 +35,11 @@ HOOKS = {
 
 
 def install(prefix: Path) -> list[Path]:
-    """Make the `activate` scripts of a virtual environment set up edulaunch, too; repeating it changes nothing.
+    """Make the `activate` scripts of a virtual environment also set up edulaunch. A second call changes nothing.
 
     :param prefix: the folder of the virtual environment.
-    :return: the scripts to source, for bash and zsh, and for fish.
-    :raises UnusableInput: when this is not a virtual environment with a script `bin/activate`.
+    :return: the paths of the scripts to source: one for bash and zsh, and one for fish if the environment has it.
+    :raises UnusableInput: when the folder is not a virtual environment with a script `bin/activate`.
     """
     folder = prefix / 'bin'
     if not (folder / 'activate').is_file():
@@ -62,7 +62,10 @@ def install(prefix: Path) -> list[Path]:
 
 
 def lines_for(name: str) -> str:
-    """Return the lines of `edulaunch.sh` or `edulaunch.fish`, with the values for this Python in place of their @NAMES@."""
+    """Return the content of `edulaunch.sh` or `edulaunch.fish`.
+
+    The values for this Python replace the @NAMES@ of the template.
+    """
     names = f'colcon sudo apt source . ls {WINDOWS}'
     values = {
         'SHELL': quote(os.path.join(underlay_prefix(), 'shell')),
@@ -79,10 +82,10 @@ def lines_for(name: str) -> str:
 
 
 def functions() -> str:
-    """Return functions for bash and zsh that answer the set-up lines of a tutorial."""
+    """Return shell functions for bash and zsh that explain the set-up commands of a tutorial, such as `colcon` and `sudo`."""
     return (SHELLS / 'answers.sh').read_text('utf-8').replace('@WINDOWS@', WINDOWS)
 
 
 def install_here() -> list[Path]:
-    """Call `install` for the environment of this Python."""
+    """Call `install` for the virtual environment of this Python."""
     return install(Path(sys.prefix))

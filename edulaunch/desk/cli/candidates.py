@@ -1,4 +1,4 @@
-"""Candidates for the end of an unfinished `edulaunch`, `edugrade` or `ros2` command line."""
+"""Completion candidates for an unfinished `edulaunch`, `edugrade` or `ros2` command line."""
 
 from __future__ import annotations
 
@@ -33,10 +33,11 @@ Run = Callable[[str], Sequence[str]]
 
 
 def candidates(line: str, *, break_words: bool) -> list[str]:
-    """Return the words that fit in place of the last one, in alphabetical order.
+    """Return the candidates that can replace the last word of a line, in alphabetical order.
 
     :param line: the command line up to the cursor.
-    :param break_words: the shell splits words at `:` and `=`, as bash does; return only the part after the last split.
+    :param break_words: whether the shell splits words at `:` and `=`, as bash does. If True, return only the part after the last
+        split of each candidate.
     """
     words = _split(line)
     typed = words.pop()
@@ -54,7 +55,7 @@ def candidates(line: str, *, break_words: bool) -> list[str]:
 
 
 def _split(line: str) -> list[str]:
-    """Return the words of the line; the last one may be empty."""
+    """Return the words of the line. The last word is empty if the line ends with a space."""
     try:
         words = shlex.split(line)
     except ValueError:
@@ -67,10 +68,12 @@ def _split(line: str) -> list[str]:
 def ros2_words(
     words: Sequence[str], typed: str, index: Callable[[], Index] | None = None, run: Callable[[str], Sequence[str]] | None = None
 ) -> Iterable[str]:
-    """Return the words that fit at the end of `ros2 WORDS...`; only `launch` is completed as in `edulaunch launch`.
+    """Return the words that can follow in `ros2 WORDS...`. `ros2 launch` is completed in the same way as `edulaunch launch`.
 
-    :param index: finds packages (default: the packages of this terminal and folder).
-    :param run: returns the lines that a command prints (default: on the running machine).
+    :param words: the complete words after `ros2`.
+    :param typed: the beginning of the word that the user is typing.
+    :param index: a function that returns the package index (default: the packages of this terminal and folder).
+    :param run: a function that returns the lines that a command prints (default: run the command on the running machine).
     """
 
     if words[:1] == ['launch'] and not typed.startswith('-'):
@@ -107,7 +110,7 @@ def _possible(words: Sequence[str], typed: str, index: Callable[[], Index] | Non
 
 
 def _grading_words(words: Sequence[str], typed: str) -> Iterable[str]:
-    """Return verbs, options, their values and paths for `edugrade WORDS...`; nothing if the grader is not installed."""
+    """Return the verbs, options, option values and paths for `edugrade WORDS...`. Return an empty list without the grader."""
     from edulaunch.runtime import plugins
 
     verbs = plugins.grading_verbs()
@@ -126,7 +129,7 @@ def _grading_words(words: Sequence[str], typed: str) -> Iterable[str]:
 
 
 def _add_plugin_options(command: str, parser: argparse.ArgumentParser, words: Sequence[str], typed: str) -> None:
-    """Add the options of plug-ins if the line has an option."""
+    """Add the options of plug-ins to the parser if the command line contains an option that needs them."""
     with suppress(UnusableInput):  # the option belongs to a plug-in that is not installed
         add_plugin_options(command, parser, [*words, *(HELP[:1] if typed.startswith('-') else ())])
 
@@ -138,12 +141,15 @@ def _option_values(option: Any, typed: str) -> Iterable[str]:
 
 
 def _choices(parser: argparse.ArgumentParser) -> list[str]:
-    """Return the words that a positional argument allows."""
+    """Return the values that the positional arguments of a parser accept."""
     return [str(word) for action in arguments_of(parser) if not action.option_strings for word in action.choices or ()]
 
 
 def _launch_words(words: Sequence[str], options: dict[str, Any], typed: str, found: Callable[[], Index] | None) -> Iterable[str]:
-    """Return packages and launch files; after a package, return its launch files, and after those the launch arguments."""
+    """Return the candidates for the next positional word of a `launch` command.
+
+    The first word is a package or a launch file. After a package comes one of its launch files, and then come launch arguments.
+    """
     positional, workspaces = [], []
     rest = iter(words[1:])
     for word in rest:
@@ -169,7 +175,7 @@ def _launch_words(words: Sequence[str], options: dict[str, Any], typed: str, fou
 
 
 def _arguments(index: Index, first: str, file: str | None, typed: str) -> list[str]:
-    """Return `name:=` for each launch argument; after `name:=`, return the choices of that argument."""
+    """Return `name:=` for each launch argument. If the user has typed `name:=`, return the choices of that argument."""
     from edulaunch.ros.sourcing import source
 
     source()
@@ -209,10 +215,12 @@ def _paths(typed: str, suffixes: tuple[str, ...] = ()) -> list[str]:
 
 
 def ros2_candidates(words: Sequence[str], typed: str, index: Callable[[], Index], run: Run | None = None) -> Iterable[str]:
-    """Return the words that fit at the end of `ros2 WORDS...`.
+    """Return the words that can follow in `ros2 WORDS...`.
 
-    :param index: finds the packages of this terminal and folder.
-    :param run: returns the lines that a `ros2` command prints (default: on the running machine, if one runs).
+    :param words: the complete words after `ros2`.
+    :param typed: the beginning of the word that the user is typing.
+    :param index: a function that returns the index of the packages of this terminal and folder.
+    :param run: a function that returns the lines that a `ros2` command prints (default: run it on the running machine).
     """
     from edulaunch.desk.cli.ros2.commands import COMMANDS
 
@@ -243,7 +251,7 @@ def _ros2_parser(command: str, verb: str) -> argparse.ArgumentParser:
 
 
 def _place(parser: argparse.ArgumentParser, words: Sequence[str]) -> argparse.Action | None:
-    """Return the argument that comes next: the value of the last option, or the next positional argument."""
+    """Return the argparse action of the next word: the last option if it still needs a value, or the next positional argument."""
     places = [action for action in arguments_of(parser) if not action.option_strings]
     options, position, wanted = options_of(parser), 0, None
     for word in words:
@@ -281,7 +289,10 @@ def _files() -> list[str]:
 
 
 def on_machine(line: str) -> list[str]:
-    """Return the lines that a command prints on the running machine; none if no machine runs or it is too busy."""
+    """Return the lines that a command prints on the running machine.
+
+    Return no lines if no machine runs, if the command fails, or if it does not end in time.
+    """
     import subprocess
 
     words = [

@@ -10,13 +10,13 @@ SCRIPTS = {shell: (SHELLS / f'completion.{shell}').read_text('utf-8') for shell 
 
 
 def completion_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the shell, and the option that the script uses."""
+    """Add the argument for the shell, and the option that the completion script uses."""
     parser.add_argument('shell', choices=sorted(SCRIPTS), help='print the script for this shell')
     parser.add_argument('--line', metavar='TEXT', help='print the candidates for the end of this line (for the script)')
 
 
 def completion_verb(arguments: argparse.Namespace) -> int:
-    """Print the script, or one candidate per line."""
+    """Print the completion script. With `--line`, print one candidate per line instead."""
     if arguments.line is None:
         print(SCRIPTS[arguments.shell], end='')
         return 0

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 SECONDS = 20.0
 ELSEWHERE = 'launch.needs-elsewhere'
-"""A rule about a launch file that needs a package or module of others. For a folder, one line says so."""
+"""A rule about a launch file that needs a missing package or module. For a folder, the doctor prints one line about it."""
 NOT_PYTHON = 'packages.not-python'
 """A rule that is less specific than the findings of a dry run at the same place."""
 OF_FOLDER_S = 8.0
@@ -41,7 +41,7 @@ ENDINGS = ('.launch.py', '.launch.xml', '.launch.yaml', '.launch.yml', '_launch.
 
 
 def doctor_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the objects to examine, and the form of the report."""
+    """Add the argument for the file, folder, package or recording to examine, and the options of the report."""
     parser.add_argument(
         'target',
         metavar='FILE | FOLDER | RECORDING | PACKAGE',
@@ -69,7 +69,10 @@ def doctor_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def doctor_verb(arguments: argparse.Namespace) -> int:
-    """Report mistakes. Return 0 without mistakes (a note is not a mistake), 1 with mistakes, 2 if there is nothing to examine."""
+    """Report mistakes. Return 0 without mistakes, 1 with mistakes, and 2 if there is nothing to examine.
+
+    Notes are not mistakes, so they do not change the exit code.
+    """
     notes: list[str] = []
     findings, reader = _findings(arguments, notes), reader_here()
     if arguments.fix:
@@ -98,7 +101,7 @@ def _findings(arguments: argparse.Namespace, notes: list[str]) -> list[Finding]:
 
 
 def _named(arguments: argparse.Namespace) -> str:
-    """Return the file or folder that the command names; `--fix` changes nothing outside it.
+    """Return the path of the file or folder that the command names. `--fix` changes nothing outside this path.
 
     :raises UnusableInput: for a recording, and for a package or file that does not belong to the user.
     """
@@ -124,7 +127,7 @@ def _is_recording(path: str) -> bool:
 
 
 def _of_launch(target: str, arguments: argparse.Namespace, notes: list[str]) -> list[Finding]:
-    """Examine the launch file in a dry run and, if that reaches the end, in a run."""
+    """Examine the launch file in a dry run. If the dry run reaches the end, run the launch file and examine that run, too."""
     first, file, given = split_words(target, arguments.rest)
     workspaces = workspaces_of_command(arguments.workspace, first)
     with Session(workspaces=workspaces, near=folder_of(first)) as session:
@@ -140,7 +143,7 @@ def _of_launch(target: str, arguments: argparse.Namespace, notes: list[str]) -> 
 
 
 def _in_sources(session: Session, findings: list[Finding]) -> list[Finding]:
-    """Return findings that name the student's own files, not the links of a generated prefix."""
+    """Return the findings with the paths of the student's own files instead of the links in a generated prefix."""
     source_path = session.index.source_path
     return [one if one.file is None else one._replace(file=source_path(one.file)) for one in findings]
 
@@ -152,9 +155,9 @@ def _rehearsed(session: Session, path: str, given: dict[str, str]) -> Rehearsal:
 
 
 def _of_folder(folder: str, arguments: argparse.Namespace, notes: list[str]) -> list[Finding]:
-    """Examine the sources of the package. For a short time, run each launch file that needs no arguments.
+    """Examine the sources of the packages in a folder, and briefly run each launch file that needs no arguments.
 
-    :param notes: receives one line for all launch files that ran, and one line with the reason for each other file.
+    :param notes: receives one line about all launch files that ran, and for each other launch file a line with the reason.
     """
     findings, ran = judge_sources(folder), []
     files = _launch_files(folder)
@@ -180,7 +183,7 @@ def _of_folder(folder: str, arguments: argparse.Namespace, notes: list[str]) -> 
 
 
 def _of_one(folder: str, path: str, arguments: argparse.Namespace) -> tuple[list[Finding], str | None]:
-    """Return the findings of one launch file of a folder, and why it did not run (None if it ran)."""
+    """Return the findings of one launch file of a folder, and the reason why it did not run (None if it ran)."""
     workspaces = arguments.workspace or _workspaces_of(folder, path)
     with Session(workspaces=workspaces, near=folder_of(path)) as session:
         rehearsal = _rehearsed(session, path, {})
@@ -199,7 +202,7 @@ def _of_one(folder: str, path: str, arguments: argparse.Namespace) -> tuple[list
 
 
 def _needed(facts: dict[str, Any]) -> str:
-    """Return the reason why a launch file that needs something of others did not run."""
+    """Return why a launch file did not run: the package, module or program that it needs and that is not here."""
     if facts.get('package'):
         return f'package {facts["package"]} is not installed'
     if facts.get('module'):
@@ -208,14 +211,14 @@ def _needed(facts: dict[str, Any]) -> str:
 
 
 def _workspaces_of(folder: str, path: str) -> list[str]:
-    """Return the workspaces of a launch file, and the folder itself unless it is in one of them."""
+    """Return the workspaces of a launch file. Add the folder itself if none of these workspaces contains it."""
     found = workspaces_of_command([], path)
     here = os.path.join(os.path.realpath(folder), '')
     return found if any(here.startswith(os.path.join(os.path.realpath(one), '')) for one in found) else [*found, folder]
 
 
 def _launch_files(folder: str) -> list[str]:
-    """Return the launch files below a folder by name, without built copies and tests."""
+    """Return the launch files below a folder, sorted by name in each folder. Skip build folders, tests and hidden folders."""
     found: list[str] = []
     for place, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders if name not in PASSED_OVER and not name.startswith('.'))
@@ -226,7 +229,7 @@ def _launch_files(folder: str) -> list[str]:
 def _folder_of(package: str, share: str | None) -> str:
     """Return the folder with the sources of a package.
 
-    :raises UnusableInput: when only the built package is here.
+    :raises UnusableInput: when only the installed package is available, without its sources.
     """
     manifest = os.path.join(share or '', 'package.xml')
     folder = os.path.dirname(os.path.realpath(manifest))

@@ -1,6 +1,6 @@
-"""`edulaunch env` prints the folder of ROS's import packages; `--install` and `--shell` make shells find them.
+"""`edulaunch env` prints the folder of ROS's import packages. With `--install` or `--shell`, it makes shells find them.
 
-`edulaunch python node.py` runs Python with these packages and the packages of the workspaces here.
+`edulaunch python node.py` runs Python with these packages and with the packages of the current workspaces.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from edulaunch.engine.underlay_place import underlay_prefix, underlay_python
 
 
 def env_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the options that choose what to print."""
+    """Add the options that choose what the command prints."""
     parser.add_argument(
         '--install',
         action='store_true',
@@ -32,7 +32,10 @@ def env_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def env_verb(arguments: argparse.Namespace) -> int:
-    """Print the folder with `rclpy`, `launch` ... for the settings of editors and type checkers, or print lines for a shell."""
+    """Print the folder that contains `rclpy`, `launch` and so on, for editors and type checkers.
+
+    With `--shell`, print shell code.
+    """
     if arguments.answer is not None:
         return _answer(arguments.answer)
     if arguments.install:
@@ -60,7 +63,7 @@ def _install() -> int:
 
 
 def _answer(words: list[str]) -> int:
-    """Explain a line that sets up a computer for ROS 2, or show where a window's picture is; return 1 for any other line."""
+    """Explain a set-up command for ROS 2, or show where the picture of a window is. Return 1 for any other command."""
     from edulaunch.advice.workspace.not_needed import WINDOWS, answer
 
     printed = answer(words)
@@ -74,7 +77,7 @@ def _answer(words: list[str]) -> int:
 
 
 def sourced_environment(env: Mapping[str, str]) -> dict[str, str]:
-    """Return the variables with which Python finds `rclpy` and the packages of the workspaces here."""
+    """Return the environment variables that make Python find `rclpy` and the packages of the current workspaces."""
     workspaces = find_workspaces(os.getcwd(), env)
     first = {
         'PATH': [os.path.dirname(sys.executable)],
@@ -92,12 +95,12 @@ def sourced_environment(env: Mapping[str, str]) -> dict[str, str]:
 
 
 def python_arguments(parser: argparse.ArgumentParser) -> None:
-    """Accept all arguments of Python."""
+    """Accept all command-line arguments of Python."""
     parser.add_argument('rest', nargs=argparse.REMAINDER, metavar='WORD', help='the arguments of python3')
 
 
 def python_verb(arguments: argparse.Namespace) -> int:
-    """Run Python and return its exit code."""
+    """Replace this process by Python with the environment of ROS. On Windows, run Python and return its exit code."""
     env = {**os.environ, **sourced_environment(os.environ)}
     words = [sys.executable, *arguments.rest]
     if os.name != 'nt':

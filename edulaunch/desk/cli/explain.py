@@ -1,6 +1,6 @@
 """`edulaunch explain`: show what a launch file would start and where each value comes from, or explain a rule of advice.
 
-It starts nothing. `edulaunch plan --json` prints the plan of a launch file for other programs.
+The command starts no program. `edulaunch plan --json` prints the plan of a launch file for other programs.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ EXAMPLES = """examples:
 
 
 def explain_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the launch file, as for `edulaunch launch`, and the part of it to show."""
+    """Add the arguments for the launch file, and for the node, parameter or launch argument to explain."""
     parser.epilog = EXAMPLES
     parser.add_argument('package_or_path', metavar='PACKAGE | PATH | RULE', help='package of the launch file, or its path')
     parser.add_argument(
@@ -57,7 +57,7 @@ def explain_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def explain_verb(arguments: argparse.Namespace) -> int:
-    """Print the explanation. Return 0 if the launch file can be visited, 1 if it fails, 2 for invalid input."""
+    """Print the explanation. Return 0 if launch can visit the file, 1 if the launch file fails, and 2 for invalid input."""
     if is_rule(arguments.package_or_path):
         return explain_rule(arguments.package_or_path)
     gc.disable()  # collecting garbage takes longer than drawing the tree, and this process ends soon
@@ -86,9 +86,12 @@ def _earlier(arguments: argparse.Namespace) -> Recording | None:
 
 
 def write_graph(systems: list[System], path: str, services: bool = False) -> None:
-    """Write one system, or the differences of two, as a picture or page. Print the system or the differences, and the path.
+    """Write one system, or the differences of two systems, as a picture or page. Also print their text and the path.
 
-    :raises UnusableInput: for another kind of file, and when it cannot be written.
+    :param systems: one system, or the two systems to compare.
+    :param path: the path of the new file, which ends with .png or .html.
+    :param services: whether to draw services, too.
+    :raises UnusableInput: when the path has another ending, or the file cannot be written.
     """
     from edulaunch.advice.explaining.systems import differences, pictured
     from edulaunch.desk.view.compared import compared_page
@@ -118,7 +121,7 @@ def write_graph(systems: list[System], path: str, services: bool = False) -> Non
 
 
 def explained(arguments: argparse.Namespace) -> tuple[Explanation, list[str]]:
-    """Return the explanation of the launch file, of a launch argument, or of a node or its parameter."""
+    """Return the explanation of a launch file, and the words that name the node, parameter or launch argument to show."""
     first, file, words, subject = _words(arguments.package_or_path, arguments.rest)
     return _explained(first, file, words, arguments), subject
 
@@ -131,7 +134,11 @@ def _explained(first: str, file: str | None, given: dict[str, str], arguments: a
 
 
 def _words(first: str, rest: Sequence[str]) -> tuple[str, str | None, dict[str, str], list[str]]:
-    """Split the words into package or path, file, launch arguments, and the node, parameter or argument to explain."""
+    """Split the words of the command line.
+
+    :return: the package or path, the file name after a package (or None), the launch arguments, and the subject. The subject is
+        the words that name the node, parameter or launch argument to explain.
+    """
     words = [word for word in rest if ':=' in word]
     names = [word for word in rest if ':=' not in word]
     file = names.pop(0) if names and not os.path.isfile(first) and not _is_path(first) else None
@@ -188,7 +195,7 @@ def _print(tree: Tree, arguments: argparse.Namespace) -> None:
 
 
 def report(explanation: Explanation) -> int:
-    """Print the missing packages and the error on standard error; return the exit code."""
+    """Print missing packages and the error of the launch file on standard error. Return the exit code."""
     packages, others = explanation.missing
     if packages:
         print(f'missing packages, replaced by empty ones: {", ".join(packages)}', file=sys.stderr)
@@ -206,12 +213,12 @@ def report(explanation: Explanation) -> int:
 
 
 def plan_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the arguments of `edulaunch explain`."""
+    """Add the same arguments as for `edulaunch explain`."""
     explain_arguments(parser)
 
 
 def plan_verb(arguments: argparse.Namespace) -> int:
-    """With --json, print the plan in plan format 1; otherwise, do the same as `edulaunch explain`."""
+    """With `--json`, print the plan in plan format 1. Otherwise, do the same as `edulaunch explain`."""
     if not arguments.json or arguments.diff:
         print('`edulaunch plan` is now `edulaunch explain`; only `plan --json` keeps its name', file=sys.stderr)
         return explain_verb(arguments)

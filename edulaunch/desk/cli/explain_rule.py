@@ -17,7 +17,7 @@ from edulaunch.errors import UnusableInput
 _RULE = re.compile(rf'({"|".join(GROUPS)})\.[a-z][a-z0-9-]*')
 _FACT = re.compile(r'\{(\w+)\}')
 EXAMPLES = os.path.join(os.path.dirname(rule_module.__file__), 'examples.json')
-"""For each rule, the example of `tests/advice/examples`: the difference to the healthy file, and the report."""
+"""For each rule, the example of `tests/advice/examples`: the difference from the correct file, and the report."""
 
 
 def is_rule(word: str) -> bool:
@@ -26,9 +26,10 @@ def is_rule(word: str) -> bool:
 
 
 def explain_rule(name: str) -> int:
-    """Print what a rule reports, why that matters, what to do, and an example with its fix.
+    """Print what a rule reports, why that matters, what to do, and an example with its fix. Return the exit code 0.
 
-    :raises UnusableInput: for an unknown rule; the message names the nearest one.
+    :param name: the name of the rule, such as 'programs.after-shutdown'.
+    :raises UnusableInput: for an unknown rule. The message suggests the most similar rule or the rules of the same group.
     """
     rules = all_rules()
     if name not in rules:
@@ -58,7 +59,7 @@ def _lines(rule: Rule, reader: Reader) -> Iterator[str]:
 
 
 def readable(template: str) -> str:
-    """Return a template of a rule in readable form: each fact is written as <fact>."""
+    """Return the template of a rule's message in readable form. Each fact appears as <fact>."""
     return _FACT.sub(r'<\1>', template).replace('{{', '{').replace('}}', '}')
 
 

@@ -1,6 +1,6 @@
-"""`edulaunch doctor --fix`: show the edits of the findings as a diff, and make them if the user agrees.
+"""`edulaunch doctor --fix`: show the edits of the findings as a diff, and apply them if the user agrees.
 
-It changes only files that the command names. It writes each file completely or not at all.
+The command changes only files that the user names. It writes each file completely or not at all.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ PASSED_OVER = frozenset(('build', 'install', 'log', 'node_modules', '__pycache__
 
 
 class Change(NamedTuple):
-    """A file with its current and its new content."""
+    """The path of a file, with its current and its new content as bytes."""
 
     path: str
     before: bytes
     after: bytes
 
     def difference(self) -> Iterator[str]:
-        """Return the lines of a unified diff."""
+        """Yield the lines of the change as a unified diff."""
         name = os.path.relpath(self.path)
         old, new = (content.decode().splitlines(keepends=True) for content in (self.before, self.after))
         for line in difflib.unified_diff(old, new, name, name):
@@ -39,9 +39,10 @@ class Change(NamedTuple):
 
 
 def changes_for(target: str, findings: Sequence[Finding]) -> list[Change]:
-    """Return the changes that fix the findings in a file or below a folder, in the order of their paths.
+    """Return the changes that fix the findings, one for each file that changes, in the order of their paths.
 
-    :param findings: the findings of the doctor; the files are also checked in the way an editor checks them.
+    :param target: the file or folder to change.
+    :param findings: the findings of the doctor. In addition, the files are checked as in an editor.
     """
     changes = []
     for path in named_files(target):
@@ -58,7 +59,7 @@ def changes_for(target: str, findings: Sequence[Finding]) -> list[Change]:
 
 
 def named_files(target: str) -> list[str]:
-    """Return the file, or the files below the folder that the doctor can change; skip links that lead out of the folder."""
+    """Return the paths that the doctor may change: the file itself, or the files below a folder. Skip symbolic links."""
     root = os.path.realpath(target)
     if os.path.isfile(root):
         return [root]
@@ -70,7 +71,7 @@ def named_files(target: str) -> list[str]:
 
 
 def cured(path: str, text: str, findings: Sequence[Finding]) -> str:
-    """Return the content of a file after all edits that are certain."""
+    """Return the new content of a file, after all edits that certainly fix a finding."""
     for finding in findings:
         form = written(finding) if finding.rule else None
         if form is not None and _file_of(finding, form[2]) == path:
@@ -88,7 +89,7 @@ def cured(path: str, text: str, findings: Sequence[Finding]) -> str:
 
 
 def _file_of(finding: Finding, place: str) -> str | None:
-    """Return the file that the edit of a finding changes."""
+    """Return the path of the file that the edit of a finding changes, or None if the finding has no file."""
     if finding.file is None:
         return None
     path = os.path.realpath(finding.file)
@@ -99,9 +100,9 @@ def _file_of(finding: Finding, place: str) -> str | None:
 
 
 def fix(changes: Sequence[Change], agreed: bool) -> int:
-    """Show the changes and make them. Return the exit code: 0 if they were made, 1 if not.
+    """Show the changes, ask the user, and write the files. Return 0 if all files were written, otherwise 1.
 
-    :param agreed: the user has agreed with --yes.
+    :param agreed: whether the user has already agreed with `--yes`.
     """
     for change in changes:
         print('\n'.join(change.difference()))
@@ -131,7 +132,7 @@ def _asked(count: int) -> bool:
 
 
 def _made(change: Change) -> str:
-    """Write one file; return why that failed, or an empty string."""
+    """Write one file. Return the reason if that failed, otherwise an empty string."""
     try:
         with open(change.path, 'rb') as file:
             if file.read() != change.before:

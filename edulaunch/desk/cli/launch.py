@@ -1,4 +1,4 @@
-"""`edulaunch launch`: run a launch file in the simulation, with the console of `ros2 launch`."""
+"""`edulaunch launch`: run a launch file in the simulation, with the console output of `ros2 launch`."""
 
 from __future__ import annotations
 
@@ -77,7 +77,10 @@ def _seconds(text: str) -> float:
 
 
 def launch_verb(arguments: argparse.Namespace) -> int:
-    """Run the launch file. Return 0 if launch ended well (even if a node died, as in ROS 2), 1 if not, 2 for invalid input."""
+    """Run the launch file. Return 0 if launch succeeded, 1 if it failed, and 2 for invalid input.
+
+    As in ROS 2, launch succeeds even if a node dies.
+    """
     package_or_path, file, given = split_words(arguments.package_or_path, arguments.rest)
     for folder in arguments.workspace:
         if not os.path.isdir(folder):
@@ -122,7 +125,7 @@ def launch_verb(arguments: argparse.Namespace) -> int:
 
 
 def _clock(arguments: argparse.Namespace, session: Session) -> Callable[[], float]:
-    """Return the real clock. With --step, it does not count the time at the prompt."""
+    """Return the clock for pacing. With `--step`, this clock does not count the time at the prompt."""
     if not arguments.step:
         return time.monotonic
     steps = TerminalSteps(session)
@@ -131,7 +134,7 @@ def _clock(arguments: argparse.Namespace, session: Session) -> Callable[[], floa
 
 
 def _run(terminal: InterruptHandler, session: Session, ending: Ending, arguments: argparse.Namespace) -> BaseException | None:
-    """Run to the end. Return the exception that ended the run early, if any."""
+    """Run the session to its end. Return the exception that ended the run early, or None."""
     reserve, error = Reserve(), None
 
     def save() -> None:
@@ -153,14 +156,14 @@ def _run(terminal: InterruptHandler, session: Session, ending: Ending, arguments
 
 
 def _advice(recording: Recording, session: Session, launch: LaunchRun) -> list[str]:
-    """Return the advice on a run."""
+    """Return the lines of advice about a run."""
     helped = session.host.hints.helped(launch.process.pid)
     shown_by = shlex.join(['edulaunch', 'doctor', launch.path])
     return advice_or_why_not(lambda: end_of_run_lines(recording, helped=helped, shown_by=shown_by))
 
 
 def _print_end(arguments: argparse.Namespace, session: Session, recording: Recording, path: str) -> None:
-    """Print warnings about the command, and the files that it has written."""
+    """Print warnings about the command, and the paths of the files that the command has written."""
     for warning in session.index.warnings:
         print(f'warning: {warning}', file=sys.stderr)
     for name in session.host.unread_stdin:
@@ -176,7 +179,7 @@ def _print_end(arguments: argparse.Namespace, session: Session, recording: Recor
 
 
 def _session_class(arguments: argparse.Namespace) -> type[Session]:
-    """Return the class of session: that of the simulation, unless the options of a plug-in choose another one.
+    """Return the session class of a plug-in whose option is on the command line, or `Session`.
 
     :raises UnusableInput: when the plug-in cannot run this command.
     """
@@ -198,9 +201,11 @@ def _stdin(word: str) -> tuple[str, str | TextIO]:
 
 
 def _look(session: Session, path: str, show_args: bool) -> int:
-    """Print the arguments or the description of a launch file.
+    """Print the launch arguments or the description of a launch file. Return the exit code.
 
-    :raises LaunchFileError: when it cannot be loaded.
+    :param path: the path of the launch file.
+    :param show_args: whether to print the launch arguments; otherwise, print the description.
+    :raises LaunchFileError: when the launch file cannot be loaded.
     """
     from ros2launch.api import print_a_launch_file, print_arguments_of_launch_file
 
@@ -216,8 +221,11 @@ def _look(session: Session, path: str, show_args: bool) -> int:
 
 
 def split_words(first: str, rest: list[str]) -> tuple[str, str | None, dict[str, str]]:
-    """Split the words as `ros2 launch` does: a path takes only arguments, a package first takes a file name.
+    """Split the words of a command line as `ros2 launch` does.
 
+    After a path, all words are launch arguments. After a package, the first word is the name of a launch file.
+
+    :return: the package or path, the file name (or None), and the values of the launch arguments by name.
     :raises UnusableInput: for an argument that is not `name:=value`, with the message of ROS 2.
     """
     file = None
@@ -233,10 +241,10 @@ def _print(stream: str, text: str) -> None:
 
 
 class InterruptHandler:
-    """Handles Ctrl-C for a running session. The first press shuts the system down as ROS 2 does, and later presses force it.
+    """Handles Ctrl-C for a running session. The first press shuts the launch down as in ROS 2; later presses force that.
 
     A press only sets a flag, which the session reads between two steps of the simulation. If the flag of the previous press is
-    still set, some program does not yield, so the interrupt is raised immediately.
+    still set, some program does not yield. The next press then raises KeyboardInterrupt immediately.
     """
 
     def __init__(
@@ -251,8 +259,9 @@ class InterruptHandler:
         self._watched = WatchedSignals()
 
     def run(self, speed: float, end_by: str = 'SIGKILL') -> None:
-        """Run until launch has ended; press Ctrl-C after `seconds`.
+        """Run the session until launch ends. If the handler has a duration, interrupt launch after that simulated time.
 
+        :param speed: simulated seconds per real second.
         :param end_by: see :func:`watched_signals`.
         """
         sim = self._session.sim

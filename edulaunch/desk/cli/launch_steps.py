@@ -1,5 +1,7 @@
-"""`edulaunch launch --step`: step through a launch in a terminal. Launch stops before each action or event, and shows a
-prompt."""
+"""`edulaunch launch --step`: step through a launch in a terminal.
+
+Launch stops before each action or event, and the command shows a prompt.
+"""
 
 from __future__ import annotations
 
@@ -31,9 +33,9 @@ FIRST = 'press Enter for the next action, or ? for all answers; after the last a
 
 
 class TerminalSteps:
-    """Shows a prompt at each stop.
+    """Shows a prompt each time the launch stops.
 
-    :ivar waited_s: real seconds that the prompt has waited; simulated time does not pass while it waits.
+    :ivar waited_s: the real time in seconds that the prompt has waited. Simulated time does not advance while it waits.
     """
 
     def __init__(self, session: Session) -> None:
@@ -44,11 +46,11 @@ class TerminalSteps:
         self._in, self._out = sys.stdin, sys.stdout  # at a prompt, launch's process has its own streams
 
     def clock(self) -> float:
-        """Return the real time without the time at the prompt."""
+        """Return the real time in seconds, without the time that the prompt has waited."""
         return time.monotonic() - self.waited_s
 
     def begin(self) -> None:
-        """Stop each new launch before its first action."""
+        """Make each new launch stop before its first action."""
         make = self._session.host.make_launch_observer
         assert make is not None
 
@@ -61,9 +63,9 @@ class TerminalSteps:
         self._session.host.make_launch_observer = stepped
 
     def _stop(self, step: Any) -> None:
-        """Show prompts until an answer continues the launch.
+        """Show prompts until the student's answer continues the launch.
 
-        The call happens during launch's turn, so simulated time does not advance.
+        Launch makes this call while its own task runs, so simulated time does not advance.
         """
         began = time.monotonic()
         before = signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -99,7 +101,7 @@ class TerminalSteps:
                 _LOOKS.get(word, TerminalSteps._help)(self, shown)
 
     def _line(self) -> str:
-        """Return the line that the student types: 'q' for Ctrl-C, 'g' at the end of the input."""
+        """Return the line that the student types. Return 'q' for Ctrl-C and 'g' at the end of the input."""
         self._out.write(PROMPT)
         self._out.flush()
         try:
@@ -136,7 +138,7 @@ class TerminalSteps:
         self._say(f'{sign} {seconds:.3f} s  {_where(row)}{row["text"]}' + ('' if step is here else f'  [{row["state"]}]'))
 
     def _context(self, step: Any) -> None:
-        """Show the launch configurations and the environment before a step."""
+        """Show the launch configurations and the environment variables before a step."""
         configurations, environment = self._trace.context_before(step)
         for name, value in configurations.items():
             self._say(f'  {_NAMES.get(name, name)}: {_shown(value)}')
@@ -146,7 +148,7 @@ class TerminalSteps:
             self._say('  no launch configuration is set')
 
     def _list(self, step: Any) -> None:
-        """Show all known actions with their state."""
+        """Show all known actions with their states."""
         for child in self._trace.outline.children:
             self._tell(child, step, 0)
 

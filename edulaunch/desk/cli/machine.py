@@ -1,4 +1,4 @@
-"""`edulaunch machine` controls the machine that the terminals of this user and domain share; `edulaunch view` shows it.
+"""`edulaunch machine` controls the machine that all terminals of this user and domain share. `edulaunch view` shows it.
 
 The live view in a browser replaces turtlesim's window, rviz2 and the rqt tools.
 """
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def machine_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the command for the machine, such as `status` or `stop`."""
+    """Add the argument for the command, such as `status` or `stop`, and for its value."""
     commands = ('status', 'pause', 'resume', 'speed', 'stop')
     about = f'one of {", ".join(commands)} (default: status)'
     parser.add_argument('word', metavar='COMMAND', choices=commands, nargs='?', default='status', help=about)
@@ -24,7 +24,7 @@ def machine_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def machine_verb(arguments: argparse.Namespace) -> int:
-    """Send the command to the machine; return 1 if no machine runs."""
+    """Send the command to the machine. Return the exit code, which is 1 if no machine runs."""
     from edulaunch.desk.machine.client import run
 
     words = ['machine', arguments.word] + ([arguments.value] if arguments.value else [])
@@ -32,7 +32,7 @@ def machine_verb(arguments: argparse.Namespace) -> int:
 
 
 def view_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the arguments of the verb."""
+    """Add the options of `edulaunch view`."""
     from edulaunch.desk.view import TABS
 
     parser.add_argument('--tab', choices=TABS, default='graph', help='the first tab on the right side')
@@ -42,7 +42,7 @@ def view_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def view_verb(arguments: argparse.Namespace) -> int:
-    """Serve the page until Ctrl-C. Return the exit code.
+    """Serve the page of the live view until Ctrl-C. Return the exit code.
 
     :raises UnusableInput: when the port is in use, or no machine can start.
     """
@@ -82,9 +82,10 @@ def view_verb(arguments: argparse.Namespace) -> int:
 
 
 def connected(*words: str) -> tuple[socket.socket, bytes]:
-    """Return a new connection to the machine, which starts if necessary, and the first frame to send on it.
+    """Connect to the machine, and start it if necessary. Return the connection and the first frame to send on it.
 
-    :param words: the purpose: 'view', or 'serve' and the name of a plug-in's service.
+    :param words: the purpose of the connection: 'view', or 'serve' and the name of a plug-in's service.
+    :raises OSError: when the machine does not answer.
     """
     from edulaunch.desk.machine.client import hello
     from edulaunch.desk.machine.place import domain

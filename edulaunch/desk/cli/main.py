@@ -1,4 +1,4 @@
-"""`edulaunch`: read the verb, load only the file of that verb, and turn errors into a message and an exit code."""
+"""The command `edulaunch`: read the verb, load only the file of that verb, and convert errors to a message and an exit code."""
 
 from __future__ import annotations
 
@@ -54,7 +54,10 @@ NEXT_STEPS = """What would you like to do next?
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run the command. Return the exit code."""
+    """Run the command `edulaunch`. Return the exit code.
+
+    :param argv: the words after `edulaunch` (default: those of `sys.argv`).
+    """
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, 'reconfigure'):
             stream.reconfigure(errors='backslashreplace')  # the output of programs may not fit the terminal's encoding
@@ -105,14 +108,14 @@ def _unusable(error: UnusableInput) -> int:
 
 
 def all_verbs() -> dict[str, str]:
-    """Return all verbs, built-in and of plug-ins, in alphabetical order, each with its line in the help."""
+    """Return the line of help of each verb, with the verbs in alphabetical order. The verbs of plug-ins are included."""
     from edulaunch.runtime import plugins
 
     return dict(sorted({**{word: verb.about for word, verb in plugins.verbs().items()}, **VERBS}.items()))
 
 
 def load(verb: str) -> tuple[Callable[[argparse.ArgumentParser], None], Callable[[argparse.Namespace], int]]:
-    """Return the functions `VERB_arguments` and `VERB_verb` of the verb's file.
+    """Return the functions `VERB_arguments` and `VERB_verb` from the file of a verb.
 
     :raises KeyError: for an unknown verb.
     """
@@ -127,17 +130,17 @@ def load(verb: str) -> tuple[Callable[[argparse.ArgumentParser], None], Callable
 
 
 class _Parser(argparse.ArgumentParser):
-    """A parser that names the nearest valid word for an unknown one."""
+    """A parser that suggests the most similar valid word for an unknown word."""
 
     def error(self, message: str) -> NoReturn:
-        """Print usage and message on standard error, and exit with code 2."""
+        """Print the usage and the message on standard error, and exit with code 2."""
         match = re.search(r"invalid choice: '(.*)' \(choose from (.*)\)", message)
         near = did_you_mean(match[1], re.findall(r'[\w-]+', match[2])) if match else None
         super().error(f'{message}\n  help: {near}' if near else message)
 
 
 def _unrecognized(words: Sequence[str], verb: str) -> str:
-    """Return argparse's message for unknown options, with the nearest known option."""
+    """Return argparse's message for unknown options, with the most similar known option."""
     sub = argparse.ArgumentParser(prog=verb)
     load(verb)[0](sub)
     wrong = next(word for word in words if word.startswith('-')) if any(word.startswith('-') for word in words) else words[0]
@@ -146,9 +149,9 @@ def _unrecognized(words: Sequence[str], verb: str) -> str:
 
 
 def _parser(words: Sequence[str]) -> argparse.ArgumentParser:
-    """Return the parser. Only the chosen verb has its arguments, so that the files of the other verbs are not loaded.
+    """Return the parser. Only the chosen verb has its arguments, so that no file of another verb is loaded.
 
-    :raises UnusableInput: for a verb of a plug-in of edulaunch that is not installed.
+    :raises UnusableInput: for a verb of one of edulaunch's own plug-ins that is not installed.
     """
     wanted = words[0] if words else None
     known = VERBS if wanted in VERBS else all_verbs()

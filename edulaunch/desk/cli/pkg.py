@@ -1,4 +1,4 @@
-"""`edulaunch pkg create` creates a package as `ros2 pkg create` does; `edulaunch pkg check` finds common mistakes."""
+"""`edulaunch pkg create` creates a package as `ros2 pkg create` does. `edulaunch pkg check` finds common mistakes."""
 
 from __future__ import annotations
 
@@ -40,12 +40,12 @@ def add_create_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def pkg_verb(arguments: argparse.Namespace) -> int:
-    """Create or check packages. Return 0, or 1 if there are findings or the package could not be created."""
+    """Create a package or check packages. Return 1 if there are findings or the package could not be created, otherwise 0."""
     return create(arguments) if arguments.what == 'create' else check(arguments.path)
 
 
 def create(arguments: argparse.Namespace) -> int:
-    """Create a package, and print what is created."""
+    """Create a package, and print the names of the created files. Return the exit code."""
     from edulaunch.advice.workspace.new_package import create_package
 
     try:
@@ -60,7 +60,7 @@ def create(arguments: argparse.Namespace) -> int:
 
 
 def is_in_course(folder: str) -> bool:
-    """Return whether a folder is in a course, whose packages are in Python."""
+    """Return whether a folder belongs to a copy of the course. All packages of the course are Python packages."""
     here = os.path.abspath(folder)
     while True:
         if any(os.path.isfile(os.path.join(here, *place)) for place in (('course.toml',), ('exercises', 'course.toml'))):
@@ -71,7 +71,11 @@ def is_in_course(folder: str) -> bool:
 
 
 def described_package(arguments: argparse.Namespace, name: str, email: str) -> NewPackage:
-    """Return the package that the options describe; `name` and `email` are the default maintainer."""
+    """Return the package that the options describe.
+
+    :param name: the name of the maintainer, if no option sets it.
+    :param email: the address of the maintainer, if no option sets it.
+    """
     from edulaunch.advice.workspace.package_files import NewPackage
 
     return NewPackage(
@@ -89,7 +93,7 @@ def described_package(arguments: argparse.Namespace, name: str, email: str) -> N
 
 
 def maintainer() -> tuple[str, str]:
-    """Return the name and address of the user from the system and git, as `ros2 pkg create` does."""
+    """Return the user's name from the operating system and the user's email address from git, as `ros2 pkg create` does."""
     import getpass
     import subprocess
 
@@ -106,7 +110,10 @@ def maintainer() -> tuple[str, str]:
 
 
 def check(path: str) -> int:
-    """Print the mistakes in the packages below `path`."""
+    """Print the mistakes in the packages below `path`. Return 1 if there are mistakes, otherwise 0.
+
+    :raises UnusableInput: when `path` is not a folder.
+    """
     from edulaunch.advice.judging import judge_workspace
     from edulaunch.advice.reader import reader_here
     from edulaunch.advice.rendering import rendered

@@ -12,11 +12,11 @@ HELP = ('-h', '--help')
 
 
 def add_plugin_options(command: str, parser: argparse.ArgumentParser, words: Sequence[str]) -> None:
-    """Add the options to a parser. Load plug-ins only if a word asks for help or is an option that the parser lacks.
+    """Add the options of plug-ins to a parser. Load plug-ins only if a word asks for help, or is an option that the parser lacks.
 
     :param command: 'launch' or 'ros2 launch'.
     :param words: the words that the parser will read.
-    :raises UnusableInput: for an option of a plug-in of edulaunch that is not installed.
+    :raises UnusableInput: for an option of one of edulaunch's own plug-ins that is not installed.
     """
     known = options_of(parser)
     asked = [word.partition('=')[0] for word in words if word.startswith('-')]
@@ -36,5 +36,5 @@ def add_plugin_options(command: str, parser: argparse.ArgumentParser, words: Seq
 
 
 def plugins_of(arguments: argparse.Namespace) -> list[Any]:
-    """Return the modules of the plug-ins whose options were added."""
+    """Return the modules of the plug-ins whose options the parser has."""
     return getattr(arguments, 'plugins', [])

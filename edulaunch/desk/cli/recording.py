@@ -1,4 +1,4 @@
-"""`edulaunch recording info|show|export|diff`: summarise, replay, draw, export or compare recordings."""
+"""`edulaunch recording info|show|export|diff`: summarise, show, export or compare recordings."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def _file_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def export_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the form and the place of the output."""
+    """Add the options for the format and the path of the output."""
     _file_arguments(parser)
     form = parser.add_mutually_exclusive_group(required=True)
     form.add_argument('--bag', metavar='FOLDER', nargs='?', const='', help='write a bag for `ros2 bag` (default: FILE_bag)')
@@ -35,10 +35,10 @@ def export_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def export(arguments: argparse.Namespace) -> int:
-    """Write the bag or the tables, and print their paths; return 0 if that succeeded.
+    """Write the bag, the MCAP file or the tables, and print the path. Return the exit code 0.
 
-    :raises UnusableInput: when the folder or file exists, or cannot be created.
-    :raises MissingExtra: for a bag without rosbags.
+    :raises UnusableInput: when the file or folder exists or cannot be created, or a topic has no messages.
+    :raises MissingExtra: for a bag, when rosbags is not installed.
     """
     source()
     recording = Recording.load(arguments.file, trusted=arguments.trusted)
@@ -66,7 +66,10 @@ def export(arguments: argparse.Namespace) -> int:
 
 
 def _write_bag(recording: Recording, folder: str, storage: str, names: list[str]) -> None:
-    """Write the messages at the times when they were published; if a topic has several types, only those of the first type."""
+    """Write a bag in which each message has the time of its publication.
+
+    If a topic has several types, write only the first type.
+    """
     from edulaunch.desk.cli.ros2.bag import require_rosbags
 
     require_rosbags()
@@ -84,7 +87,7 @@ def _write_bag(recording: Recording, folder: str, storage: str, names: list[str]
 
 
 def _write_mcap(recording: Recording, path: str, names: list[str]) -> None:
-    """Write a single MCAP file with an index. Its bytes do not depend on its name."""
+    """Write a single MCAP file with an index. The content does not depend on the name of the file."""
     from tempfile import TemporaryDirectory
 
     with TemporaryDirectory(dir=os.path.dirname(path) or '.') as place:
@@ -94,7 +97,10 @@ def _write_mcap(recording: Recording, path: str, names: list[str]) -> None:
 
 
 def _write_tables(recording: Recording, folder: str, names: list[str]) -> None:
-    """Write `turtle1.pose.csv` for the topic /turtle1/pose: seconds, and a column for each number or string of the message."""
+    """Write one table for each topic, such as `turtle1.pose.csv` for /turtle1/pose.
+
+    The columns are the time in seconds, and each number or string of the messages.
+    """
     import csv
 
     os.makedirs(folder)
@@ -108,7 +114,7 @@ def _write_tables(recording: Recording, folder: str, names: list[str]) -> None:
 
 
 def _cells(value: Any, path: str = '') -> Iterator[tuple[str, Any]]:
-    """Yield path and value of each number or string in a message, such as ('linear.x', 2.0)."""
+    """Yield the path and the value of each number or string in a message, such as ('linear.x', 2.0)."""
     fields = getattr(value, 'get_fields_and_field_types', None)
     if fields is not None:
         for name in fields():
@@ -121,7 +127,7 @@ def _cells(value: Any, path: str = '') -> Iterator[tuple[str, Any]]:
 
 
 def show_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the choice of page or picture, and its content."""
+    """Add the options that choose a page or a picture, and its content."""
     _file_arguments(parser)
     parser.add_argument(
         '--html', metavar='OUT', nargs='?', const='', help='write an HTML page that replays the run (default: FILE.html)'
@@ -135,10 +141,10 @@ def show_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def show(arguments: argparse.Namespace) -> int:
-    """Write the page or picture, and print its path; return 0 if that succeeded.
+    """Write the page or picture, and print its path. Return the exit code 0.
 
-    :raises UnusableInput: when it cannot be written.
-    :raises NothingToDraw: when the run has no such content.
+    :raises UnusableInput: when the page or picture cannot be written.
+    :raises NothingToDraw: when the recording does not contain what the picture shows.
     """
     recording = Recording.load(arguments.file, trusted=arguments.trusted)
     stem = os.path.splitext(arguments.file)[0]
@@ -159,7 +165,12 @@ def show(arguments: argparse.Namespace) -> int:
 
 
 def write_page(recording: Recording, path: str, tab: str = 'graph', other: Recording | None = None) -> str:
-    """Write the page that replays a recording in any browser, without a network; return the path."""
+    """Write a page that replays a recording in any browser, without a network. Return its path.
+
+    :param path: the path of the new HTML file.
+    :param tab: the tab that the page shows first.
+    :param other: a second recording to show for comparison, or None.
+    """
     from edulaunch.desk.view.page import recorded_page
     from edulaunch.desk.view.replay import timeline_of
 
@@ -170,7 +181,13 @@ def write_page(recording: Recording, path: str, tab: str = 'graph', other: Recor
 
 
 def write_picture(recording: Recording, path: str, what: str | None = None, time_s: float | None = None) -> str:
-    """Write a picture as PNG; return the path. Raise NothingToDraw if the run has no such content."""
+    """Write a picture of a recording as a PNG file. Return its path.
+
+    :param path: the path of the new file.
+    :param what: the content of the picture (default: the turtles, or the nodes and topics if there are no turtles).
+    :param time_s: the time in seconds that a picture of turtles or frames shows (default: the end of the run).
+    :raises NothingToDraw: when the recording does not contain what the picture shows.
+    """
     from edulaunch.engine.recording.absent import NothingToDraw
 
     if what is None:
@@ -187,7 +204,7 @@ def write_picture(recording: Recording, path: str, what: str | None = None, time
 
 
 def diff_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the two recordings, and the picture."""
+    """Add the arguments for the two recordings, and the options for a picture and a page."""
     _file_arguments(parser)
     parser.add_argument('other', metavar='OTHER', help='the recording to compare with')
     parser.add_argument('--png', metavar='OUT', help='write a picture of both graphs with their differences')
@@ -195,7 +212,7 @@ def diff_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def diff(arguments: argparse.Namespace) -> int:
-    """Print the differences between two runs. Return 0 if there are no differences, otherwise 1.
+    """Print the differences between two recordings. Return 0 if there are no differences, otherwise 1.
 
     :raises UnusableInput: when the picture or page cannot be written.
     """
@@ -233,7 +250,7 @@ def recording_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def recording_verb(arguments: argparse.Namespace) -> int:
-    """Print the summary, or write a page, a picture, a bag or tables; return the exit code."""
+    """Print the summary of a recording, or run another sub-verb. Return the exit code."""
     if arguments.what_to_do != 'info':
         return {'show': show, 'export': export, 'diff': diff}[arguments.what_to_do](arguments)
     summary = summarise(Recording.load(arguments.file, trusted=arguments.trusted))
@@ -249,7 +266,7 @@ def recording_verb(arguments: argparse.Namespace) -> int:
 
 
 def summarise(recording: Recording) -> dict[str, Any]:
-    """Return the summary as plain data."""
+    """Return the summary of a recording as plain data."""
     return {
         'launch_file': recording.launch.file,
         'arguments': recording.launch.arguments,
@@ -275,7 +292,7 @@ def summarise(recording: Recording) -> dict[str, Any]:
 
 
 def lines(summary: dict[str, Any]) -> list[str]:
-    """Return the lines of the summary for people."""
+    """Return the summary as lines of text for people."""
     arguments = ' '.join(f'{name}:={value}' for name, value in summary['arguments'].items())
     text = [
         f'Launch file:  {summary["launch_file"]} {arguments}'.rstrip(),

@@ -1,5 +1,6 @@
-"""Steps that set up a computer for ROS 2: `edulaunch rosdep check` lists missing dependencies, and `edulaunch colcon build`
-explains that nothing has to be built.
+"""Replacements for commands that set up a computer for ROS 2.
+
+`edulaunch rosdep check` lists missing dependencies. `edulaunch colcon build` explains that no build is needed.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ def rosdep_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def rosdep_verb(arguments: argparse.Namespace) -> int:
-    """Print the missing dependencies. Return 1 if one is missing, otherwise 0."""
+    """Print the missing dependencies. Return 1 if a dependency is missing, otherwise 0."""
     if arguments.what != 'check':
         from edulaunch.advice.workspace.not_needed import answer
 
@@ -51,7 +52,7 @@ def rosdep_verb(arguments: argparse.Namespace) -> int:
 
 
 def command() -> int:
-    """Run `rosdep`: the real one if it is installed, otherwise `edulaunch rosdep`. Return the exit code."""
+    """Run the real `rosdep` if it is installed, otherwise `edulaunch rosdep`. Return the exit code."""
     from edulaunch.desk.cli.main import main as edulaunch
     from edulaunch.desk.machine.command import step_aside
 
@@ -61,12 +62,12 @@ def command() -> int:
 
 
 def colcon_arguments(parser: argparse.ArgumentParser) -> None:
-    """Accept all arguments of colcon."""
+    """Accept all command-line arguments of colcon."""
     parser.add_argument('rest', nargs=argparse.REMAINDER, metavar='WORD', help='the arguments of colcon')
 
 
 def colcon_verb(arguments: argparse.Namespace) -> int:
-    """Print a sentence that explains why no build is needed. Return 0, so that the user can continue with the tutorial."""
+    """Print why no build is needed. Return 0, so that the user can continue with the tutorial."""
     from edulaunch.advice.workspace.not_needed import answer
 
     print(answer(['colcon', *(arguments.rest or ['build'])]))

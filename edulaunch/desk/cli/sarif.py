@@ -1,4 +1,4 @@
-"""Findings in the formats of other programs: SARIF 2.1.0, and diagnostics of the Language Server Protocol."""
+"""Convert findings to formats of other programs: SARIF 2.1.0, and diagnostics of the Language Server Protocol."""
 
 from __future__ import annotations
 
@@ -18,9 +18,10 @@ LEVELS = {'error': 'error', 'warning': 'warning', 'info': 'note'}
 
 
 def sarif(findings: Sequence[Finding], reader: Reader) -> dict[str, Any]:
-    """Return the log of one run of the doctor as plain data.
+    """Return the SARIF log of one run of the doctor as plain data.
 
-    :param reader: has the language of the messages; paths are absolute.
+    :param findings: the findings of the doctor, with absolute paths.
+    :param reader: determines the language of the messages.
     """
     names = list(dict.fromkeys(finding.rule for finding in findings))
     driver = {'name': 'edulaunch doctor', 'version': __version__, 'rules': [_rule(name, reader) for name in names]}
@@ -62,7 +63,7 @@ def _result(finding: Finding, number: int, reader: Reader) -> dict[str, Any]:
 
 
 def _text_of(path: str) -> Text | None:
-    """Return the content of a file, if it can be read."""
+    """Return the content of a file, or None if it cannot be read."""
     try:
         with open(path, encoding='utf-8', newline='') as file:
             return Text(file.read(), path)
@@ -82,7 +83,11 @@ def _fix(text: Text, mark: Marked) -> dict[str, Any]:
 
 
 def lsp(findings: Sequence[Finding], reader: Reader) -> dict[str, Any]:
-    """Return diagnostics of the Language Server Protocol by the address of the file; each has its edits."""
+    """Return the diagnostics of the Language Server Protocol, by the URI of the file. Each diagnostic includes its edits.
+
+    :param findings: the findings of the doctor.
+    :param reader: determines the language of the messages.
+    """
     found: dict[str, list[Any]] = {}
     for finding in findings:
         text = None if finding.file is None else _text_of(finding.file)

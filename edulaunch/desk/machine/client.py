@@ -1,6 +1,6 @@
-"""The terminal's side: pass the command to the machine and show its output, for a keyboard or for a calling program.
+"""The terminal's side of the connection: send a command to the machine, and show the output to a user or a calling program.
 
-It imports only the standard library.
+This module imports only the standard library.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from edulaunch.desk.machine.starting import CannotConnect, connect, open_connect
 from edulaunch.runtime.framing import Frames, frame
 
 ANSWER_S = 3.0
-"""A running machine has this many seconds to answer `edulaunch machine ...`; then the guardian answers."""
+"""A running machine has this many seconds to answer `edulaunch machine ...`. After that, the terminal stops waiting."""
 STOP_S = 5.0
 """A guardian has this many seconds to end its machine."""
 END_S = 15.0
@@ -29,9 +29,10 @@ LOG_S = 1.0
 
 
 def run(words: Sequence[str], *, start: bool = True) -> int:
-    """Run a command on the machine of this domain, in this terminal; return its exit code.
+    """Run a command of this terminal on the machine of its domain. Return the exit code.
 
-    :param start: whether to start a machine if none runs; without it, print an error in that case.
+    :param words: the command, such as ['ros2', 'node', 'list'].
+    :param start: whether to start a machine if none runs. If False, print an error instead.
     """
     _open_the_closed()
     for _ in range(3):  # a machine may end during the connection
@@ -49,7 +50,7 @@ def run(words: Sequence[str], *, start: bool = True) -> int:
 
 
 def _follow(connection: socket.socket, address: Address, words: Sequence[str], patience_s: float) -> int | None:
-    """Follow a command to its end; return its exit code, or None if the machine ended before it took the command."""
+    """Follow a command to its end. Return its exit code, or None if the machine ended before it accepted the command."""
     follower = Follower(connection, lambda: state(address), patience_s)
     with connection:
         try:
@@ -60,13 +61,13 @@ def _follow(connection: socket.socket, address: Address, words: Sequence[str], p
             if words[:1] != ['machine']:
                 sys.stderr.write('\nthe machine does not answer; this terminal has left it\n')
             return error.code
-    if code is None and (follower.is_welcome or follower.has_explained or _complaint()):  # a new machine would hide its end
+    if code is None and (follower.is_welcome or follower.has_explained or _complaint()):  # a new machine would hide the reason
         return _failed(f'the machine has ended{_reason()}')
     return code
 
 
 def _reason() -> str:
-    """Return why the machine ended, as the rest of a sentence: the guardian's reason or the log file, or an empty string."""
+    """Return the end of a sentence that gives the reason why the machine ended, or an empty string if its log is empty."""
     path, deadline = log_file(folder(), domain()), time.monotonic() + LOG_S
     while not (text := _complaint()) and time.monotonic() < deadline:
         time.sleep(0.05)
@@ -74,7 +75,7 @@ def _reason() -> str:
 
 
 def _complaint() -> str:
-    """Return what the log of the machine contains; an empty string for a machine that ended as it should."""
+    """Return the content of the machine's log file. The log of a machine that ended normally is empty."""
     try:
         with open(log_file(folder(), domain()), encoding='utf-8', errors='replace') as file:
             return file.read().strip()
@@ -83,7 +84,10 @@ def _complaint() -> str:
 
 
 def _stop_by_force(address: Address) -> int:
-    """End a machine that does not answer: the guardian does it, or this process if the guardian has ended as well."""
+    """End a machine that does not answer, and return the exit code.
+
+    The guardian ends it, or this process if there is no guardian.
+    """
     if address.host == 'notebook':
         return _failed('the machine belongs to a notebook: restart its kernel to end it')
     steps = [(address.guardian, signal.SIGTERM), (address.pid, signal.SIGKILL)]
@@ -104,7 +108,7 @@ def _stop_by_force(address: Address) -> int:
 
 
 def _is_there(address: Address) -> bool:
-    """Return whether a process still listens at that address."""
+    """Return whether a process still listens at the address."""
     try:
         found = open_connection(address)
     except CannotConnect:
@@ -115,7 +119,7 @@ def _is_there(address: Address) -> bool:
 
 
 def _open_the_closed() -> None:
-    """Make 0, 1 and 2 open files, so that a file opened later does not get the number of a closed one."""
+    """Open the file descriptors 0, 1 and 2 if they are closed, so that no other file gets one of these numbers."""
     for number in range(3):
         try:
             os.fstat(number)
@@ -131,7 +135,14 @@ def _failed(why: str) -> int:
 def hello(
     token: str, words: Sequence[str], cwd: str | None = None, env: Mapping[str, str] | None = None, keyboard: bool = True
 ) -> bytes:
-    """Return the first frame: identity, folder, and command."""
+    """Return the first frame of a connection. It contains the token, the folder, the window, the command and the environment.
+
+    :param token: the secret of the machine.
+    :param words: the command.
+    :param cwd: the folder of the command (default: the current folder).
+    :param env: the environment of the command (default: that of this process).
+    :param keyboard: whether to report which streams of this process are terminals.
+    """
     columns, lines = window_size()
     terminals = ''.join('1' if keyboard and os.isatty(number) else '0' for number in range(3))
     variables = [f'{name}={value}' for name, value in (os.environ if env is None else env).items()]
@@ -140,7 +151,7 @@ def hello(
 
 
 def has_terminals_machine() -> bool:
-    """Return whether terminals have started a machine in this domain that is running."""
+    """Return whether a machine that a terminal has started runs in this domain."""
     try:
         address = read_address(folder(), domain())
         found = connect(domain(), start=False) if address is not None and address.host == 'terminals' else None
@@ -152,10 +163,11 @@ def has_terminals_machine() -> bool:
 
 
 def ask(words: Sequence[str], write: Callable[[str, str], object], *, seconds: float | None = None) -> int | None:
-    """Run a command on the running machine; return its exit code, or None without a machine.
+    """Run a command on the running machine. Return its exit code, or None if no machine runs.
 
-    :param write: called as write('stdout' | 'stderr', text).
-    :param seconds: real time after which Ctrl-C is pressed.
+    :param words: the command.
+    :param write: a function that receives the output, as write('stdout' | 'stderr', text).
+    :param seconds: the real time in seconds after which the command receives SIGINT (default: :data:`GIVE_UP_S`).
     """
     found = connect(domain(), start=False)
     if found is None:

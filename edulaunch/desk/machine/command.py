@@ -1,6 +1,6 @@
-"""The command `ros2`, with the live view beside it on request (`ros2 launch ... --view`, `ros2 run rviz2 rviz2`).
+"""The command `ros2`. With `ros2 launch ... --view` or `ros2 run rviz2 rviz2`, it also opens the live view.
 
-Where a real ROS 2 is sourced, this command runs the real one instead.
+If a real ROS 2 is sourced, this command runs the real `ros2` instead.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ SHOW = [sys.executable, '-m', 'edulaunch', 'view']
 
 
 def ros2() -> int:
-    """Run the real `ros2` where a real ROS 2 is sourced, otherwise the simulated machine's; return the exit code."""
+    """Run the real `ros2` if a real ROS 2 is sourced, otherwise the one of the simulated machine. Return the exit code."""
     words = sys.argv[1:]
     loudly = words[:1] == ['--verbose']
     step_aside('ros2', words, loudly)
@@ -25,7 +25,12 @@ def ros2() -> int:
 
 
 def step_aside(name: str, words: list[str], loudly: bool) -> None:
-    """Replace this process by the real command, if there is one; then this call does not return."""
+    """Replace this process by the real command if there is one. In that case, this call does not return.
+
+    :param name: the name of the command.
+    :param words: the arguments of the command.
+    :param loudly: whether to print that the real command runs.
+    """
     if name == 'ros2' and not (os.environ.get('ROS_DISTRO') or os.environ.get('AMENT_PREFIX_PATH')):
         return
     real = real_command(name)
@@ -37,7 +42,7 @@ def step_aside(name: str, words: list[str], loudly: bool) -> None:
 
 
 def real_command(name: str) -> str | None:
-    """Return the first command of that name on the PATH that is not one of edulaunch's."""
+    """Return the path of the first command with this name on PATH that does not belong to edulaunch, or None."""
     for place in os.environ.get('PATH', '').split(os.pathsep):
         path = os.path.join(place, name)
         if os.path.isfile(path) and os.access(path, os.X_OK):
@@ -48,9 +53,9 @@ def real_command(name: str) -> str | None:
 
 
 def run(words: Sequence[str]) -> int:
-    """Run `ros2 WORDS...` on the machine, with the live view beside it on request; return the exit code.
+    """Run `ros2 WORDS...` on the machine, and open the live view if the command asks for it. Return the exit code.
 
-    The page exists while the command runs. For a tool that only opens a window, it exists until Ctrl-C.
+    The page exists while the command runs. For a tool that only opens a window, the page exists until Ctrl-C.
     """
     from edulaunch.desk.machine import client
 
@@ -73,7 +78,10 @@ def run(words: Sequence[str]) -> int:
 
 
 def tab_of(words: Sequence[str]) -> str | None:
-    """Return the tab that the command wants, or None. A window opens only for a terminal with a person."""
+    """Return the tab of the live view that the command needs, or None.
+
+    A tool such as rqt_graph opens the live view only if its output is a terminal.
+    """
     if words[:1] == ['launch'] and VIEW in words:
         return 'graph'
     if words[:1] == ['run'] and len(words) > 1 and words[1].startswith(('rqt', 'rviz')) and os.isatty(1):

@@ -1,4 +1,4 @@
-"""The machine's end of one connection: bytes in and out, the check of the token, and the keyboard of the other end."""
+"""The machine's side of one connection. It sends and receives bytes, checks the token, and provides the terminal's keyboard."""
 
 from __future__ import annotations
 
@@ -20,27 +20,27 @@ if TYPE_CHECKING:
     from edulaunch.engine.processes.process import Process
 
 MOST_UNREAD = 32 << 20
-"""If more bytes wait for a terminal that does not read, the terminal is considered dead."""
+"""If more bytes than this wait for a terminal that does not read, the connection is closed."""
 CHUNK = 1 << 16
 SOON_S = 0.02
 
 
 class Peer(Protocol):
-    """Receives the frames of a connection after the first one: a terminal or a live view."""
+    """The object that receives the frames of a connection after the first frame: a terminal or a live view."""
 
     def take(self, kind: int, payload: bytes) -> None:
-        """Handle a frame of the other side."""
+        """Handle a frame from the client."""
 
     def hang_up(self) -> None:
         """Handle the end of the connection."""
 
 
 class Connection:
-    """One accepted connection. It sends nothing and does nothing before the other side has sent the token.
+    """One accepted connection. It ignores all frames until the client has sent the token.
 
-    :param open_peer: creates the terminal or live view that the first frame requests.
-    :param forget: called once, when it is closed.
-    :ivar terminal: the terminal that it serves, if it serves one.
+    :param open_peer: a function that creates the terminal or live view that the first frame requests.
+    :param forget: a function that is called once when the connection is closed.
+    :ivar terminal: the terminal or live view that uses the connection, or None before the first frame.
     """
 
     def __init__(
@@ -68,18 +68,21 @@ class Connection:
         selector.register(client, self._events, self._attend)
 
     def send(self, kind: int, payload: bytes = b'') -> None:
-        """Queue a frame. It leaves with the next :meth:`flush`, or immediately after a long turn."""
+        """Queue a frame. It is sent with the next :meth:`flush`, or immediately if the last flush was long ago."""
         for begin in range(0, len(payload) or 1, wire.LONGEST):
             self._unsent += frame(kind, payload[begin : begin + wire.LONGEST])
         if time.monotonic() - self._flushed_s > SOON_S:
             self._push()
 
     def end(self) -> None:
-        """Close when everything is sent."""
+        """Close the connection after all queued frames have been sent."""
         self._is_last = True
 
     def flush(self) -> None:
-        """Send the waiting bytes, as far as the other side accepts them."""
+        """Send as many queued bytes as the client accepts.
+
+        Close the connection if the client has closed it or reads too slowly.
+        """
         if not self.is_open:
             return
         is_there = self._push()
@@ -92,7 +95,7 @@ class Connection:
             self._selector.modify(self._socket, events, self._attend)
 
     def _push(self) -> bool:
-        """Send as much as possible; return False if the other side has closed."""
+        """Send as many queued bytes as possible. Return False if the client has closed the connection."""
         self._flushed_s = time.monotonic()
         try:
             while self._unsent and self.is_open:
@@ -104,7 +107,7 @@ class Connection:
         return True
 
     def close(self) -> None:
-        """Close the connection; its programs end like those of a closed terminal."""
+        """Close the connection. Its programs end like the programs of a closed terminal."""
         if self.is_open:
             self.is_open = False
             self._selector.unregister(self._socket)
@@ -121,7 +124,7 @@ class Connection:
                 self.close()
 
     def _read(self) -> bool:
-        """Read what has arrived; return False if the connection is no longer useful."""
+        """Read the bytes that have arrived. Return False if the connection should be closed."""
         try:
             data = self._socket.recv(CHUNK)
             self._received += self._frames.feed(data)
@@ -132,7 +135,7 @@ class Connection:
         return bool(data)
 
     def take_received(self) -> None:
-        """Handle a frame. An invalid frame closes the connection."""
+        """Handle the received frames. An invalid frame closes the connection."""
         try:
             while self._received and self.is_open:
                 self._take(*self._received.popleft())
@@ -143,8 +146,9 @@ class Connection:
             self.close()
 
     def look_for_signals(self, deliver: Callable[[int], object]) -> None:
-        """While a program of the terminal does not yield, pass Ctrl-C and the end of the terminal on to it.
+        """Deliver Ctrl-C and the end of the terminal to a program of the terminal that does not yield.
 
+        :param deliver: a function that delivers the signal with a number.
         :raises BaseException: the exception that the signal raises in the middle of the program's code.
         """
         if not self._read():
@@ -155,7 +159,7 @@ class Connection:
             deliver(int(message[1]))
 
     def _answer(self) -> None:
-        """Confirm a signal to the other end immediately, because a program may run for a long time without yielding."""
+        """Confirm a signal to the client immediately, because a program may run for a long time without yielding."""
         self.send(wire.ANSWER)
         self._push()
 
@@ -173,11 +177,11 @@ class Connection:
 
 
 class RemoteInput(PipedInput):
-    """The keyboard of the other end. The other end reads keys only after a program here has requested input.
+    """The standard input of a client. The client reads its keyboard only after a program of the machine has requested input.
 
-    :param send: sends a frame to the other end.
-    :param is_terminal: whether there is a keyboard, or a pipe or a file.
-    :ivar size: columns and lines of the terminal.
+    :param send: a function that sends a frame to the client.
+    :param is_terminal: whether the client's input is a terminal. Otherwise, it is a pipe or a file.
+    :ivar size: the columns and lines of the terminal.
     """
 
     is_inherited = True
@@ -191,21 +195,21 @@ class RemoteInput(PipedInput):
         self._is_wanted = False
 
     def isatty(self) -> bool:
-        """Return whether the other end is a terminal with a person."""
+        """Return whether the client's input is a terminal."""
         return self._is_terminal
 
     def terminal_size(self) -> tuple[int, int]:
-        """Return the size of the window at the other end."""
+        """Return the columns and lines of the client's window."""
         return self.size if self._is_terminal else super().terminal_size()
 
     def take_due(self) -> None:
-        """Ask the other end for its keyboard, because a program reads or checks for input."""
+        """Request input from the client, because a program reads or checks for input."""
         if not self._is_wanted:
             self._is_wanted = True
             self._send(wire.READ)
 
     def change_mode(self, process: Process, flags: int) -> None:
-        """Make the other end's terminal send keys or lines, as the program requests."""
+        """Make the client's terminal send single keys or whole lines, as the program requests."""
         import termios
 
         super().change_mode(process, flags)

@@ -1,7 +1,7 @@
-"""The live view in a notebook: a widget with the same page as everywhere, and with the kernel as its machine.
+"""The live view in a notebook: a widget that shows the same page as in a browser. The notebook's kernel runs the machine.
 
-It does not depend on JupyterLab: any front end for ipywidgets shows it (Notebook, VS Code, Colab). It is loaded late,
-because it needs anywidget.
+The widget does not depend on JupyterLab. Any front end for ipywidgets shows it, such as Notebook, VS Code or Colab. This
+module is imported late, because it needs anywidget.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, unused-ignore]
-    """One widget. Each place that shows it has its own page."""
+    """A live view of a machine as a widget. Each output that shows the widget has its own page."""
 
     _esm = module()
     tab = traitlets.Unicode('graph').tag(sync=True)
@@ -37,7 +37,10 @@ class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, 
         self.on_msg(self._hear)
 
     def _hear(self, widget: object, request: Any, buffers: object) -> None:
-        """Handle a message of the page on the machine's thread. It may arrive on another one (a subshell of the kernel)."""
+        """Handle a message of the page on the machine's thread.
+
+        The message may arrive on another thread (a subshell of the kernel).
+        """
         self._machine.soon(lambda: self._take(request))
 
     def _take(self, request: Any) -> None:
@@ -58,8 +61,7 @@ class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, 
             self._machine.do_for(self._pages[name].viewer, request)
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
-        """Return the widget, or a picture and a description of this instant for places without a front end (nbconvert,
-        GitHub)."""
+        """Return the widget, with a picture and a description of its current state for places without widgets, such as GitHub."""
         bundle = super()._repr_mimebundle_(**options)
         data = dict(bundle[0] if isinstance(bundle, tuple) else bundle or {})
         data.update(_still(self._machine.recording()))
@@ -67,7 +69,7 @@ class DeskWidget(anywidget.AnyWidget):  # type: ignore[misc, no-any-unimported, 
 
 
 def _still(recording: Recording) -> dict[str, str]:
-    """Return the state at the end of a recording: a picture of turtles and robots, and a description."""
+    """Return the final state of a recording as a picture of turtles and robots, and as a description, by MIME type."""
     try:
         picture, caption = still(read_worlds(recording), recording.duration_s)
     except NothingToDraw:
@@ -78,7 +80,7 @@ def _still(recording: Recording) -> dict[str, str]:
 
 
 def who_is_there(recording: Recording) -> str:
-    """Describe the nodes and frames at the end of a recording."""
+    """Return a description of the nodes and frames at the end of a recording."""
     nodes = [node.name for node in recording.nodes if node.ended_s is None and not node.name.rpartition('/')[2].startswith('_')]
     frames = list(recording.frames_at(recording.duration_s))
     return f'nodes: {", ".join(nodes) or "none"}' + (f'; frames: {", ".join(frames)}' if frames else '')

@@ -1,6 +1,6 @@
-"""A terminal that follows its command on the machine: it shows the output, passes keys and signals on, and always ends.
+"""Follow a command of a terminal on the machine: show the output, forward keys and signals, and always return.
 
-It imports only the standard library.
+This module imports only the standard library.
 """
 
 from __future__ import annotations
@@ -23,10 +23,10 @@ if TYPE_CHECKING:
 
 PASSED_ON = ('SIGINT', 'SIGTERM', 'SIGQUIT')
 MOST_PRESSES = 3
-"""After this many unanswered signals, a terminal leaves the machine."""
+"""After this many unanswered signals, a terminal stops waiting for the machine."""
 LOOK_S = 1.0
 ANSWER_S = 1.5
-"""A machine has this many seconds to answer a signal; then the terminal explains the state, and leaves after SIGTERM."""
+"""A machine has this many seconds to answer a signal. After that, the terminal explains the state, and ends after SIGTERM."""
 EXPLAINED_S, LONG_S, GIVE_UP_S = 2.0, 20.0, 60.0
 """After this many seconds without a first answer, a terminal prints what the guardian knows, and gives up."""
 BROKEN_PIPE = 141
@@ -49,15 +49,15 @@ class _CannotWrite(Exception):
 
 
 class _NobodyReads(Exception):
-    """The pipe for our output is closed at its other end."""
+    """The reader of our output pipe has closed it."""
 
 
 class Follower:
-    """One command in this terminal. Ctrl-C is passed on, and the program decides what it does.
+    """Follows one command in this terminal. It forwards Ctrl-C, and the program decides how to react.
 
-    :param state: returns the end of a sentence about a machine that does not answer.
-    :param give_up_s: seconds without a first answer after which the terminal ends.
-    :ivar is_welcome: whether the machine has taken the command.
+    :param state: a function that returns the end of a sentence about a machine that does not answer.
+    :param give_up_s: the time in seconds after which the terminal stops waiting for a first answer.
+    :ivar is_welcome: whether the machine has accepted the command.
     :ivar has_explained: whether the terminal has printed that the machine does not answer.
     """
 
@@ -81,9 +81,10 @@ class Follower:
         return bool(self._explained)
 
     def run(self, first: bytes) -> int | None:
-        """Follow the command to its end; return its exit code, or None if the machine has ended.
+        """Follow the command to its end. Return the exit code, or None if the machine has ended.
 
-        :raises GaveUp: when the machine does not answer.
+        :param first: the first frame to send.
+        :raises GaveUp: when the machine does not answer for too long.
         """
         actions = dict.fromkeys(PASSED_ON, self._pass_on)
         actions |= {'SIGWINCH': self._send_size, 'SIGALRM': self._look}
@@ -140,7 +141,10 @@ class Follower:
             _write(1 if kind == wire.OUTPUT else 2, payload)
 
     def _send(self, frame: bytes) -> None:
-        """Send as much as the machine accepts; the rest follows later. Signals may arrive in the middle."""
+        """Send as many bytes as the machine accepts, and keep the rest for later.
+
+        A signal handler may call this during another call.
+        """
         self._unsent += frame
         if self._is_sending:
             return
@@ -156,7 +160,7 @@ class Follower:
         self._watch_keys()
 
     def _watch_keys(self) -> None:
-        """Read the keyboard while a program reads it, and while the machine accepts input."""
+        """Watch the keyboard while a program reads it and the machine accepts input. Otherwise, stop watching it."""
         wanted = self._reads and not self._unsent
         if wanted != self._has_keys:
             self._has_keys = wanted
@@ -190,7 +194,7 @@ class Follower:
             return  # the next read shows that the machine has ended
 
     def _look(self, signum: int, frame: FrameType | None) -> None:
-        """Explain the state of a machine that owes an answer, or give up."""
+        """Explain why the machine has not answered yet, or stop waiting for it."""
         if self.is_welcome and not self._unanswered:
             return
         waited_s = time.monotonic() - self._began_s
@@ -215,7 +219,7 @@ class Follower:
 
 
 def window_size() -> tuple[int, int]:
-    """Return columns and lines of this terminal."""
+    """Return the columns and lines of this terminal."""
     for number in (1, 0, 2):
         try:
             columns, lines = os.get_terminal_size(number)

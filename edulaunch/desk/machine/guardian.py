@@ -1,11 +1,11 @@
-"""The process beside a machine that can always act: it watches the machine, reports where it is stuck, and can kill it.
+"""The process that watches a machine from outside. It reports where the machine is stuck, and can kill it.
 
-A program that keeps Python's interpreter inside one call of C code (`sum(range(10**12))`) stops every thread of the machine. The
-guardian is the machine's parent process. It receives a heartbeat. When the heartbeat stops, it writes the state of the machine to
-a file that the terminals read. It uses only the standard library, so it needs a few megabytes and starts beside the machine.
+A program that keeps Python's interpreter inside one call of C code (`sum(range(10**12))`) stops every thread of the machine.
+The guardian is the machine's parent process and receives heartbeats from it. When the heartbeats stop, the guardian writes
+the state of the machine to a file that the terminals read. It uses only the standard library, so it needs a few megabytes.
 
-The command line is `python -m edulaunch.desk.machine.guardian FOLDER DOMAIN PID`. File descriptor 3 is the end of the heartbeat's
-pipe.
+The command line is `python -m edulaunch.desk.machine.guardian FOLDER DOMAIN PID`. File descriptor 3 is the pipe for the
+heartbeats.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ TURN_LIMIT_S = 2.0
 INTERRUPT, END = 5, 8
 """Python may be silent for this many turn limits before its program is interrupted, and before the machine is killed."""
 BUSY_INTERRUPT, BUSY_END = 12, 30
-"""The same while Python still runs: the watchdog inside the machine acts first."""
+"""The same limits while Python still runs. In this case, the watchdog inside the machine acts first."""
 STOP_S = 1.0
 """A machine has this many seconds to end by itself when a user stops it."""
 ENGINE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))) + os.sep
@@ -53,9 +53,11 @@ HEADER = '(most recent call first):'
 class Guardian:
     """Watches one machine.
 
-    :param pid: the process of the machine, a child of this one.
-    :param pipe: the end of the heartbeat.
-    :param limit_s: processor seconds that a turn may take in this machine.
+    :param place: the folder of the machines.
+    :param number: the ROS_DOMAIN_ID of the machine.
+    :param pid: the process id of the machine, which is a child of this process.
+    :param pipe: the file descriptor from which the heartbeats are read.
+    :param limit_s: the processor time in seconds that one program may use without yielding.
     """
 
     def __init__(self, place: str, number: str, pid: int, pipe: int, limit_s: float) -> None:
@@ -73,13 +75,13 @@ class Guardian:
         self.is_ready = False
 
     def stop(self, signum: int = 0, frame: FrameType | None = None) -> None:
-        """Stop the machine for a user; it gets a moment to end by itself."""
+        """Stop the machine because a user asks for it. The machine first gets a moment to end by itself."""
         if self._stop_at_s is None:
             self._stop_at_s = time.monotonic() + STOP_S
             self._signal(signal.SIGTERM)
 
     def run(self) -> int:
-        """Watch the machine until it ends. Return its exit code, which is negative after a signal."""
+        """Watch the machine until it ends. Return its exit code, which is negative if a signal ended it."""
         while True:
             if self._pipe >= 0 and select.select([self._pipe], [], [], LOOK_S)[0]:
                 self._hear()
@@ -119,7 +121,7 @@ class Guardian:
                 _remove(busy_file(self._place, self._number))
 
     def _judge(self) -> None:
-        """Report where the machine is, interrupt it, and kill it, each at its time."""
+        """Report where the machine is stuck, interrupt it, or kill it, depending on how long it has been stuck."""
         now_s = time.monotonic()
         passed_s, self._looked_s = now_s - self._looked_s, now_s
         processor_s = _processor_s(self._pid)
@@ -177,7 +179,10 @@ class Guardian:
             return
 
     def clean_up(self, code: int) -> None:
-        """Remove the file that an ended machine leaves for terminals. Unless its log has the reason, write that there."""
+        """Remove the file with the address of an ended machine.
+
+        Write the reason for the end to the log if it is not there yet.
+        """
         with locked(self._place, self._number):
             address = read_address(self._place, self._number)
             if address is None or address.pid != self._pid:
@@ -208,7 +213,7 @@ def _remove(path: str) -> None:
 
 
 def _processor_s(pid: int) -> float:
-    """Return the processor time that a process has used; 0 if the system does not report it."""
+    """Return the processor time in seconds that a process has used. Return 0 if the system does not report it."""
     try:
         with open(f'/proc/{pid}/stat', encoding='ascii', errors='replace') as file:
             fields = file.read().rpartition(')')[2].split()
@@ -218,7 +223,7 @@ def _processor_s(pid: int) -> float:
 
 
 def main() -> None:
-    """Run a guardian."""
+    """Run a guardian with the arguments of the command line."""
     place, number, pid = sys.argv[1], sys.argv[2], int(sys.argv[3])
     _remove(busy_file(place, number))
     guardian = Guardian(place, number, pid, BEATS, seconds_from('EDULAUNCH_TURN_LIMIT_S', TURN_LIMIT_S))

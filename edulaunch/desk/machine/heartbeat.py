@@ -1,4 +1,4 @@
-"""The machine's side of the pipe to its guardian: it sends two heartbeats a second, and reports the current line on request."""
+"""The machine's side of the pipe to its guardian. It sends two heartbeats a second, and reports the current line on request."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ BEAT_S = 0.4
 
 
 class Heartbeat:
-    """Reports whether a machine waits for terminals, or whether a program has not yielded since the last beat.
+    """Reports whether a machine waits for terminals, or whether a program has not yielded since the last heartbeat.
 
-    :param pipe: the pipe for the beats, which may have no reader.
+    :param pipe: the file descriptor of the pipe for the heartbeats. The pipe may have no reader.
     """
 
     def __init__(self, server: Server, pipe: int = HEARTBEAT) -> None:
@@ -30,7 +30,7 @@ class Heartbeat:
         self._rounds = -1
 
     def begin(self) -> None:
-        """Start to beat, and to answer the guardian's signals."""
+        """Start to send heartbeats, and to handle the guardian's signals."""
         try:
             os.set_blocking(self._pipe, False)
             os.set_inheritable(self._pipe, False)
@@ -59,6 +59,9 @@ class Heartbeat:
             time.sleep(BEAT_S)
 
     def _interrupt(self, signum: int, frame: FrameType | None) -> None:
-        """End the program that has its turn, even if it waits or runs C code that checks for signals."""
+        """Interrupt the program that runs now, even if it waits or runs C code that checks for signals.
+
+        :raises RunawayProgram: when a program runs now.
+        """
         if self._server.machine.session.host.program_here() is not None:
             raise RunawayProgram

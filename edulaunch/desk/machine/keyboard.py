@@ -1,4 +1,4 @@
-"""The real terminal of a client: its mode follows the program that reads, and is restored even if the client is killed."""
+"""The keyboard of a client's terminal. Its mode follows the program that reads, and is restored even if the client is killed."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from edulaunch.desk.machine.wire import CANONICAL, ECHO, PLAIN_MODE, SIGNALS
 
 
 class Keyboard:
-    """Standard input, if it is a terminal.
+    """The standard input of this process.
 
-    :ivar is_terminal: whether standard input is a terminal; if not, changing the mode does nothing.
+    :ivar is_terminal: whether standard input is a terminal. If not, a change of the mode has no effect.
     """
 
     def __init__(self) -> None:
@@ -20,7 +20,10 @@ class Keyboard:
         self._lifeline = -1
 
     def set_mode(self, mode: int) -> None:
-        """Read as the program requests: lines or keys, with or without echo, with or without Ctrl-C as a signal."""
+        """Change the mode of the terminal as the program requests.
+
+        :param mode: flags for whole lines or single keys, for echo, and for Ctrl-C as a signal.
+        """
         if not self.is_terminal or (mode == PLAIN_MODE and self._before is None):
             return
         import termios
@@ -36,7 +39,7 @@ class Keyboard:
         termios.tcsetattr(0, termios.TCSADRAIN, now)  # type: ignore[arg-type]
 
     def restore(self) -> None:
-        """Restore the mode of the terminal."""
+        """Restore the mode that the terminal had at first."""
         if self._before is not None:
             import termios
 
@@ -47,9 +50,11 @@ class Keyboard:
 
 
 def _restore_when_we_die(before: list[object]) -> int:
-    """Start a process that restores the terminal if this one ends without cleaning up, as after SIGKILL.
+    """Start a process that restores the terminal if this process ends without cleaning up, as after SIGKILL.
 
-    Its own session keeps it alive when the terminal's programs are killed together. It ends when it reads a byte.
+    The new process has its own session, so it survives when the terminal's programs are killed together.
+
+    :return: a file descriptor. When this process writes a byte to it, the new process ends.
     """
     import termios
 

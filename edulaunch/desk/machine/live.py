@@ -1,7 +1,7 @@
-"""The live machine: one simulation in real time, and its pages.
+"""The live machine: one simulation in real time, and the pages that show it.
 
-A notebook's cells, a machine that `edulaunch.start` made, and the process that terminals share all run this machine. They differ
-in the loop that gives it its turns: `jupyter/hosting.py`, `started.py` and `serving.py`.
+Three owners run such a machine: the cells of a notebook, a machine of `edulaunch.start`, and the process that terminals
+share. They differ in the loop that calls the machine: `notebook/hosting.py`, `started.py` and `serving.py`.
 """
 
 from __future__ import annotations
@@ -36,22 +36,22 @@ PATIENCE_S = 15.0
 
 
 class Page:
-    """One page that shows the machine; it receives updates for a while after each request."""
+    """One page that shows the machine. It receives updates for a while after each request."""
 
     def __init__(self, viewer: Viewer) -> None:
         self.viewer = viewer
         self._until_s = self._next_s = 0.0
 
     def ask(self) -> None:
-        """Record that the page asks for news."""
+        """Record that the page has requested updates."""
         self._until_s = time.monotonic() + SHOWN_FOR_S
 
     def is_shown(self) -> bool:
-        """Return whether a user looks at it."""
+        """Return whether the page is visible, because it has requested updates recently."""
         return time.monotonic() < self._until_s
 
     def show(self) -> None:
-        """Send the news if they are due."""
+        """Send an update if one is due."""
         now_s = time.monotonic()
         if self._next_s <= now_s < self._until_s:
             self._next_s = now_s + SHOWN_EVERY_S
@@ -59,13 +59,13 @@ class Page:
 
 
 class LiveMachine(ViewedMachine):
-    """Runs a session in real time, shows it on pages, and joins it to a real ROS 2 network.
+    """Runs a session in real time, shows it on pages, and connects it to a real ROS 2 network.
 
-    :param keep_s: simulated seconds after which messages are dropped, or None to keep all of them.
-    :param selector: the owner's loop waits on it; the machine creates one when it first needs it.
+    :param keep_s: the simulated time in seconds after which messages are dropped, or None to keep all messages.
+    :param selector: the selector on which the owner's loop waits. If None, the machine creates one when it needs it.
     :ivar pages: the pages in a notebook that show the machine.
-    :ivar network: the connection to a real network. None until a page or a command asks for it.
-    :ivar listeners: called with messages for the users.
+    :ivar network: the connection to a real network, or None until a page or a command asks for it.
+    :ivar listeners: functions that are called with each message for the users.
     """
 
     def __init__(self, keep_s: float | None = None, selector: selectors.BaseSelector | None = None) -> None:
@@ -77,7 +77,11 @@ class LiveMachine(ViewedMachine):
         self._forgot_s = 0.0
 
     def use(self, session: Session, speed: float = 1.0) -> None:
-        """Run this session from now on. The owner closes the previous session."""
+        """Run this session from now on. The owner closes the previous session.
+
+        :param session: the new session.
+        :param speed: simulated seconds per real second.
+        """
         self.leave_network()
         self.network = None
         self.listeners = []
@@ -87,7 +91,7 @@ class LiveMachine(ViewedMachine):
         self._forgot_s = session.sim.elapsed_s
 
     def run_due(self) -> float | None:
-        """Run the due items. Return the seconds until the next item is due, or None without one."""
+        """Run the due items. Return the seconds until the next item is due, or None if there is no item."""
         wait_s = self.time.advance()
         if self.network is not None:
             self.network.after_turn()
@@ -95,7 +99,7 @@ class LiveMachine(ViewedMachine):
         return wait_s
 
     def forget(self) -> None:
-        """Drop old messages from time to time, so that a machine that runs for hours stays small."""
+        """Drop old messages at intervals, so that the memory of a machine that runs for hours does not grow."""
         sim = self.session.sim
         if self.keep_s is not None and sim.elapsed_s - self._forgot_s >= FORGET_EVERY_S:
             self._forgot_s = sim.elapsed_s
@@ -103,14 +107,14 @@ class LiveMachine(ViewedMachine):
             self.session.recorder.forget_before(sim.now_ns - round(self.keep_s * 1e9), MESSAGES_KEPT)
 
     def show_pages(self) -> None:
-        """Send the news to each page."""
+        """Send updates to the pages that are due."""
         for page in list(self.pages):
             page.show()
 
-    # -- requests of its pages
+    # -- requests of pages
 
     def soon(self, action: Callable[[], object]) -> None:
-        """Run a function on the machine's thread; callable from any thread."""
+        """Run a function on the machine's thread. Any thread may call this method."""
         raise NotImplementedError
 
     def do_for(self, viewer: Viewer, request: dict[str, Any]) -> None:
@@ -121,15 +125,15 @@ class LiveMachine(ViewedMachine):
     # -- the real network
 
     def tell(self, text: str) -> None:
-        """Show a message to the users, and record it."""
+        """Show a message to the users, and add it to the recording."""
         self.session.recorder.note(None, 'network', text)
         for listener in self.listeners:
             listener(text)
 
     def switch(self) -> Network:
-        """Return the connection to a real network, which is loaded at the first request.
+        """Return the connection to a real network. The first call creates it.
 
-        :raises UnusableInput: when no plug-in provides it.
+        :raises UnusableInput: when no plug-in provides a network.
         """
         if self.network is None:
             service = network_service()
@@ -142,29 +146,32 @@ class LiveMachine(ViewedMachine):
 
     @property
     def has_joined(self) -> bool:
-        """Return whether it is on a real network now."""
+        """Return whether the machine is now connected to a real network."""
         return self.network is not None and self.network.is_on
 
     @property
     def is_on_network(self) -> bool | None:
-        """Return whether it has joined a real network; None if Cyclone DDS is not installed."""
+        """Return whether the machine is connected to a real network, or None if Cyclone DDS is not installed."""
         return self.has_joined if self.network is not None or can_join_network() else None
 
     def join_network(self, joins: bool) -> str:
-        """Handle a page's button for the network, in the environment in which the machine was started."""
+        """Join or leave a real network for a page, with the environment of the machine's process. Return a message.
+
+        :param joins: whether to join; otherwise, leave.
+        """
         printed: list[str] = []
         self.switch().run(['on' if joins else 'off'], os.environ, printed.append, self.tell)
         return ''.join(printed).strip()
 
     def leave_network(self) -> None:
-        """Leave the real network, if it has joined one."""
+        """Leave the real network if the machine is connected to one."""
         if self.network is not None:
             self.network.off()
 
 
 @contextmanager
 def in_its_turn() -> Iterator[None]:
-    """Return a context for each turn of a machine in the asyncio loop of a notebook."""
+    """Return a context manager in which a machine runs from the asyncio loop of a notebook."""
     with outer_loop_set_aside(), streams_of_programs():
         yield
 
@@ -172,11 +179,14 @@ def in_its_turn() -> Iterator[None]:
 def finish(
     session: Session, process: Process, seconds: float, on_late: Callable[[bool], object] = lambda interrupted: None
 ) -> None:
-    """Run until a command has ended. After `seconds`, press Ctrl-C, and kill the command if that does not end it.
+    """Run until a command has ended. After `seconds`, send it SIGINT, and kill it if that does not end it.
 
-    The command's `on_exit` must stop the simulation.
+    The `on_exit` function of the command must stop the simulation.
 
-    :param on_late: called before Ctrl-C is pressed; returns True if the user has interrupted the run.
+    :param session: the session that runs the command.
+    :param process: the process of the command.
+    :param seconds: the simulated time in seconds.
+    :param on_late: called before SIGINT is sent, with True if the user has interrupted the run.
     """
     interrupted = session.run(seconds)
     if process.returncode is None:
@@ -188,7 +198,7 @@ def finish(
 
 
 def end_programs(session: Session, programs: Sequence[Process]) -> None:
-    """Press Ctrl-C for some programs, give them :data:`PATIENCE_S` of simulated time to end, and kill the rest."""
+    """Send SIGINT to some programs, wait :data:`PATIENCE_S` simulated seconds for their end, and kill the rest."""
     left = [program for program in programs if program.returncode is None]
     for program in left:
         program.send_signal(Signals.SIGINT)

@@ -1,4 +1,4 @@
-"""The machine's end of a live view: it sends changes on request, and handles requests. Each message is one line of JSON."""
+"""The machine's side of a live view: it sends changes on request, and handles requests. Each message is one line of JSON."""
 
 from __future__ import annotations
 
@@ -14,12 +14,13 @@ LONGEST_LINE = 1 << 16
 
 
 class LivePage:
-    """Takes the place of a terminal, and receives the same frames.
+    """The peer of a connection that a page uses. It receives the same frames as a terminal.
 
     :param machine: the machine that the page shows.
-    :param send: sends a frame to the page: its kind and payload.
-    :param forget: called once with this page when it is closed.
-    :param typed_in: the current folder and the environment of the terminal that opened the page, for the page's own terminals.
+    :param send: a function that sends a frame to the page, from its kind and payload.
+    :param forget: a function that is called once with this object when the page is closed.
+    :param typed_in: the current folder and the environment of the terminal that opened the page. The page's own terminals use
+        them.
     """
 
     def __init__(
@@ -38,7 +39,7 @@ class LivePage:
         self._send(wire.OUTPUT, json.dumps(message, separators=(',', ':')).encode() + b'\n')
 
     def take(self, kind: int, payload: bytes) -> None:
-        """Handle a line of the page.
+        """Handle bytes from the page, which contain requests as lines.
 
         :raises ValueError: for invalid JSON, or a line that is too long.
         """
@@ -58,6 +59,6 @@ class LivePage:
                 self._viewer.take(request)
 
     def hang_up(self) -> None:
-        """Handle the end of the page."""
+        """Handle the end of the connection."""
         self._forget(self)
         self._viewer.close()

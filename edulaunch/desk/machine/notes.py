@@ -1,4 +1,4 @@
-"""Notes of a terminal about programs that behave differently on a real computer: a window, a keyboard."""
+"""Notes that a terminal prints about programs that behave differently on a real computer, because of a window or a keyboard."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ READ_KEYS = {
 
 
 class Notes:
-    """The notes that a machine's terminals have printed; each note is printed once.
+    """Decides which notes a machine's terminals print. Each note is printed once.
 
-    :ivar knows_view: whether the user has a live view, or has read how to open one.
+    :ivar knows_view: whether the user has a live view, or has seen the note about it.
     """
 
     def __init__(self) -> None:
@@ -31,10 +31,10 @@ class Notes:
         self._reported_packages: set[tuple[int, str]] = set()
 
     def about(self, words: Sequence[str], programs: Sequence[Process]) -> Iterator[str]:
-        """Yield the notes to print in a terminal now.
+        """Yield the notes that a terminal should print now.
 
         :param words: the command of the terminal.
-        :param programs: the programs that run there, the command first.
+        :param programs: the programs that run in the terminal, the command first.
         """
         if not programs:
             return
@@ -56,7 +56,10 @@ class Notes:
                 break
 
     def same_names(self, words: Sequence[str], programs: Sequence[Process]) -> Iterator[str]:
-        """Name the package that is used and the other ones with its name: the nearest one to the terminal is used."""
+        """Yield a note for each package that several folders contain.
+
+        It names the used package, which is nearest to the terminal.
+        """
         command = programs[0]
         packages = [
             *(words[2:3] if words[:2] in (['ros2', 'run'], ['ros2', 'launch']) else []),

@@ -1,7 +1,7 @@
-"""Find the address of a machine, or record it.
+"""Find and record the addresses of machines.
 
 A folder that only its user may enter contains one small file for each ROS_DOMAIN_ID. Each installation of edulaunch has its own
-folder, because the machine of another one has other packages, and may be of another version.
+folder, because the machine of another installation may have other packages or another version.
 """
 
 from __future__ import annotations
@@ -18,18 +18,18 @@ HEARTBEAT = 4
 BEATS = 3
 """The file descriptor of the guardian's end of that pipe."""
 IDLE_SIGN, BUSY_SIGN = '+\n', '-\n'
-"""The bytes in the pipe: no long turn, or a program has not yielded since the last byte."""
+"""The messages in the pipe: the machine waits for terminals, or a program has not yielded since the last message."""
 LONGEST_SOCKET_PATH = 103
-"""macOS allows no longer path of a socket; Linux allows 107 bytes."""
+"""The longest path of a socket on macOS, in bytes. Linux allows 107 bytes."""
 BACKLOG = 256
 
 
 class UnsafePlace(Exception):
-    """The folder of the machines belongs to another user, or others may write in it."""
+    """The folder of the machines belongs to another user, or other users may write in it."""
 
 
 class NoTerminals(UnsafePlace):
-    """This system lacks a function that the shared machine needs (a fork, a lock on a file, a poll)."""
+    """The operating system lacks a function that the shared machine needs: fork, file locks or poll."""
 
     def __init__(self) -> None:
         super().__init__(
@@ -40,39 +40,42 @@ class NoTerminals(UnsafePlace):
 
 
 class Address:
-    """The address of a machine. (A plain class: loading `typing` takes longer than everything else that a terminal needs.)
+    """The address of a machine.
+
+    This is an ordinary class, because importing `typing` takes longer than everything else that a terminal needs.
 
     :ivar kind: 'unix' or 'tcp'.
-    :ivar place: path of the socket, or port number on 127.0.0.1.
+    :ivar place: the path of the socket, or the number of a port on 127.0.0.1.
     :ivar token: the secret that a terminal must send.
-    :ivar pid: the process that hosts the machine.
-    :ivar host: 'terminals', or 'notebook' for a kernel.
-    :ivar guardian: pid of the process that watches the machine; 0 for a notebook.
+    :ivar pid: the id of the process that hosts the machine.
+    :ivar host: 'terminals', or 'notebook' if a notebook's kernel hosts the machine.
+    :ivar guardian: the id of the process that watches the machine, or 0 for a notebook.
     """
 
     def __init__(self, kind: str, place: str, token: str, pid: int, host: str, guardian: int = 0) -> None:
         self.kind, self.place, self.token, self.pid, self.host, self.guardian = kind, place, token, pid, host, guardian
 
     def lines(self) -> list[str]:
-        """Return the content of the file for it."""
+        """Return the lines of the file that contains this address."""
         return [self.kind, self.place, self.token, str(self.pid), self.host, str(self.guardian)]
 
 
 def domain() -> str:
-    """Return the ROS_DOMAIN_ID of this terminal; 0 if it is not set or invalid."""
+    """Return the ROS_DOMAIN_ID of this terminal. Return '0' if the variable is not set or invalid."""
     given = os.environ.get('ROS_DOMAIN_ID', '').strip()
     return given if given.isdigit() else '0'
 
 
 def installation() -> str:
-    """Return six digits that differ between the installations of edulaunch that a user has."""
+    """Return six hexadecimal digits that identify this installation of edulaunch."""
     return f'{zlib.crc32(os.fsencode(os.path.realpath(__file__))):08x}'[:6]
 
 
 def folder() -> str:
-    """Return the folder of the machines, and create it if necessary.
+    """Return the folder of the machines. Create the folder if necessary.
 
-    :raises UnsafePlace: when others can write in it; NoTerminals where the shared machine is not available.
+    :raises UnsafePlace: when other users can write in the folder.
+    :raises NoTerminals: when the operating system does not support the shared machine.
     """
     if not hasattr(os, 'fork'):
         raise NoTerminals
@@ -101,12 +104,12 @@ def _make(path: str) -> None:
 
 
 def address_file(place: str, number: str) -> str:
-    """Return the path of the file with the address of a domain's machine."""
+    """Return the path of the file that contains the address of a domain's machine."""
     return os.path.join(place, f'domain-{number}')
 
 
 def read_address(place: str, number: str) -> Address | None:
-    """Return the recorded address of a domain's machine, which may have ended."""
+    """Return the recorded address of a domain's machine, or None. The machine may have ended."""
     try:
         with open(address_file(place, number), encoding='utf-8') as file:
             kind, where, token, pid, host, guardian = (file.read(4096).split('\n') + [''])[:6]
@@ -116,7 +119,7 @@ def read_address(place: str, number: str) -> Address | None:
 
 
 def write_address(place: str, number: str, address: Address) -> None:
-    """Let terminals find a machine from now on. Readers see the old file or the new one, never a part of it."""
+    """Record the address of a machine, so that terminals find it. Readers see the whole old file or the whole new file."""
     path = address_file(place, number)
     new = f'{path}.{os.getpid()}'
     with open(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), 'w', encoding='utf-8') as file:
@@ -125,7 +128,7 @@ def write_address(place: str, number: str, address: Address) -> None:
 
 
 def remove_address(place: str, number: str, address: Address) -> None:
-    """Remove the address of that machine; the address of another machine stays."""
+    """Remove the socket and the recorded address of this machine. The address of a newer machine is not removed."""
     found = read_address(place, number)
     paths = [address_file(place, number)] if found is not None and found.token == address.token else []
     for path in [*paths, *([address.place] if address.kind == 'unix' else [])]:
@@ -134,7 +137,7 @@ def remove_address(place: str, number: str, address: Address) -> None:
 
 
 def remove_stale_sockets(place: str) -> None:
-    """Remove the sockets of machines that were killed: they have no listener."""
+    """Remove the sockets of killed machines, on which no process listens."""
     for entry in os.scandir(place):
         if not stat.S_ISSOCK(entry.stat(follow_symlinks=False).st_mode):
             continue
@@ -149,7 +152,10 @@ def remove_stale_sockets(place: str) -> None:
 
 
 class locked:
-    """Lock out all other processes that start or end a machine of this domain. The lock ends with its process."""
+    """A context manager that keeps other processes from starting or ending a machine of a domain at the same time.
+
+    The lock is also released when its process ends.
+    """
 
     def __init__(self, place: str, number: str) -> None:
         self._path = os.path.join(place, f'lock-{number}')
@@ -166,7 +172,14 @@ class locked:
 
 
 def listen(place: str, number: str, host: str) -> tuple[socket.socket, Address]:
-    """Return a socket that only this user can reach: a Unix socket, or a port of the loopback that requires the token."""
+    """Return a listening socket that only this user can reach, and its address.
+
+    The socket is a Unix socket, or a loopback port that requires the token.
+
+    :param place: the folder of the machines.
+    :param number: the ROS_DOMAIN_ID.
+    :param host: 'terminals' or 'notebook'.
+    """
     token = os.urandom(16).hex()
     path = os.path.join(place, f'{number}-{token[:8]}')
     if hasattr(socket, 'AF_UNIX') and len(os.fsencode(path)) <= LONGEST_SOCKET_PATH:
@@ -186,12 +199,15 @@ def listen(place: str, number: str, host: str) -> tuple[socket.socket, Address]:
 
 
 def busy_file(place: str, number: str) -> str:
-    """Return the file in which the guardian describes a machine that does not answer; otherwise, the file does not exist."""
+    """Return the path of the file in which the guardian describes a machine that does not answer.
+
+    The file exists only while the machine does not answer.
+    """
     return os.path.join(place, f'domain-{number}.busy')
 
 
 def seconds_from(name: str, usual: float) -> float:
-    """Return a number of seconds from the environment."""
+    """Return the number of seconds in an environment variable, or `usual` if the variable has no valid number."""
     try:
         return float(os.environ.get(name, usual))
     except ValueError:
@@ -199,5 +215,5 @@ def seconds_from(name: str, usual: float) -> float:
 
 
 def log_file(place: str, number: str) -> str:
-    """Return the log file of a machine."""
+    """Return the path of a machine's log file."""
     return os.path.join(place, f'domain-{number}.log')

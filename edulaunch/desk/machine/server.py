@@ -1,4 +1,4 @@
-"""Serves terminals: one Session in real time, and all connections to it."""
+"""The server that connects terminals to a machine: one Session in real time, and all connections to it."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ LOOK_EVERY_S = 5.0
 
 
 class Server:
-    """Serves terminals on a listening socket, with one live machine behind them.
+    """Serves terminals on a listening socket, and runs their commands on one live machine.
 
-    Everything happens in :meth:`run_due` and :meth:`listen`, in turns. The loop is `serving`, or another loop that waits on
+    All work happens in :meth:`run_due` and :meth:`listen`. The caller is the loop in `serving`, or a loop that waits on
     `selector` itself, such as the loop of a notebook.
 
     :param machine: a machine that already runs a session.
     :param token: the secret that a terminal must send first.
-    :ivar is_listening: whether it waits, and no program has its turn.
-    :ivar rounds: how many times it has waited.
+    :ivar is_listening: whether the server waits for input, and no program runs.
+    :ivar rounds: the number of times that the server has waited for input.
     """
 
     def __init__(self, machine: LiveMachine, listener: socket.socket, token: str) -> None:
@@ -52,15 +52,16 @@ class Server:
         self.selector.register(listener, selectors.EVENT_READ, self._accept)
 
     def run_due(self) -> float | None:
-        """Run the due items and send the output; return the seconds until the next item is due, or None without one."""
+        """Run the due items and send the output. Return the seconds until the next item is due, or None if there is no item."""
         wait_s = self.machine.run_due()
         self.flush()
         return wait_s
 
     def run_due_safely(self) -> float | None:
-        """Call :meth:`run_due`. If the engine fails in one program's turn, log the error and continue with the others.
+        """Call :meth:`run_due`. If the engine fails while it runs one program, log the error and continue with the other
+        programs.
 
-        :raises Exception: when the whole machine is stuck.
+        :raises Exception: when the engine fails repeatedly.
         """
         try:
             due_s = self.run_due()
@@ -74,12 +75,15 @@ class Server:
         return due_s
 
     def flush(self) -> None:
-        """Send the output."""
+        """Send the queued output of all connections."""
         for connection in list(self._connections):
             connection.flush()
 
     def listen(self, seconds: float | None) -> None:
-        """Read from terminals; wait for input at most this long."""
+        """Wait for input of terminals, and read it.
+
+        :param seconds: the longest time to wait in seconds, or None to wait without a limit.
+        """
         if self.is_behind:
             self.is_behind = False
             for connection in list(self._connections):
@@ -95,7 +99,7 @@ class Server:
             take(events)
 
     def look_for_signals(self) -> None:
-        """Called during a program's turn: check whether its terminal wants it to end."""
+        """Check whether the terminal of the running program wants to end it. This method is called while the program runs."""
         program = self.machine.session.host.program_here()
         for connection in list(self._connections):
             terminal = connection.terminal
@@ -104,16 +108,19 @@ class Server:
                 connection.look_for_signals(partial(terminal.signal, running=program))
 
     def move_to(self, session: Session) -> None:
-        """Serve another session to all later connections."""
+        """Use another session for all later connections."""
         self.machine.use(session)
         self.terminals = Terminals(self.machine)
 
     def has_connections(self) -> bool:
-        """Return whether any connection is open, with or without a token; a real network counts."""
+        """Return whether any connection is open, or the machine has joined a real network.
+
+        A connection without a token counts.
+        """
         return bool(self._connections) or self.machine.has_joined
 
     def has_terminals(self) -> bool:
-        """Return whether any connection with a valid token is open."""
+        """Return whether a connection is open that has sent the token."""
         return any(connection.terminal is not None for connection in self._connections)
 
     def _accept(self, events: int) -> None:
@@ -128,7 +135,7 @@ class Server:
         self._connections.append(Connection(client, self.selector, self._token, self._open_peer, self._forget))
 
     def _open_peer(self, connection: Connection, fields: list[str]) -> Peer:
-        """Open a terminal or page in the current session, which may have changed since the connection was accepted."""
+        """Open a terminal or page in the current session. The session may have changed since the connection was accepted."""
         return self.terminals.open(connection, fields)
 
     def _forget(self, connection: Connection) -> None:
@@ -136,14 +143,14 @@ class Server:
         self.last_seen_s = time.monotonic()
 
     def drop_the_silent(self) -> None:
-        """Close connections that did not send the token in time."""
+        """Close connections that have not sent the token in time."""
         late = time.monotonic() - HELLO_WITHIN_S
         for connection in list(self._connections):
             if connection.terminal is None and connection.since_s < late:
                 connection.close()
 
     def close(self) -> None:
-        """Close all connections."""
+        """Leave the network, and close all connections and the listening socket."""
         self.machine.leave_network()
         for connection in list(self._connections):
             connection.close()
@@ -152,7 +159,7 @@ class Server:
 
 
 def _is_ours(client: socket.socket) -> bool:
-    """Return whether the other end is a program of this user, as far as the system can report it."""
+    """Return whether the client is a program of this user. Return True if the system does not report the user."""
     if client.family == getattr(socket, 'AF_UNIX', None) and hasattr(socket, 'SO_PEERCRED'):
         credentials = client.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, 12)
         return int.from_bytes(credentials[4:8], sys.byteorder) == os.geteuid()

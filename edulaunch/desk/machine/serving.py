@@ -1,7 +1,7 @@
-"""The process that hosts a machine, from its start to its end.
+"""The process that hosts a shared machine, from its start to its end.
 
-Ctrl-C also reaches a program that does not yield. The machine does not read from terminals during
-that turn, so the operating system sends it a signal when input arrives.
+Ctrl-C also reaches a program that does not yield. While such a program runs, the machine does not read from terminals, so the
+operating system sends the machine a signal when input arrives.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ EARLY = ('rclpy', 'launch', 'launch_ros.actions')
 
 
 def wake_by_signal(connection: socket.socket) -> None:
-    """Raise SIGIO whenever input arrives over a connection."""
+    """Make the operating system send SIGIO to this process when input arrives over a connection."""
     if hasattr(signal, 'SIGIO'):
         import fcntl
 
@@ -46,14 +46,14 @@ def wake_by_signal(connection: socket.socket) -> None:
 
 
 class Impatience:
-    """Checks for Ctrl-C during a long turn. Only in a separate process, because it uses SIGIO and SIGALRM."""
+    """Checks for Ctrl-C while a program runs for a long time. It uses SIGIO and SIGALRM, so it needs a separate process."""
 
     def __init__(self, server: Server) -> None:
         self._server = server
         self._round = -1
 
     def begin(self) -> None:
-        """Start checking."""
+        """Install the signal handlers that check for Ctrl-C."""
         if hasattr(signal, 'SIGIO'):
             signal.signal(signal.SIGIO, self._somebody_spoke)
             signal.signal(signal.SIGALRM, self._too_long)
@@ -69,7 +69,13 @@ class Impatience:
 
 
 def serve(server: Server, place: str, number: str, address: Address) -> None:
-    """Serve until the last terminal has been closed for a while, or a user stops the machine."""
+    """Serve terminals until a user stops the machine, or until the last terminal has been closed for a while.
+
+    :param server: the server.
+    :param place: the folder of the machines.
+    :param number: the ROS_DOMAIN_ID of the machine.
+    :param address: the address of the machine, which is removed at the end.
+    """
     early, grace_s = list(EARLY), seconds_from('EDULAUNCH_GRACE_S', GRACE_S)
     while not (server.is_asked_to_end or server.terminals.is_asked_to_end):
         due_s = server.run_due_safely()
@@ -94,7 +100,10 @@ def serve(server: Server, place: str, number: str, address: Address) -> None:
 
 
 def main() -> None:
-    """Run a machine: `python -m edulaunch.desk.machine.serving FOLDER DOMAIN`, with the listening socket as file descriptor 3."""
+    """Run a machine.
+
+    The command line is `python -m edulaunch.desk.machine.serving FOLDER DOMAIN`. File descriptor 3 is the listening socket.
+    """
     place, number = sys.argv[1:3]
     listener = socket.socket(fileno=LISTENER)
     with locked(place, number):  # the parent process has written the address by then

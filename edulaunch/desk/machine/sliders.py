@@ -1,4 +1,4 @@
-"""A slider in a lesson for a parameter of a live machine. It is loaded late, because it needs ipywidgets."""
+"""Sliders in a notebook for the parameters of a live machine. This module is imported late, because it needs ipywidgets."""
 
 from __future__ import annotations
 
@@ -18,9 +18,13 @@ WITHOUT_STEP = 100
 def slider(
     machine: LiveMachine, take: Callable[[dict[str, Any]], object], node: str, name: str, limits: tuple[float, float] | None
 ) -> Any:
-    """Implement `Machine.slider`.
+    """Return a slider that sets a parameter, as in `Machine.slider`.
 
-    :param take: handles the requests of a live view.
+    :param machine: the machine.
+    :param take: a function that handles a request of a live view.
+    :param node: the full name of the node.
+    :param name: the name of the parameter.
+    :param limits: the smallest and the largest value, or None for the range that the node declares.
     """
     ipywidgets = widgets()
     recorder = machine.session.recorder
@@ -51,9 +55,9 @@ def slider(
 
 
 def _number(ipywidgets: Any, value: float, declared: Any, limits: tuple[float, float] | None, about: dict[str, Any]) -> Any:
-    """Return a slider over the declared range, or over `limits`.
+    """Return a slider over `limits`. Without `limits`, use the declared range.
 
-    :raises UnusableInput: when both are missing.
+    :raises UnusableInput: when there is neither a declared range nor `limits`.
     """
     if limits is None and declared is None:
         raise UnusableInput(
@@ -67,7 +71,7 @@ def _number(ipywidgets: Any, value: float, declared: Any, limits: tuple[float, f
 def widgets() -> Any:
     """Return the module ipywidgets.
 
-    :raises UnusableInput: when it is not installed.
+    :raises MissingExtra: when ipywidgets is not installed.
     """
     try:
         import ipywidgets

@@ -1,7 +1,7 @@
-"""`edulaunch.start`: a private machine that runs beside the cells of a notebook, or in a script, with a live view.
+"""`edulaunch.start`: a private machine with a live view that runs while other cells of a notebook run, or in a script.
 
-Like `edulaunch.run`, it is deterministic, because the machine stores manual actions with their simulated time. So it can reach
-any instant again and continue from there.
+Like `edulaunch.run`, it is deterministic, because the machine records manual actions with their simulated time. So it can
+repeat the run up to any instant and continue from there.
 """
 
 from __future__ import annotations
@@ -36,20 +36,20 @@ if TYPE_CHECKING:
 LONGEST_SLEEP_S = 0.02
 KEPT_S = 600.0
 COMMAND_S = 5.0
-"""Ctrl-C is pressed for a command after this many simulated seconds."""
+"""A command receives SIGINT after this many simulated seconds."""
 
 
 class Machine(LiveMachine):
-    """A simulated machine that runs in real time while an asyncio loop runs (as in a notebook), and otherwise in `run` only.
+    """A simulated machine that runs in real time while an asyncio loop runs, as in a notebook. Otherwise, it runs only in `run`.
 
-    In a `with` statement, it ends with the block; awaited, it runs until its launches have ended.
+    In a `with` statement, the machine ends with the block. `await machine` runs the machine until its launches have ended.
 
-    :ivar session: the session that runs on it.
+    :ivar session: the session that the machine runs.
     :ivar time: how simulated time follows real time: `time.speed`, `time.paused`.
     """
 
     can_continue = True
-    """True until it joins a real network, because messages from there cannot be repeated."""
+    """True until the machine joins a real network, because messages from the network cannot be repeated."""
 
     def __init__(
         self, make: Callable[[int], Session], speed: float = 1.0, keep_s: float | None = None, *, step: bool = False
@@ -78,14 +78,14 @@ class Machine(LiveMachine):
         return f'<Machine at {self.session.sim.elapsed_s:.3f} s, {state}, {len(self.session.graph.nodes)} nodes>'
 
     async def _follow(self) -> None:
-        """Let simulated time follow real time while other cells run."""
+        """Make simulated time follow real time while the asyncio loop runs."""
         while True:
             wait_s = self._advance()
             self.show_pages()
             await asyncio.sleep(LONGEST_SLEEP_S if wait_s is None else min(max(wait_s, 0.001), LONGEST_SLEEP_S))
 
     def soon(self, action: Callable[[], object]) -> None:
-        """Run a function on the machine's thread; callable from any thread."""
+        """Run a function on the machine's thread. Any thread may call this method."""
         if self._loop is None:
             action()
         else:
@@ -99,13 +99,15 @@ class Machine(LiveMachine):
 
     @property
     def is_on_network(self) -> bool | None:
-        """See `LiveMachine.is_on_network`; None also where time passes in `run` only."""
+        """Return the same as `LiveMachine.is_on_network`, or None if the machine runs without an asyncio loop."""
         return None if self._loop is None else super().is_on_network
 
     def join_network(self, joins: bool) -> str:
-        """Join a real network, in the environment in which Python was started, or leave it; return a message.
+        """Join a real network, or leave it. Return a message. The environment is the one in which Python was started.
 
-        To join, it runs everything again up to this instant, with a start time that makes now agree with real time.
+        Before joining, repeat the run up to this instant with another start time, so that simulated time agrees with real time.
+
+        :param joins: whether to join; otherwise, leave.
         """
         if self._loop is None:
             return 'a machine can join a network only while an asyncio loop runs, as in a notebook'
@@ -118,9 +120,11 @@ class Machine(LiveMachine):
         return super().join_network(joins)
 
     def run(self, duration_s: float) -> Recording:
-        """Let simulated time pass as fast as possible; return the recording so far.
+        """Run the machine as fast as possible for a simulated time. Return the recording so far.
 
-        The interrupt button (Ctrl-C) ends it early and keeps the recording.
+        The interrupt button (Ctrl-C) ends this call early and keeps the recording.
+
+        :param duration_s: simulated seconds.
         """
         left_s = duration_s
         while left_s > 0:
@@ -139,14 +143,18 @@ class Machine(LiveMachine):
         self.time.paused = True
 
     def play(self, speed: float | None = None) -> None:
-        """Resume simulated time, at `speed` simulated seconds per real second."""
+        """Resume simulated time.
+
+        :param speed: simulated seconds per real second, or None to keep the current speed.
+        """
         if speed is not None:
             self.time.speed = speed
         self.time.paused = False
 
     def step(self, what: str = 'tick') -> None:
-        """Make one step, then pause: a 'tick' of turtlesim (16 ms), up to the next 'message', or one 'callback'.
+        """Advance the machine by one step, then pause it.
 
+        :param what: 'tick' (a step of turtlesim, 16 ms), 'message' (until the next message), or 'callback' (one callback).
         :raises UnusableInput: for another word.
         """
         if what not in ('tick', 'message', 'callback'):
@@ -154,9 +162,10 @@ class Machine(LiveMachine):
         self.take({'op': 'step', 'what': what})
 
     def ros2(self, line: str, seconds: float = COMMAND_S) -> str:
-        """Run a ROS 2 command to its end and return its output: `machine.ros2('topic list')`.
+        """Run a ROS 2 command to its end, and return its output: `machine.ros2('topic list')`.
 
-        :param seconds: simulated seconds after which Ctrl-C is pressed.
+        :param line: the words after `ros2`.
+        :param seconds: the simulated time in seconds after which Ctrl-C is sent.
         :raises UnusableInput: when the command cannot be parsed.
         """
         try:
@@ -174,18 +183,19 @@ class Machine(LiveMachine):
         return ''.join(printed)
 
     def view(self, tab: str = 'graph') -> DeskWidget:
-        """Return the live view as a widget; `tab` is the tab beside the turtles, such as 'frames', 'graph' or 'plot'.
+        """Return the live view as a widget.
 
+        :param tab: the tab to show beside the turtles, such as 'frames', 'graph' or 'plot'.
         :raises UnusableInput: when anywidget is not installed, or there is no such tab.
         """
         return desk_widget(self, tab)
 
     def foxglove(self, port: int = 0, origins: Sequence[str] = ()) -> Any:
-        """Serve this machine to Foxglove and Lichtblick; return the server, with `address` and `close()`.
+        """Serve this machine to Foxglove and Lichtblick. Return the server, which has `address` and `close()`.
 
         :param port: a port of this computer, or 0 for any free port.
-        :param origins: the origins of pages that may connect, besides Foxglove's.
-        :raises UnusableInput: without the plug-in or a running asyncio loop, and when the port is taken.
+        :param origins: the origins of other pages that may connect, in addition to Foxglove's.
+        :raises UnusableInput: when the plug-in is not installed, no asyncio loop runs, or the port is in use.
         """
         self._served.append(offered('foxglove')(self, port, origins))
         return self._served[-1]
@@ -193,6 +203,8 @@ class Machine(LiveMachine):
     def slider(self, node: str, name: str, limits: tuple[float, float] | None = None) -> Any:
         """Return a slider that sets a parameter as `ros2 param set` does: `machine.slider('/sim', 'background_r')`.
 
+        :param node: the full name of the node.
+        :param name: the name of the parameter.
         :param limits: the smallest and the largest value (default: the range that the node declares).
         :raises UnusableInput: when ipywidgets is not installed, there is no such node or parameter, or no range is known.
         """
@@ -201,7 +213,7 @@ class Machine(LiveMachine):
         return slider(self, self.take, node, name, limits)
 
     def take(self, words: dict[str, Any]) -> None:
-        """Handle a request as if it came from a page."""
+        """Handle a request as if it came from a live view."""
         self.do_for(self._hand, words)
 
     def record_request(self, words: dict[str, Any]) -> None:
@@ -210,9 +222,9 @@ class Machine(LiveMachine):
             self._done.append((self.session.sim.now_ns - self._start_ns, dict(words)))
 
     def continue_at(self, time_s: float) -> None:
-        """Run everything again up to an instant, with the same seed and the same manual actions, and continue from there.
+        """Repeat the run up to an instant, with the same seed and the same manual actions, and continue from there.
 
-        Everything after that instant is lost.
+        Everything that happened after that instant is lost.
 
         :param time_s: simulated seconds since the start.
         """
@@ -264,7 +276,7 @@ class Machine(LiveMachine):
 
 
 def desk_widget(machine: LiveMachine, tab: str) -> DeskWidget:
-    """Return the live view of a machine as a widget; see `Machine.view`.
+    """Return the live view of a machine as a widget, as in `Machine.view`.
 
     :raises UnusableInput: when anywidget is not installed, or there is no such tab.
     """
@@ -288,18 +300,19 @@ def start(
     keep_s: float | None = KEPT_S,
     step: bool = False,
 ) -> Machine:
-    """Start a machine and a launch file on it, as :func:`edulaunch.run` does, but let it continue, with a live view.
+    """Start a machine and a launch file on it. Unlike :func:`edulaunch.run`, return immediately; the machine continues to run.
 
-    :param path_or_package: path of a launch file, or name of a package; None launches nothing.
-    :param file: name of a launch file in the package.
-    :param arguments: launch arguments by name, as on the command line.
+    :param path_or_package: the path of a launch file, or the name of a package. None launches nothing.
+    :param file: the name of a launch file in the package.
+    :param arguments: the launch arguments by name, as on the command line.
     :param seed: the seed of all random numbers.
     :param speed: simulated seconds per real second.
     :param workspaces: folders with the student's packages (default: the same as in `run`).
-    :param keep_s: simulated seconds after which old messages are dropped, so that a machine that runs for hours stays small. None
-        keeps all messages. Nodes, parameters and the last messages of each topic always stay.
-    :param step: stop before the first action of the launch file; continue in the tab *Launch* of `machine.view('launch')`.
-    :raises UnusableInput: when the file or package does not exist, or `speed` is not a positive number.
+    :param keep_s: the simulated time in seconds after which old messages are dropped, so that a machine can run for hours. None
+        keeps all messages. Nodes, parameters and the last messages of each topic are always kept.
+    :param step: whether to stop before the first action of the launch file. Continue in the tab *Launch* of
+        `machine.view('launch')`.
+    :raises UnusableInput: when the file or package does not exist, or `speed` is not above 0 and up to 100.
     """
     if not 0 < speed <= 100:
         raise UnusableInput(f'speed must be a number above 0 and up to 100, not {speed!r}')

@@ -1,4 +1,4 @@
-"""Functions with which a terminal finds the machine of its domain, or starts one. They need only the standard library."""
+"""Functions that find the machine of a terminal's domain or start one. They need only the standard library."""
 
 from __future__ import annotations
 
@@ -25,16 +25,18 @@ CONNECT_S = 3.0
 
 
 class CannotConnect(OSError):
-    """A machine runs, but too many terminals wait for it."""
+    """A machine runs, but it does not accept the connection, because too many terminals wait for it."""
 
 
 def connect(number: str, *, start: bool = True) -> tuple[socket.socket, Address] | None:
-    """Return a connection to the machine of a domain, and its address; None if no machine runs and `start` is false.
+    """Return a connection to the machine of a domain and its address. Return None if no machine runs and `start` is False.
 
-    If two terminals come first at the same time, one of them starts the machine, and both connect to it. The socket listens
+    If two terminals call this at the same time, one of them starts the machine, and both connect to it. The socket listens
     before the machine runs.
 
-    :raises UnsafePlace: when others can write in the folder of the machines.
+    :param number: the ROS_DOMAIN_ID.
+    :param start: whether to start a machine if none runs.
+    :raises UnsafePlace: when other users can write in the folder of the machines.
     :raises CannotConnect: when a machine runs but does not accept connections.
     """
     place = folder()
@@ -54,9 +56,9 @@ def connect(number: str, *, start: bool = True) -> tuple[socket.socket, Address]
 
 
 def open_connection(address: Address | None) -> tuple[socket.socket, Address] | None:
-    """Return a connection to the machine at an address, or None without a listener.
+    """Return a connection to the machine at an address. Return None if no process listens there.
 
-    :raises CannotConnect: when there is a listener that does not answer.
+    :raises CannotConnect: when a process listens but does not answer.
     """
     if address is None:
         return None
@@ -75,7 +77,7 @@ def open_connection(address: Address | None) -> tuple[socket.socket, Address] | 
 
 
 def state(address: Address) -> str:
-    """Describe a machine that does not answer, as the rest of a sentence; may be empty."""
+    """Return the end of a sentence that describes why a machine does not answer. The string may be empty."""
     if address.host == 'notebook':
         why = f': it belongs to a notebook (process {address.pid}), which runs a cell'
         return f'{why}\n  help: wait for the end of the cell, or interrupt it'
@@ -88,7 +90,10 @@ def state(address: Address) -> str:
 
 
 def _spawn(listener: socket.socket, place: str, number: str) -> tuple[int, int]:
-    """Start the machine as a child of its guardian; both are independent of terminals. Return their pids."""
+    """Start a guardian and its child process, the machine.
+
+    Both are independent of terminals. Return (machine's pid, guardian's pid).
+    """
     reader, writer = os.pipe()
     child = os.fork()
     if child:
@@ -111,7 +116,14 @@ def _spawn(listener: socket.socket, place: str, number: str) -> tuple[int, int]:
 
 
 def _become(module: str, place: str, number: str, *words: str, files: tuple[int, ...]) -> None:
-    """Run one of our modules in place of this process. Its open files have the numbers from 3, and its errors go to the log."""
+    """Replace this process by one of our modules. Its log receives standard output and standard error.
+
+    :param module: the name of the module.
+    :param place: the folder of the machines.
+    :param number: the ROS_DOMAIN_ID.
+    :param words: further words of the command line.
+    :param files: open files, which the module receives as file descriptors 3, 4 and so on.
+    """
     import fcntl
 
     is_machine = module.endswith('serving')

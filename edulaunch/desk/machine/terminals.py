@@ -1,8 +1,8 @@
-"""Terminals from the machine's side: each runs one command inside the simulation, or a command for the machine itself
+"""The machine's side of terminals. Each terminal runs one command inside the simulation, or a command for the machine itself
 (`edulaunch machine status|stop|pause|resume|speed X`, `edulaunch network ...`).
 
-The advice that `ros2 doctor` adds to ROS 2's own checks is not part of the recorded output. Recordings contain no sentences
-in any user's language.
+The recorded output of `ros2 doctor` contains only ROS 2's own checks, not the advice that follows them. Recordings contain no
+sentences in a user's language.
 """
 
 from __future__ import annotations
@@ -43,14 +43,14 @@ HUP = getattr(signal, 'SIGHUP', signal.SIGTERM)
 
 
 def is_doctor(words: Sequence[str]) -> bool:
-    """Return whether a command asks for the checks, and not for a report."""
+    """Return whether a command is `ros2 doctor` (or `ros2 wtf`) without a report."""
     return (
         len(words) > 1 and words[0] == 'ros2' and words[1] in ('doctor', 'wtf') and not {'hello', '-r', '--report'} & set(words)
     )
 
 
 def doctors_text(session: Session, reader: Reader) -> str:
-    """Return the findings on the last launches and programs of terminals, each judged on its own."""
+    """Return the findings about the last launches and programs that terminals have run. Each run is checked separately."""
     heading = reader.says('edulaunch has checked everything that ran here so far:')
     judged = [
         row['pid'] for row in session.recorder.processes if row['argv'][:2] in ADVISED and session.recorder.leads(row['pid'])
@@ -60,7 +60,13 @@ def doctors_text(session: Session, reader: Reader) -> str:
 
 
 def run_words(terminals: Terminals, words: list[str], env: Mapping[str, str], say: Callable[[str], object]) -> int:
-    """Run a command for the machine; return the exit code."""
+    """Run a command for the machine itself. Return the exit code.
+
+    :param terminals: the terminals of the machine.
+    :param words: the command, such as ['speed', '2'].
+    :param env: the environment of the command.
+    :param say: a function that writes to the terminal.
+    """
     word, value = (words + ['status', ''])[:2] if words else ('status', '')
     if word == 'network':
         try:
@@ -102,7 +108,7 @@ def _set_speed(terminals: Terminals, value: str, say: Callable[[str], object]) -
 
 
 def status(terminals: Terminals) -> str:
-    """Describe what runs on the machine."""
+    """Return a description of the machine and of the commands that run on it."""
     time, session = terminals.time, terminals.session
     pace = 'paused' if time.paused else f'speed {time.speed:g}'
     lines = [f'machine: process {os.getpid()}, {session.sim.elapsed_s:.1f} s old, {pace}']
@@ -113,9 +119,9 @@ def status(terminals: Terminals) -> str:
 
 
 class Terminals:
-    """All terminals of a machine, in the order of their connections.
+    """All terminals of a machine's current session, in the order in which they connected.
 
-    :param machine: runs their commands; these are the terminals of its current session.
+    :param machine: the machine that runs their commands.
     :ivar pages: the live views that show the machine.
     :ivar is_asked_to_end: whether a user has stopped the machine.
     """
@@ -133,7 +139,7 @@ class Terminals:
         self._count = 0
 
     def warn(self, text: str) -> None:
-        """Print a warning in every terminal that has a command running."""
+        """Print a warning in every terminal in which a command runs."""
         for terminal in self.open_ones:
             terminal.show('stderr', f'warning: {text}\n')
 
@@ -145,9 +151,12 @@ class Terminals:
         return network.where() if network is not None and network.is_on else None
 
     def open(self, connection: Connection, fields: list[str]) -> Peer:
-        """Create a terminal, a live view or a plug-in's peer from the first frame of a connection.
+        """Create the terminal, live view or peer of a plug-in that the first frame of a connection requests.
 
-        :raises ValueError, IndexError: when the frame is invalid.
+        :param connection: the connection.
+        :param fields: the content of the first frame, without the token.
+        :raises ValueError: when the frame is invalid.
+        :raises IndexError: when the frame is too short.
         """
         cwd, columns, lines, terminals, count = fields[:5]
         words, variables = fields[5 : 5 + int(count)], fields[5 + int(count) :]
@@ -183,8 +192,9 @@ class Terminals:
 class Terminal:
     """One terminal with its command.
 
-    :param size: columns and lines.
-    :param terminals: which of stdin, stdout and stderr are terminals at the other end, as '1' and '0'.
+    :param size: the columns and lines of the window.
+    :param terminals: three characters for stdin, stdout and stderr. '1' means that the client's stream is a terminal, '0' that
+        it is not.
     """
 
     def __init__(self, terminals: Terminals, connection: Connection, size: tuple[int, int], terminals_there: str) -> None:
@@ -198,7 +208,12 @@ class Terminal:
         self.input = RemoteInput(connection.send, terminals_there[0] == '1', size)
 
     def start(self, words: list[str], cwd: str, env: dict[str, str]) -> None:
-        """Run the command inside the simulation."""
+        """Run the command inside the simulation.
+
+        :param words: the command.
+        :param cwd: the current folder of the terminal.
+        :param env: the environment of the terminal.
+        """
         host = self._terminals.session.host
         name = words[3] if words[:2] == ['ros2', 'run'] and words[3:] else words[0]
         spec, index = typed_command(words, f'{name}-{self.number}', cwd, env, host.index)
@@ -218,7 +233,11 @@ class Terminal:
             self._connection.send(wire.ERRORS, ''.join(self._terminals.notes.same_names(words, [process])).encode())
 
     def show(self, stream: str, text: str) -> None:
-        """Write to this terminal."""
+        """Write output to this terminal, and the notes that are due.
+
+        :param stream: 'stdout' or 'stderr'.
+        :param text: the output.
+        """
         self._connection.send(wire.OUTPUT if stream == 'stdout' else wire.ERRORS, text.encode('utf-8', 'backslashreplace'))
         if self._terminals_there[2] == '1' and self._writes < NOTES_WITHIN:
             self._writes += 1
@@ -226,7 +245,7 @@ class Terminal:
                 self._connection.send(wire.ERRORS, note.encode())
 
     def _finished(self, code: int) -> None:
-        """Check the launches and programs of the command, which has ended."""
+        """Print advice on the launches and programs of the command, which has ended, and end the terminal."""
         if self.process is not None and self.words[:2] in ADVISED and '--quiet' not in self.words:
             session, typed, pid = self._terminals.session, self.process.name, self.process.pid
             lines = end_of_run_lines(session.of_command(pid), self._reader, session.host.hints.helped(pid), typed, 'ros2 doctor')
@@ -236,12 +255,15 @@ class Terminal:
         self.ended(code)
 
     def ended(self, code: int) -> None:
-        """End the terminal together with its command."""
+        """Send the exit code of the command to the client, and end the terminal.
+
+        :param code: the return code, which is negative after a signal.
+        """
         self._connection.send(wire.EXIT, str(code if code >= 0 else 128 - code).encode())
         self._connection.end()
 
     def take(self, kind: int, payload: bytes) -> None:
-        """Handle a frame of the other end."""
+        """Handle a frame of the client: input, a signal or a new window size."""
         if kind == wire.INPUT:
             self.input.feed(self._decoder.decode(payload), last=not payload)
         elif kind == wire.SIGNAL:
@@ -251,9 +273,11 @@ class Terminal:
             self.input.size = columns, lines
 
     def signal(self, signum: int, running: Process | None = None) -> None:
-        """Send Ctrl-C and Ctrl-\\ to every program of the terminal, and other signals to its command.
+        r"""Send Ctrl-C and Ctrl-\ to every program of the terminal, and other signals to its command.
 
-        :param running: the program whose turn is interrupted; what the signal raises there leaves this method.
+        :param signum: the number of the signal.
+        :param running: the program that runs now and is interrupted, or None. An exception that the signal raises in this program
+            leaves this method.
         """
         if self.process is None:
             return
@@ -268,12 +292,12 @@ class Terminal:
             program.send_signal(signum)
 
     def programs(self) -> list[Process]:
-        """Return the programs that run in the terminal, the command first."""
+        """Return the programs that run in the terminal. The command comes first."""
         processes = self._terminals.session.host.processes
         return [process for process in processes if process.group is self.process]
 
     def hang_up(self) -> None:
-        """Send SIGHUP to the programs that still run after the other end has closed."""
+        """Send SIGHUP to the programs that still run after the client has closed the connection."""
         if self in self._terminals.open_ones:
             self._terminals.open_ones.remove(self)
         host = self._terminals.session.host
@@ -285,5 +309,5 @@ class Terminal:
 
 
 def _variables(lines: Sequence[str]) -> dict[str, str]:
-    """Return the environment that a terminal sent as lines `NAME=VALUE`."""
+    """Return the environment variables that a terminal has sent as strings `NAME=VALUE`."""
     return dict(line.split('=', 1) for line in lines if '=' in line)

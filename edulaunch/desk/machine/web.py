@@ -1,7 +1,7 @@
-"""The live view beside a terminal: a small server on the loopback, between the browser and the machine.
+"""The web server of `edulaunch view`: a small server on the loopback, between the browser and the machine.
 
-A client needs the token in the address. A web socket is accepted only from the page that this server sent, so pages of other
-origins get nothing. Each page has one connection to the machine.
+A browser needs the token in the address. The server accepts a web socket only from its own page, so pages of other origins
+receive nothing. Each page has one connection to the machine.
 """
 
 from __future__ import annotations
@@ -34,10 +34,10 @@ Paths = list[tuple[str, type[RequestHandler]]]
 
 
 class Guarded(RequestHandler):
-    """Serves the page only with the token, and only at our address. Other names of the loopback are rejected."""
+    """A handler that serves the page only with the token, and only at the server's own address. It rejects other host names."""
 
     def set_default_headers(self) -> None:
-        """Set the headers of every answer, also of an error."""
+        """Set the headers of every response, including error responses."""
         self.set_header('Content-Security-Policy', f"{POLICY}; base-uri 'none'; form-action 'none'; frame-ancestors 'none'")
         self.set_header('Cache-Control', 'no-store')
         self.set_header('Referrer-Policy', 'no-referrer')
@@ -57,7 +57,7 @@ class _Page(Guarded):
 
 
 class _Socket(Guarded, WebSocketHandler):
-    """Passes messages between the page and the machine."""
+    """A web socket that forwards messages between the page and the machine."""
 
     def check_origin(self, origin: str) -> bool:
         return origin in {f'http://{host}' for host in self.application.settings['hosts']}
@@ -86,7 +86,7 @@ class _Socket(Guarded, WebSocketHandler):
                     *lines, line = (line + payload).split(b'\n')
                     for text in lines:
                         await self.write_message(text)
-        except Exception:  # one side has closed: close the other one
+        except Exception:  # one connection has ended, so close the other one
             self.close()
 
     def on_message(self, message: str | bytes) -> None:
@@ -100,10 +100,12 @@ class _Socket(Guarded, WebSocketHandler):
 
 
 async def serve(connect: Connect, *, port: int = 0, tab: str = 'graph', opened: Callable[[str], object] | None = None) -> None:
-    """Serve the page until cancelled.
+    """Serve the page of the live view until the task is cancelled.
 
-    :param port: port of the loopback; 0 means any free port.
-    :param opened: called with the address when the server is ready.
+    :param connect: a function that returns a connection to the machine, and the first frame to send.
+    :param port: a port of the loopback, or 0 for any free port.
+    :param tab: the tab that the page shows first.
+    :param opened: a function that is called with the address when the server is ready.
     :raises OSError: when the port is in use.
     """
     paths: Paths = [(r'/([\w-]+)/', _Page), (r'/([\w-]+)/socket', _Socket)]
@@ -111,10 +113,12 @@ async def serve(connect: Connect, *, port: int = 0, tab: str = 'graph', opened: 
 
 
 async def serve_paths(paths: Paths, *, port: int, opened: Callable[[str], object] | None, **settings: Any) -> None:
-    """Serve guarded handlers on the loopback until cancelled; the parameters are those of :func:`open_paths`.
+    """Serve guarded handlers on the loopback until the task is cancelled.
 
-    :param opened: called with the address when the server is ready.
-    :raises OSError: when the port is taken.
+    The other parameters are those of :func:`open_paths`.
+
+    :param opened: a function that is called with the address when the server is ready.
+    :raises OSError: when the port is in use.
     """
     server, address = open_paths(paths, port=port, **settings)
     try:
@@ -126,12 +130,12 @@ async def serve_paths(paths: Paths, *, port: int, opened: Callable[[str], object
 
 
 def open_paths(paths: Paths, *, port: int, **settings: Any) -> tuple[HTTPServer, str]:
-    """Return a server of guarded handlers on the running loop, and its address.
+    """Return a server of guarded handlers on the running asyncio loop, and its address.
 
-    :param paths: regular expressions of paths. The first group of each is the token.
-    :param port: a port of the loopback; 0 means any free port.
+    :param paths: regular expressions of paths with their handlers. The first group of each expression is the token.
+    :param port: a port of the loopback, or 0 for any free port.
     :param settings: the settings of the handlers.
-    :raises OSError: when the port is taken.
+    :raises OSError: when the port is in use.
     """
     token = secrets.token_urlsafe(24)
     listener = socket.socket(socket.AF_INET)
@@ -152,16 +156,20 @@ def open_paths(paths: Paths, *, port: int, **settings: Any) -> tuple[HTTPServer,
 
 
 def _quiet(handler: RequestHandler) -> None:
-    """Log nothing for each request."""
+    """Do nothing, so that requests are not logged."""
 
 
 def tell(address: str, more: str = '') -> None:
-    """Print the address of the page."""
+    """Print the address of the page.
+
+    :param address: the address.
+    :param more: lines to print after the address.
+    """
     sys.stdout.write(f'the live view is at {address}\n{more}')
     sys.stdout.flush()
 
 
 def show(address: str) -> None:
-    """Open the page if there is a browser."""
+    """Open the page in a browser if the computer has one."""
     with suppress(webbrowser.Error):
         webbrowser.open(address)

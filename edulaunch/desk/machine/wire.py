@@ -1,4 +1,4 @@
-"""The kinds of frames between a terminal and its machine, and the form of the first one."""
+"""The kinds of frames between a terminal and its machine, and the format of the first frame."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ ERRORS = ord(b'2')
 MODE = ord(b'M')
 """The mode of the keyboard: a sum of CANONICAL, ECHO and SIGNALS."""
 READ = ord(b'R')
-"""A program reads: pass on the keyboard from now on."""
+"""A program reads, so the terminal must send its keyboard input from now on."""
 EXIT = ord(b'X')
 
 CANONICAL, ECHO, SIGNALS = 1, 2, 4
@@ -31,12 +31,12 @@ LONGEST = 1 << 20
 
 
 def pack(fields: Sequence[str]) -> bytes:
-    """Return strings without NUL as one payload."""
+    """Return a payload that contains the strings. No string may contain NUL."""
     return b'\0'.join(field.encode('utf-8', 'surrogateescape') for field in fields)
 
 
 def unpack(payload: bytes) -> list[str]:
-    """Return the strings of :func:`pack`."""
+    """Return the strings that :func:`pack` has put into a payload."""
     return [field.decode('utf-8', 'surrogateescape') for field in payload.split(b'\0')]
 
 

@@ -1,6 +1,6 @@
 """`ros2` in a notebook: `%load_ext edulaunch`, then `%ros2 launch ...`, `%ros2 topic list` and so on.
 
-One simulated machine runs behind the notebook. A launch starts it again, and later commands examine the programs that still run.
+Each notebook has one simulated machine. A launch starts a new machine, and later commands examine the programs that still run.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from typing import Any
 
 
 def load_ipython_extension(shell: Any) -> None:
-    """Register the magics; `%load_ext edulaunch` calls this."""
+    """Register the magics. IPython calls this function for `%load_ext edulaunch`."""
     from edulaunch.desk.notebook.hints import matcher, watch_names
     from edulaunch.desk.notebook.magics import RosMagics
 

@@ -1,6 +1,6 @@
-"""Help in a notebook: Tab completes `%ros2`, and a line of help follows a NameError or a missing folder.
+"""Help in a notebook: completion of `%ros2` with Tab, and a line of help below a NameError or a missing folder.
 
-The cause of such an error is nearly always a cell that was not run.
+Such an error nearly always means that a cell was not run.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ SET_UP = ('Path', 'edulaunch', 'compare', 'predict', 'quiz')
 
 
 def unfinished(text: str, line: str) -> str | None:
-    """Return the words after `ros2` on an unfinished line of a cell; None for a line of Python.
+    """Return the words after `ros2` on an unfinished line of a cell, or None for a line of Python.
 
-    :param text: the cell up to the cursor.
+    :param text: the content of the cell up to the cursor.
     :param line: the last line of `text`.
     """
     if text.startswith('%%ros2') and '\n' in text:
@@ -41,7 +41,11 @@ def unfinished(text: str, line: str) -> str | None:
 
 
 def candidates(terminal: CellTerminal, typed_line: str) -> tuple[str, list[str]]:
-    """Return the word before the cursor, and its completions."""
+    """Return the word before the cursor, and the words that can replace it.
+
+    :param terminal: the terminal of the notebook.
+    :param typed_line: the words after `ros2`, up to the cursor.
+    """
     *words, typed = typed_line.split(' ')
     words = [word for word in words if word]
     session = terminal.machine.session
@@ -56,7 +60,10 @@ def candidates(terminal: CellTerminal, typed_line: str) -> tuple[str, list[str]]
 
 
 def matcher(terminal: CellTerminal) -> Any:
-    """Return a matcher for IPython's completer: the only one on a line of `ros2`, without results elsewhere."""
+    """Return a matcher for IPython's completer.
+
+    On a line of `ros2`, it suppresses all other matchers; elsewhere, it returns nothing.
+    """
     from IPython.core.completer import SimpleCompletion, context_matcher
 
     @context_matcher(identifier='edulaunch.ros2')  # type: ignore[untyped-decorator, unused-ignore]
@@ -78,7 +85,7 @@ def watch_names(shell: Any) -> None:
 
 
 def _shown(shell: Any, kind: type[Exception], error: Exception, trace: TracebackType, tb_offset: int | None = None) -> Any:
-    """Show the error as IPython does, with the help below it."""
+    """Show the error as IPython does, and the help below it."""
     lines = shell.InteractiveTB.structured_traceback(kind, error, trace, tb_offset=tb_offset)
     text = ''
     if isinstance(error, FileNotFoundError):
@@ -92,7 +99,10 @@ def _shown(shell: Any, kind: type[Exception], error: Exception, trace: Traceback
 
 
 def missing_folder_help(path: object) -> str:
-    """Suggest what to do if a file cannot be written because the cell that creates its folder was not run."""
+    """Return a line of help for a file whose folder does not exist, or an empty string.
+
+    The usual cause is that the cell that creates the folder was not run.
+    """
     folder = os.path.dirname(os.fspath(path)) if isinstance(path, str | os.PathLike) else ''
     if not folder or os.path.isabs(folder) or os.path.isdir(folder):
         return ''
@@ -100,10 +110,11 @@ def missing_folder_help(path: object) -> str:
 
 
 def missing_name_help(name: str, line: str, known: dict[str, Any]) -> str:
-    """Suggest what to do about a name that no cell has defined.
+    """Return a line of help for a name that no cell has defined, or an empty string.
 
+    :param name: the name.
     :param line: the line that uses the name.
-    :param known: the names of the notebook.
+    :param known: the names that the notebook has defined, with their values.
     """
     if not name:
         return ''
@@ -131,5 +142,5 @@ def _last_line(trace: TracebackType) -> str:
 
 
 def _in_a_cell(trace: TracebackType, known: dict[str, Any]) -> bool:
-    """Return whether the failing line is in the notebook, and not in a library that it calls."""
+    """Return whether the failing line is in the notebook, not in a library that the notebook calls."""
     return _last(trace).tb_frame.f_globals is known

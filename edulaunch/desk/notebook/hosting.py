@@ -1,7 +1,7 @@
-"""Connect terminals to the machine of a notebook, on the notebook's own asyncio loop.
+"""Connect terminals to the machine of a notebook, with the notebook's own asyncio loop.
 
-Time does not pass between two cells, so that a lesson runs the same each time. While a terminal is connected, simulated time
-follows real time.
+Simulated time does not pass between two cells, so that a lesson runs in the same way each time. While a terminal is connected,
+simulated time follows real time.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ from edulaunch.runtime.session import Session
 
 
 class Hosting(LiveMachine):
-    """The server of a notebook's machine. It needs a running loop that can wait for connections.
+    """The server of a notebook's machine. It needs a running asyncio loop that can wait for connections.
 
-    :ivar joins_next: whether the next machine joins a real network.
+    :ivar joins_next: whether the next machine of the notebook joins a real network.
     """
 
     def __init__(self) -> None:
@@ -45,13 +45,16 @@ class Hosting(LiveMachine):
         self.joins_next = False
 
     def has_programs(self) -> bool:
-        """Return whether programs may still run in a terminal, or in one of a live view. A live view alone does not count."""
+        """Return whether programs may still run in a terminal, or in a terminal of a live view.
+
+        A live view alone does not count.
+        """
         if self._server is None:
             return False
         return self._server.has_terminals() or self._has_joined() or any(page.viewer.has_programs() for page in self.pages)
 
     def soon(self, action: Callable[[], object]) -> None:
-        """Run a function on the machine's thread, and check again what is due; callable from any thread."""
+        """Run a function on the machine's thread, then run the items that are due. Any thread may call this method."""
 
         def act() -> None:
             action()
@@ -62,16 +65,18 @@ class Hosting(LiveMachine):
 
     @property
     def is_on_network(self) -> bool | None:
-        """See `LiveMachine.is_on_network`."""
+        """Return the same as `LiveMachine.is_on_network`, or None without a server."""
         return None if self._server is None else super().is_on_network
 
     def _has_joined(self) -> bool:
         return self._server is not None and self.has_joined
 
     def join_network(self, joins: bool) -> str:
-        """Join or leave a real network; return a message. After joining, time passes by itself.
+        """Join or leave a real network. Return a message. After joining, simulated time follows real time.
 
-        A running simulation keeps its own time; the next launch joins.
+        A running simulation keeps its own time. If that time is far from real time, the next launch joins instead.
+
+        :param joins: whether to join; otherwise, leave.
         """
         assert self._server is not None
         self.joins_next = joins and not is_walls_time(self.session.sim.now_ns)
@@ -82,7 +87,7 @@ class Hosting(LiveMachine):
         return answer
 
     def serve(self, session: Session) -> None:
-        """Serve this session to terminals from now on; terminals find the notebook that was used last."""
+        """Let terminals use this session from now on. Terminals find the notebook that was used last."""
         if self._loop is None:
             return
         try:
@@ -114,7 +119,7 @@ class Hosting(LiveMachine):
 
     @contextmanager
     def cell(self) -> Iterator[None]:
-        """Run a cell that lets time pass. For terminals, time continues from the end of the cell."""
+        """Return a context manager for a cell that runs the machine. Afterwards, real-time pacing continues from the new time."""
         with suppress(RuntimeError):
             self._loop = asyncio.get_running_loop()
         try:
@@ -126,7 +131,7 @@ class Hosting(LiveMachine):
                 self._look_again(0.0)
 
     def _on_readable(self) -> None:
-        """Read from a terminal."""
+        """Read the input of terminals."""
         server = self._server
         assert server is not None
         with in_its_turn():
@@ -134,7 +139,7 @@ class Hosting(LiveMachine):
         self._look_again(0.0)
 
     def _go_on(self) -> None:
-        """Run the due items while any terminal is connected."""
+        """Run the due items while a terminal is connected, a page is visible, or the machine is on a real network."""
         server = self._server
         assert server is not None
         is_seen = any(page.is_shown() for page in self.pages)
@@ -165,9 +170,9 @@ class Hosting(LiveMachine):
 
 
 def _number(server: Server) -> int:
-    """Return the file that a loop must watch to notice input of any terminal.
+    """Return the file descriptor that an asyncio loop must watch for input of all terminals.
 
-    :raises NotImplementedError: on systems where a set of connections is not one file.
+    :raises NotImplementedError: on systems without such a file descriptor.
     """
     number = getattr(server.selector, 'fileno', None)
     if number is None or not hasattr(socket, 'AF_UNIX'):

@@ -1,5 +1,4 @@
-"""Widgets: `edulaunch.interact` runs a function again for other values of sliders, and a keyboard for a program that reads
-one."""
+"""Widgets: `edulaunch.interact` runs a function for the values of sliders, and `keyboard` sends keys to a program."""
 
 from __future__ import annotations
 
@@ -16,7 +15,7 @@ BUTTONS = {'arrow-up': '\x1b[A', 'arrow-down': '\x1b[B', 'arrow-left': '\x1b[D',
 
 
 def interact(run: Callable[..., Any], **choices: Any) -> Any:
-    """Show a slider or another control for each argument of a function, and below them the result of the function.
+    """Show a slider or another control for each argument of a function, and the result of the function below the controls.
 
     ::
 
@@ -25,10 +24,12 @@ def interact(run: Callable[..., Any], **choices: Any) -> Any:
 
         edulaunch.interact(circle, radius=(0.5, 2.0))
 
-    The function runs when a slider is released, because a run takes a moment. A Recording is shown as its turtles.
+    The function runs when the user releases a slider, because a run takes a moment. For a Recording, it
+    shows the picture of the turtles.
 
-    :param run: the function, which is called with the values of the controls by name.
-    :param choices: in the short form of ipywidgets: (min, max), (min, max, step), a list, True, a string, or a widget.
+    :param run: the function. It receives the values of the controls as keyword arguments.
+    :param choices: the controls by argument, in the short form of ipywidgets: (min, max), (min, max, step), a list, True, a
+        string, or a widget.
     :raises UnusableInput: when ipywidgets is not installed.
     """
     ipywidgets = widgets()
@@ -53,9 +54,11 @@ def interact(run: Callable[..., Any], **choices: Any) -> Any:
 
 
 def keyboard(press: Callable[[str], str], title: str) -> Any:
-    """Show a keyboard widget; each press sends the keys to `press`, and shows the result.
+    """Return a keyboard widget. Each press of a button sends its keys to `press`, and shows the string that `press` returns.
 
-    :raises ImportError: without ipywidgets.
+    :param press: the function that receives the keys.
+    :param title: the title of the widget.
+    :raises ImportError: when ipywidgets is not installed.
     """
     from ipywidgets import Button, HBox, Label, Output, Text, VBox
 

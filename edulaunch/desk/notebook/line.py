@@ -1,4 +1,4 @@
-"""A line after `%ros2`: its words, and the options that `ros2` itself does not have."""
+"""Parse a line after `%ros2`: its words, and the options that `ros2` itself does not have."""
 
 from __future__ import annotations
 
@@ -15,13 +15,14 @@ _OURS = re.compile(r'\s--(for|seed)\s+\S+')
 
 
 class Line(NamedTuple):
-    """The parts of a line.
+    """The parts of a line after `%ros2`.
 
-    :ivar words: the words after `ros2`, without our own options and the last `&`.
-    :ivar seconds, seed: the values of `--for` and `--seed`, if given.
-    :ivar stays: whether the line ends in `&`: the command continues beside the next ones.
+    :ivar words: the words after `ros2`, without the options of the magic and the `&` at the end.
+    :ivar seconds: the value of `--for` in simulated seconds, or None.
+    :ivar seed: the value of `--seed`, or 0.
+    :ivar stays: whether the line ends with `&`, so that the command runs in the background.
     :ivar quiet: whether a launch or a run hides its console and its advice (`--quiet`).
-    :ivar shell: the whole line, if it joins commands as in a shell; otherwise empty.
+    :ivar shell: the whole line if it joins commands as in a shell, otherwise an empty string.
     """
 
     words: list[str]
@@ -33,7 +34,7 @@ class Line(NamedTuple):
 
 
 def read_line(text: str) -> Line:
-    """Read a line.
+    """Return the parts of a line after `%ros2`.
 
     :raises UnusableInput: when the words cannot be parsed.
     """
@@ -58,7 +59,10 @@ def read_line(text: str) -> Line:
 
 
 def _take_number(words: list[str], option: str) -> float | None:
-    """Return the number after one of our options, and remove both from the words; None without the option."""
+    """Return the number after an option of the magic, or None without the option.
+
+    Remove the option and the number from the words.
+    """
     if option not in words:
         return None
     position = words.index(option)
@@ -68,9 +72,11 @@ def _take_number(words: list[str], option: str) -> float | None:
 
 
 def number_of(text: str | None, name: str) -> float:
-    """Return a number of simulated seconds.
+    """Return a number of simulated seconds that the user has typed.
 
-    :raises UnusableInput: for anything else.
+    :param text: the string to convert, or None if it is missing.
+    :param name: the name of the option for the error message.
+    :raises UnusableInput: when the string is not a number from 0 to 1,000,000.
     """
     try:
         number = -1.0 if text is None else float(text)

@@ -1,4 +1,4 @@
-"""The machine behind a notebook: its Session, the jobs that run with `&`, and the server for terminals."""
+"""The machine of a notebook: its Session, the background jobs (with `&`), and the server for terminals."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ BESIDE = """note: {job} still runs, so this launch starts beside it at t = {time
 
 
 class BackgroundProgram(NamedTuple):
-    """A job, numbered as in a shell."""
+    """A background job, with a number as in a shell."""
 
     number: int
     process: Process
@@ -59,13 +59,17 @@ class BackgroundProgram(NamedTuple):
 
 
 class Jobs:
-    """All jobs, in the order in which they were started."""
+    """All background jobs, in the order in which they were started."""
 
     def __init__(self) -> None:
         self._jobs: list[BackgroundProgram] = []
 
     def add(self, process: Process, text: str) -> BackgroundProgram:
-        """Add a job."""
+        """Add a job for a process. Return the job.
+
+        :param process: the process.
+        :param text: the line that the user typed.
+        """
         self._jobs.append(BackgroundProgram(max((job.number for job in self._jobs), default=0) + 1, process, text))
         return self._jobs[-1]
 
@@ -74,7 +78,7 @@ class Jobs:
         return [job for job in self._jobs if job.process.returncode is None]
 
     def chosen(self, number: str) -> list[BackgroundProgram]:
-        """Return all jobs, or the job with that number.
+        """Return the job with this number, or all jobs if `number` is empty.
 
         :raises UnusableInput: for an unknown number.
         """
@@ -88,24 +92,25 @@ class Jobs:
         return found
 
     def forget_ended(self) -> None:
-        """Forget the jobs that have ended, as a shell does after it has listed them."""
+        """Remove the jobs that have ended, as a shell does after it has listed them."""
         self._jobs = self.running()
 
     def clear(self) -> None:
-        """Forget all jobs, because their machine has ended."""
+        """Remove all jobs, because their machine has ended."""
         self._jobs.clear()
 
 
 class NotebookMachine:
-    """Runs `ros2` command lines on one machine that terminals can use, too.
+    """Runs the `ros2` command lines of a notebook on one machine, which terminals can use, too.
 
-    A launch starts a new machine, unless a program still runs on purpose (with `&`, or in a terminal). Every other command
-    runs beside the programs that still run.
+    A launch starts a new machine, unless a program runs in the background (with `&`) or in a terminal. All other commands run
+    on the
+    current machine, together with the programs that still run.
 
-    :param write: called as write(stream, text) with all output.
-    :param workspaces: returns the folders with packages for a new machine.
-    :ivar show_keyboard: called as show_keyboard(press, title) for a program that reads keys; press(keys) presses them and returns
-        the output.
+    :param write: a function that receives all output, as write(stream, text).
+    :param workspaces: a function that returns the folders with packages for a new machine.
+    :ivar show_keyboard: a function that is called as show_keyboard(press, title) for a program that reads keys. The function
+        `press` sends keys to the program and returns its output.
     """
 
     def __init__(self, write: Callable[[str, str], object], workspaces: Callable[[], Sequence[str]]) -> None:
@@ -123,13 +128,12 @@ class NotebookMachine:
         return Session(seed=seed, workspaces=list(self._workspaces()), console=self._write, start_ns=start_ns)
 
     def _index(self, session: Session) -> Index:
-        """Return the packages for a command: those of the machine, and of the workspaces as they are now, which a cell may
-        change."""
+        """Return the package index for a command. It includes the current content of the workspaces, which a cell may change."""
         found = list(self._workspaces())
         return index_for(found) if found else session.index
 
     def _use(self, session: Session) -> Session:
-        """Use a session as the notebook's machine from now on; the previous one ends."""
+        """Use a session as the notebook's machine from now on. Close the previous session."""
         if self.session is not session:
             if self.session is not None:
                 self.session.close()
@@ -139,9 +143,9 @@ class NotebookMachine:
         return session
 
     def launch(self, line: Line) -> Recording | None:
-        """Start a launch file: on a new machine, or beside programs that still run on purpose.
+        """Run a launch file on a new machine, or on the current machine if programs run there in the background or in a terminal.
 
-        The previous machine is kept until the new launch certainly works.
+        The previous machine is not closed before the new launch has started successfully.
         """
         words = line.words[1:]
         if not words:
@@ -178,12 +182,12 @@ class NotebookMachine:
         return found
 
     def _advice(self, session: Session, process: Process, typed: str = '') -> list[str]:
-        """Return the advice to print below a cell. It covers only the command of that cell."""
+        """Return the lines of advice to print below a cell. They are only about the command of that cell."""
         helped = session.host.hints.helped(process.pid)
         return end_of_run_lines(session.of_command(process.pid), helped=helped, typed=typed)
 
     def _say_what_runs(self, session: Session | None, stays: bool) -> None:
-        """Print a note that a launch beside programs of earlier cells or terminals differs from one on a new machine."""
+        """Print a note if a launch runs together with programs of earlier cells or terminals, because the results may differ."""
         if session is None or not stays:
             return
         for job in self._jobs.running():
@@ -191,7 +195,7 @@ class NotebookMachine:
             self._write('stderr', note)
 
     def _begin(self, session: Session, words: list[str], beside: bool) -> LaunchRun:
-        """Start the launch. If it runs beside others, first end the launch of the previous cell, because its time is over."""
+        """Start the launch. If `beside` is True, first end the launch of the previous cell, because its time is over."""
         package_or_file, file, arguments = split_words(words[0], words[1:])
         find_launch_file(session.index, package_or_file, file)
         if beside and self._foreground is not None:
@@ -200,7 +204,7 @@ class NotebookMachine:
         return session.launch(package_or_file, file, arguments)
 
     def own_word(self, word: str, *values: str) -> None:
-        """Run `jobs`, `stop` or `wait`, which replace a shell's `jobs`, Ctrl-C and `sleep` in a notebook."""
+        """Run `jobs`, `stop` or `wait`. In a notebook, these words replace a shell's `jobs`, Ctrl-C and `sleep`."""
         session = self.session
         if word == 'wait':
             seconds = number_of(values[0] if values else None, 'wait')
@@ -218,13 +222,13 @@ class NotebookMachine:
         self._jobs.forget_ended()
 
     def _give_keyboards(self, session: Session) -> None:
-        """Show a keyboard for each program that has begun to read one."""
+        """Show a keyboard for each program that has begun to read keys."""
         while self._asked:
             job = self._asked.pop(0)
             self.show_keyboard(partial(self._press, session, job), job.text)
 
     def _press(self, session: Session, job: BackgroundProgram, keys: str) -> str:
-        """Press keys for a job, and let some time pass; return the output of that time."""
+        """Send keys to a job, and run the simulation for a short time. Return the output of that time."""
         printed: list[str] = []
         job.process.on_output = lambda stream, text: printed.append(text)
         with self.hosting.cell(), outer_loop_set_aside():
@@ -234,7 +238,7 @@ class NotebookMachine:
         return ''.join(printed)
 
     def command(self, line: Line) -> None:
-        """Run a command to its end, or press Ctrl-C when its time is over."""
+        """Run a command to its end, or send it SIGINT when its time is over."""
         words, seconds = line.words, line.seconds
         limit_s = COMMAND_S.get(' '.join(words[:2]), OTHER_S) if seconds is None else seconds
         is_guest = self.session is None and not line.stays and not line.shell and has_terminals_machine()

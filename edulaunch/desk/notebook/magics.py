@@ -1,4 +1,4 @@
-"""The magics: thin wrappers of :class:`~edulaunch.desk.notebook.terminal.CellTerminal`."""
+"""The magics for IPython. They call :class:`~edulaunch.desk.notebook.terminal.CellTerminal`."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from edulaunch.engine.recording import Recording
 
 @magics_class
 class RosMagics(Magics):
-    """`%ros2`, `%source` and `%recording`."""
+    """The magics `%ros2`, `%source`, `%recording` and others."""
 
     def __init__(self, shell: Any) -> None:
         super().__init__(shell)
@@ -30,13 +30,14 @@ class RosMagics(Magics):
         """Run `ros2` on the simulated machine. `%%ros2` runs several commands, one on each line, and returns the last Recording::
 
         %ros2 launch PACKAGE FILE name:=value --for 20     start a new machine, run 20 simulated seconds, return the Recording
-        %ros2 topic list                                   any other command, beside the programs that still run
+        %ros2 topic list                                   run any other command, together with the programs that still run
         %ros2 topic echo /turtle1/pose --for 2             press Ctrl-C after 2 simulated seconds
-        %ros2 run turtlesim draw_square &                  run it in the background; a program that reads keys gets buttons
+        %ros2 run turtlesim draw_square &                  run it in the background; buttons appear for a program that reads keys
         %ros2 view frames                                  show the live view with its tab Frames; time passes while it is visible
         %ros2 jobs      %ros2 stop      %ros2 wait 5       list jobs, end them, let simulated seconds pass
 
-        --quiet after a launch or a run shows only errors. Tab completes. Brackets and dollar signs are passed on unchanged.
+        With --quiet, a launch or a run shows only errors. The Tab key completes words. `ros2` receives brackets and dollar signs
+        unchanged.
         """
         return self._printing(lambda: self.terminal.ros2(line) if cell is None else self.terminal.several(line, cell))
 
@@ -55,13 +56,13 @@ class RosMagics(Magics):
     @no_var_expand
     @line_magic
     def rosdep(self, line: str) -> None:
-        """Explain which parts of `rosdep install` are not needed here."""
+        """Explain which parts of `rosdep` are not needed here."""
         self._printing(lambda: self.terminal.set_up(f'rosdep {line}'))
 
     @no_var_expand
     @line_magic
     def apt(self, line: str) -> None:
-        """Explain which packages of `apt install ros-jazzy-...` are already here."""
+        """Explain which packages of `apt install ros-jazzy-...` are already available."""
         self._printing(lambda: self.terminal.set_up(f'apt {line}'))
 
     @no_var_expand
@@ -85,7 +86,10 @@ class RosMagics(Magics):
         return found
 
     def _printing(self, action: Callable[[], Any]) -> Any:
-        """Print the output in one piece: both streams in order, as one output of the cell on machines of any speed."""
+        """Call a function.
+
+        Then print its collected output at once, so that a cell has the same single output on every computer.
+        """
         try:
             return action()
         finally:
@@ -94,7 +98,7 @@ class RosMagics(Magics):
 
 
 def _show_keyboard(press: Callable[[str], str], title: str) -> None:
-    """Show buttons, if the front end has widgets."""
+    """Show a keyboard widget, or print a line if ipywidgets is not installed."""
     import IPython.display as front_end
 
     display: Any = front_end.display

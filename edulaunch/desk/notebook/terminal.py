@@ -1,4 +1,4 @@
-"""A terminal on a simulated machine that continues after its commands."""
+"""The terminal of a notebook, which runs the lines of its cells on one simulated machine."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from edulaunch.errors import UnusableInput
 ONLY_SHOWS = {'-h', '--help', '-s', '--show-args', '--show-arguments', '-p', '--print', '--print-description'}
 """With one of these options, `ros2 launch` starts nothing."""
 LISTS = (['node', 'list'], ['topic', 'list'], ['service', 'list'], ['param', 'list'], ['action', 'list'])
-"""These commands find nothing on an idle machine, and ROS 2 prints nothing then."""
+"""Commands that print nothing if no program runs, as in ROS 2."""
 NOTHING_RUNS = 'note: no program runs yet; start one with %ros2 launch PACKAGE FILE, or %ros2 run PACKAGE EXECUTABLE &\n'
 SAID_ALWAYS = ('warning:', 'error:', 'note:')
-"""Output that `--quiet` does not hide."""
+"""The beginnings of the lines that `--quiet` does not hide."""
 
 
 class CellTerminal:
-    """Reads the lines of a cell, and runs them on the machine.
+    """Reads the lines of cells, and runs them on the notebook's machine.
 
-    :param write: called as write(stream, text) with all output.
+    :param write: a function that receives all output, as write(stream, text).
     """
 
     def __init__(self, write: Callable[[str, str], object]) -> None:
@@ -36,10 +36,10 @@ class CellTerminal:
         self._sourced: list[str] = []
 
     def ros2(self, text: str) -> Any:
-        """Run the words after `ros2`. A launch returns its Recording, `view` the live view.
+        """Run the words after `ros2`. A launch returns its Recording, and `view` returns the live view.
 
-        :raises UnusableInput: for a missing launch file, or words that cannot be parsed.
-        :raises LaunchFileError: for a launch file with a mistake; names the student's file and line.
+        :raises UnusableInput: when the launch file is missing, or the words cannot be parsed.
+        :raises LaunchFileError: when the launch file contains a mistake. The message names the student's file and line.
         """
         line = read_line(text)
         self._is_quiet = line.quiet
@@ -59,9 +59,10 @@ class CellTerminal:
         return None
 
     def several(self, first: str, cell: str) -> Any:
-        """Run the lines of a cell in order, except empty ones and those with a leading `#`; return the last Recording.
+        """Run the lines of a cell in order, and return the last Recording. Skip empty lines and lines that begin with `#`.
 
-        :param first: the words after `%%ros2`: `--quiet` for each launch and run, or a command.
+        :param first: the words after `%%ros2`, which are a command, or `--quiet` for all launches and runs of the cell.
+        :param cell: the other lines of the cell.
         """
         quiet = first.split() == [QUIET]
         lines = ['' if quiet else first, *cell.split('\n')]
@@ -77,9 +78,10 @@ class CellTerminal:
             self._show(stream, text)
 
     def view(self, words: list[str]) -> Any:
-        """Return the live view of the machine, with a tab open: `view`, `view frames`. Time passes while it is visible.
+        """Return the live view of the machine. Simulated time passes while the live view is visible.
 
-        :raises UnusableInput: when no program has run yet, or for an unknown tab.
+        :param words: the name of the tab to show first, or no word for the tab 'graph'.
+        :raises UnusableInput: when no program has run yet, or there is no such tab.
         """
         from edulaunch.desk.machine.started import desk_widget
 
@@ -90,9 +92,9 @@ class CellTerminal:
         return desk_widget(self.machine.hosting, words[0] if words else 'graph')
 
     def source(self, path: str) -> None:
-        """Use the packages of a workspace from the next launch.
+        """Use the packages of a workspace from the next launch on.
 
-        :param path: a workspace, its `install` folder, a setup file in that, or a package.
+        :param path: a workspace, its `install` folder, a setup file in this folder, or a package.
         :raises UnusableInput: when there is no such folder.
         """
         if path.startswith('/opt/ros/'):
@@ -108,9 +110,9 @@ class CellTerminal:
         self._sourced.append(os.path.abspath(folder or '.'))
 
     def set_up(self, line: str) -> None:
-        """Answer a command that sets up a real ROS 2 computer: explain what is not needed here.
+        """Explain which parts of a command that sets up a ROS 2 computer are not needed here.
 
-        :raises UnusableInput: for another command.
+        :raises UnusableInput: for any other command.
         """
         text = answer(line.split())
         if text is None:
@@ -120,12 +122,12 @@ class CellTerminal:
     def recording(self) -> Recording:
         """Return the recording of the machine until now.
 
-        :raises UnusableInput: when no program was started yet.
+        :raises UnusableInput: when no program has run yet.
         """
         if self.machine.session is None:
             raise UnusableInput('nothing has run yet', help='start a launch file: %ros2 launch PACKAGE FILE')
         return self.machine.session.snapshot()
 
     def workspaces(self) -> list[str]:
-        """Return the sourced packages, or those found from the folder of the notebook."""
+        """Return the packages that the user has sourced, or the workspaces that are found from the folder of the notebook."""
         return self._sourced or find_workspaces(os.getcwd(), os.environ)

@@ -1,6 +1,6 @@
-"""The live view: one page that shows a machine or a recording, and lets a student pause it, step it and look back.
+"""The live view: one page that shows a machine or a recording. A student can pause, step, and go back in time on this page.
 
-`timeline` turns a recording into plain data, one delta after the other; `page` is the front end that draws it. The same
+`timeline` converts a recording to plain data, one delta after another. `page` builds the front end that draws the data. The same
 page appears in a notebook, beside a terminal, in an exported file and in a report of `edugrade`.
 """
 
@@ -18,10 +18,10 @@ TABS = ('launch', 'frames', 'tree', 'graph', 'timeline', 'plot', 'log', 'paramet
 
 
 class ViewedMachine:
-    """The machine behind a page: its session and its time. These methods are the defaults for machines that lack an ability.
+    """The machine that a page shows. The methods here are the defaults for machines that lack an ability.
 
-    :ivar session: the session that runs on it.
-    :ivar time: how its time passes.
+    :ivar session: the session that the machine runs.
+    :ivar time: how simulated time follows real time.
     """
 
     session: Session
@@ -33,19 +33,28 @@ class ViewedMachine:
 
     @property
     def is_on_network(self) -> bool | None:
-        """Return whether it has joined a real network, or None if it cannot because its time is not real time."""
+        """Return whether the machine has joined a real network.
+
+        Return None if it cannot join, because it does not run in real time.
+        """
         return None
 
     def join_network(self, joins: bool) -> str:
-        """Join a real network, or leave it; return a message."""
+        """Join a real network, or leave it. Return a message for the user.
+
+        :param joins: whether to join; otherwise, leave.
+        """
         return 'only the shared machine can join a network: type `edulaunch network on` in a terminal'
 
     def recording(self) -> Recording:
-        """Return the recording so far; the machine continues."""
+        """Return a recording of the run so far. The machine continues to run."""
         return self.session.snapshot()
 
     def record_request(self, words: dict[str, Any]) -> None:
-        """Accept a request from a page, and record nothing: this machine cannot go back to a past instant."""
+        """Do nothing. A machine that can go back to a past instant records the request here."""
 
     def continue_at(self, time_s: float) -> None:
-        """Continue from a past instant. This is not possible if other terminals have typed in the meantime."""
+        """Continue from a past instant. A machine that several terminals share cannot do this.
+
+        :param time_s: simulated seconds since the start.
+        """

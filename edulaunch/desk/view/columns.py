@@ -1,7 +1,7 @@
-"""Columns of numbers and strings as short plain data: steps from one value to the next.
+"""Convert columns of numbers and strings to short plain data: the steps from one value to the next.
 
-A number column is a list of steps in units of its scale. In it, `[n]` means n steps of 0, and `null` means a value that
-is not finite. A string column has `null` for a repeated string.
+The data of a number column are a list of steps, in units of the column's scale. `[n]` means n steps of 0, and `null` means a
+value that is not finite. In a string column, `null` means that the previous string is repeated.
 """
 
 from __future__ import annotations
@@ -14,9 +14,14 @@ FINE = 10_000
 
 
 def number_steps(values: Iterable[float], scale: int, before: int = 0) -> tuple[list[Any], int]:
-    """Return the steps of a column from the value `before` (in scaled units), and the last value for the next delta.
+    """Return the steps of a column, and its last value for the next delta.
 
-    Values that are not finite, or too large for a browser's numbers, become None. The next step starts from the value before.
+    Values that are not finite, or too large for a browser's numbers, become None. The step after None starts from the last
+    number.
+
+    :param values: the values of the column.
+    :param scale: the number of steps in one unit.
+    :param before: the value before the first one, in steps.
     """
     steps: list[Any] = []
     still = 0
@@ -46,7 +51,7 @@ def number_steps(values: Iterable[float], scale: int, before: int = 0) -> tuple[
 
 
 def _still(steps: list[Any], count: int) -> None:
-    """Append `count` steps of 0, in the short form if there is one."""
+    """Append `count` steps of 0, in the short form if `count` is more than 2."""
     if count > 2:
         steps.append([count])
     else:
@@ -54,7 +59,11 @@ def _still(steps: list[Any], count: int) -> None:
 
 
 def text_steps(values: Iterable[str], before: str | None = None) -> tuple[list[str | None], str | None]:
-    """Return the strings, with None for each string that equals the previous one."""
+    """Return the strings, with None for each repeated string, and the last string for the next delta.
+
+    :param values: the strings of the column.
+    :param before: the string before the first one, or None.
+    """
     steps: list[str | None] = []
     for value in values:
         steps.append(None if value == before else value)

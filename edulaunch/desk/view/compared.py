@@ -1,4 +1,4 @@
-"""The page of a comparison: two plans or two runs side by side, and every difference in words."""
+"""Build the page that compares two plans or two runs. It shows both graphs and a list of the differences."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 SIGNS = {'+': ('new', 'only in the second'), '-': ('gone', 'only in the first'), '~': ('changed', 'differs')}
-"""The class and the meaning of each sign."""
+"""The CSS class and the meaning of each sign."""
 STYLE = """
 :root { color-scheme: light dark; --ink: #1b1b1b; --paper: #fff; --new: #265cb2; --gone: #964e00; --changed: #1b1b1b; }
 @media (prefers-color-scheme: dark) {
@@ -29,9 +29,9 @@ def compared_page(first: str, second: str, found: Sequence[str], picture: Any) -
     """Return the page as HTML. It needs no other file and no network.
 
     :param first: the name of the first plan or run.
-    :param second: the name of the second one.
-    :param found: the differences, each with its sign and a space in front.
-    :param picture: both graphs, an :class:`edulaunch.canvas.picture.Picture`.
+    :param second: the name of the second plan or run.
+    :param found: the differences. Each string begins with a sign and a space.
+    :param picture: the picture of both graphs, an :class:`edulaunch.canvas.picture.Picture`.
     """
     title = html.escape(f'{first} and {second}')
     image = f'data:image/png;base64,{b64encode(picture.png()).decode()}'

@@ -1,4 +1,7 @@
-"""The defaults of parameters that were given from outside: a recording has only the values that nodes had."""
+"""Find the defaults of parameters whose values come from a launch file or a command line.
+
+A recording contains only the values.
+"""
 
 from __future__ import annotations
 
@@ -19,12 +22,16 @@ MOST_PROGRAMS = 30
 def defaults_of(
     nodes: Iterable[Sequence[Any]], processes: Iterable[Any], parameters: Iterable[Sequence[Any]], index: Index | None = None
 ) -> list[list[Any]]:
-    """Return [node, parameter, default] for the nodes that got a value from outside, as far as the defaults are known.
+    """Return [node, parameter, default] for the nodes with parameter overrides, if the defaults are known.
 
-    A program of edulaunch runs for half a second in a simulation of its own. The source of a student's program is read.
+    To find the defaults of a program of edulaunch, run it for half a second in another simulation. For a student's program,
+    read its
+    source.
 
-    :param nodes, processes, parameters: rows of a recording.
-    :param index: where the packages of students are. Without one, only the packages of edulaunch are known.
+    :param nodes: the rows of a recording about nodes.
+    :param processes: the rows of a recording about processes.
+    :param parameters: the rows of a recording about parameters.
+    :param index: finds the packages of students. If None, only the packages of edulaunch are known.
     """
     programs = {row['name']: (row['package'], row['executable']) for row in processes if row['package'] and row['executable']}
     given = dict.fromkeys(row[1] for row in parameters if row[4] != 'default')

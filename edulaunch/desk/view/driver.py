@@ -1,6 +1,6 @@
-"""The program behind the arrow keys of the live view: it reads velocities line by line and publishes them, as a teleop does.
+"""The program for the arrow keys of the live view. It reads velocities line by line and publishes them, as a teleop node does.
 
-It runs inside the simulation, so the recording has the user's commands as messages of a node. A line is
+It runs inside the simulation, so the recording contains the user's commands as messages of a node. A line is
 `NAMESPACE LINEAR ANGULAR` (m/s, rad/s).
 """
 

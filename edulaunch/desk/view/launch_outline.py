@@ -1,6 +1,6 @@
-"""The launch in a page without a script: the content of the tab Launch at the end of the run.
+"""Build the content of the tab Launch for a page without scripts. It shows the state of the launch at the end of the run.
 
-It consists of lists and of elements that open and close, so it works with a keyboard and a screen reader.
+The HTML consists of lists and of elements that open and close, so it works with a keyboard and a screen reader.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ SCOPES = frozenset(
 DEEPEST = 40
 MOST_ROWS = 1000
 MOST_EVENTS = 200
-"""Limits for a page that stays readable: levels of the tree, steps, and events."""
+"""The largest numbers of levels, steps and events with which the page is still readable."""
 STYLE = """<style>
 .launch-outline{--bad:#a3231f;--lit:#8a4500;--soft:#555;--rule:#8a8a8a;overflow-wrap:anywhere}
 @media(prefers-color-scheme:dark){.launch-outline{--bad:#ff8f86;--lit:#ffb454;--soft:#b4b8be;--rule:#767b84}}
@@ -37,7 +37,9 @@ STYLE = """<style>
 
 
 def launch_outline(launches: Iterable[Row], end_us: int) -> str:
-    """Return the launches of a run as HTML, or '' if it has none. Every string is escaped, because programs choose them.
+    """Return the launches of a run as HTML, or an empty string if the run has no launch.
+
+    Every string is escaped, because programs choose the strings.
 
     :param launches: the part `launches` of a timeline, with times in microseconds since the start.
     :param end_us: the length of the run in microseconds.
@@ -47,7 +49,7 @@ def launch_outline(launches: Iterable[Row], end_us: int) -> str:
 
 
 def _launch(rows: Sequence[Row], end_us: int) -> Iterator[str]:
-    """Yield the tree of a launch, and the table of its events."""
+    """Yield the HTML of a launch: its tree of actions, and the table of its events."""
     steps = {row['number']: row for row in sorted(rows, key=lambda row: row['number'])}
     below: dict[int, list[Row]] = defaultdict(list)
     above: dict[int, list[int]] = {-1: []}
@@ -84,20 +86,20 @@ def _branch(below: Mapping[int, list[Row]], steps: Mapping[int, Row], number: in
 
 
 def titled(row: Row) -> str:
-    """Return the name of a step. The name of an include is its file without the folder."""
+    """Return the title of a step. The title of an include contains the name of its file without the folder."""
     return f'include {os.path.basename(row["text"])}' if row['kind'] == 'include' else row['text']
 
 
 def place_of(row: Row) -> str:
-    """Return the file and line that created a step, such as 'demo.launch.py:12', or ''."""
+    """Return the file and line that created a step, such as 'demo.launch.py:12', or an empty string."""
     return f'{os.path.basename(row["file"])}:{row["line"]}' if row.get('file') else ''
 
 
 def state_of(row: Row, steps: Mapping[int, Row], end_us: int) -> tuple[str, str]:
-    """Return the state of a step at the end of the run: a class for its style, and a description.
+    """Return the state of a step at the end of the run, as a CSS class and a description.
 
     :param row: the step, with times in microseconds.
-    :param steps: all steps of its launch, by number.
+    :param steps: all steps of the launch, by number.
     :param end_us: the length of the run in microseconds.
     """
     if not row['order'] or row['time'] is None or row['time'] > end_us:
@@ -118,7 +120,7 @@ def state_of(row: Row, steps: Mapping[int, Row], end_us: int) -> tuple[str, str]
 
 
 def _reason(row: Row) -> str:
-    """Return why an action was left out: the launch configurations that its condition reads, or the condition itself."""
+    """Return why an action was skipped: the launch configurations that its condition reads, or the condition itself."""
     read = [f'{one["name"]} is {_value(one["value"])}' for one in row.get('values', ()) if one['kind'] == 'reason']
     return ', '.join(read) or f'{row.get("condition")} is not true'
 
@@ -148,7 +150,7 @@ def _of_timer(due: int, fired: Sequence[int], steps: Mapping[int, Row], end_us: 
 
 
 def _facts(row: Row) -> Iterator[str]:
-    """Yield the known facts about a step, except its state."""
+    """Yield HTML with the known facts about a step, except its state."""
     for text in row.get('handlers', ()):
         yield f'<p>Waits for {_text(text)}.</p>'
     for _, text, file, line in row['details']:
@@ -164,7 +166,7 @@ def _facts(row: Row) -> Iterator[str]:
 
 
 def _chain(steps: Sequence[Row]) -> str:
-    """Return the origins of a value, from the first one to the effective one."""
+    """Return HTML with the origins of a value, from the first one to the effective one."""
     if not steps:
         return 'nothing sets it'
     lines = []
@@ -178,7 +180,7 @@ def _chain(steps: Sequence[Row]) -> str:
 
 
 def _events(steps: Mapping[int, Row], end_us: int) -> Iterator[str]:
-    """Yield the events in their order, each with the handlers that it fired."""
+    """Yield the table of events in the order in which they happened. Each row contains the handlers that the event triggered."""
     rows = [row for row in steps.values() if row['kind'] == 'event' and row['time'] is not None and row['time'] <= end_us]
     if not rows:
         return
@@ -204,5 +206,5 @@ def _value(value: Any) -> str:
 
 
 def _text(text: str) -> str:
-    """Return a string as text of a page, with a question mark for each character that HTML does not allow."""
+    """Return a string as escaped HTML text. A question mark replaces each character that HTML does not allow."""
     return escape(''.join(sign if sign.isprintable() or sign in '\n\t' else '?' for sign in text))

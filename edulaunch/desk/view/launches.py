@@ -1,4 +1,4 @@
-"""Validate the launches in a recording, because a recording from a stranger may contain anything."""
+"""Validate the launches in a recording, because a recording from an unknown source may contain any data."""
 
 from __future__ import annotations
 
@@ -12,8 +12,9 @@ MOST_DEPTH = 30
 
 
 def _chain(value: Any, depth: int = 0) -> bool:
-    """Return whether a value is a list of valid steps of an origin. A step may contain those of the launch argument that
-    determines it.
+    """Return whether a value is a list of valid steps of an origin.
+
+    A step may contain the steps of the launch argument that determines its value.
     """
     below = {'argument': lambda inner: depth < MOST_DEPTH and _chain(inner, depth + 1)}
     step = record({'value': anything, 'origin': text, 'file': maybe(text), 'line': maybe(number), 'counts': anything, **below})
@@ -53,14 +54,14 @@ _launch = record({'pid': number, 'at': maybe(number), 'count': number, 'rows': e
 
 
 def launches_of(trace: Any) -> Iterator[dict[str, Any]]:
-    """Return the valid launches, without steps whose parent does not come before them."""
+    """Yield the valid launches. Leave out steps whose parent does not come before them."""
     for launch in trace if isinstance(trace, Sequence) else ():
         if _launch(launch):
             yield {**launch, 'rows': [row for row in launch['rows'] if -1 <= row['parent'] < row['number']]}
 
 
 def in_microseconds(trace: dict[str, Any]) -> dict[str, Any]:
-    """Return a launch with the times of its steps in the form of the page."""
+    """Return a launch with the times of its steps in microseconds, as the page needs them."""
     return {**trace, 'rows': [_row_in_microseconds(row) for row in trace['rows']]}
 
 

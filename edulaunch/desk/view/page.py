@@ -1,4 +1,4 @@
-"""Build the front end: a page that needs no other file, and the module that a notebook's widget loads."""
+"""Build the front end of the live view: a page that needs no other file, and the script that a notebook's widget loads."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ FILES = (
     'launch.js',
     'desk.js',
 )
-"""The script files in the order of their dependencies; together they are one script."""
+"""The script files in the order of their dependencies. They are joined to one script."""
 
 POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:; connect-src 'self'"
 """What a page may load: itself, and the connection to the server that sent it."""
@@ -35,7 +35,7 @@ POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inli
 
 @cache
 def script() -> str:
-    """Return the front end as one script without imports; it defines `openDesk` and `unpacked`."""
+    """Return the front end as one script without imports. It defines `openDesk` and `unpacked`."""
     folder = Path(__file__).with_name('page')
     style = json.dumps(_short((folder / 'style.css').read_text(encoding='utf-8')))
     parts = [_short((folder / name).read_text(encoding='utf-8')) for name in FILES]
@@ -43,29 +43,38 @@ def script() -> str:
 
 
 def _short(text: str) -> str:
-    """Return a file of the page without indentation and comment lines, because each stored notebook contains all of it."""
+    """Return a file of the page without indentation and comment lines, because each stored notebook contains the whole page."""
     return re.sub(r'(?m)^\s+', '', re.sub(r'(?ms)^ */\*(?:(?!\*/).)*\*/ *$\n?', '', text))
 
 
 def module() -> str:
-    """Return the script as an ES module with `render`, which anywidget requires."""
+    """Return the script as an ES module with a function `render`, as anywidget requires."""
     link = (Path(__file__).with_name('page') / 'widget.js').read_text(encoding='utf-8')
     return f'{script()}\n{link}'
 
 
 def packed(delta: dict[str, Any], small: bool = True) -> str:
-    """Return a timeline delta as a string for a page: JSON in base64 after a letter, optionally deflated.
+    """Return a timeline delta as a string for a page: a letter, then JSON in base64.
 
-    Deflated bytes differ between versions of zlib. Notebooks store the same bytes everywhere, so they are not deflated.
+    Compressed bytes differ between versions of zlib. Notebooks must store the same bytes everywhere, so they do not compress
+    them.
+
+    :param delta: the timeline delta.
+    :param small: whether to compress the JSON.
     """
     data = json.dumps(delta, separators=(',', ':')).encode()
     return 'z' + b64encode(zlib.compress(data, 9)).decode() if small else 'j' + b64encode(data).decode()
 
 
 def recorded_page(delta: dict[str, Any], title: str, tab: str = 'graph', *, small: bool = True) -> str:
-    """Return an HTML page that replays a whole timeline, from disk and without a network. Without scripts, it shows the launch.
+    """Return an HTML page that replays a whole timeline without other files or a network. Without scripts, it shows the launch.
 
-    :param small: as in :func:`packed`. The page in a notebook's frame (without `small`) needs no other form.
+    :param delta: the timeline.
+    :param title: the title of the page.
+    :param tab: the tab that the page shows first.
+    :param small: whether to compress the timeline, as in :func:`packed`, and to include the launch for browsers without
+        scripts. A
+        page in a notebook's output needs neither.
     """
     options = json.dumps({'tab': tab, 'whole': True}).replace('</', '<\\/')
     start = (
@@ -76,8 +85,8 @@ def recorded_page(delta: dict[str, Any], title: str, tab: str = 'graph', *, smal
 
 
 def _without_script(delta: dict[str, Any], title: str) -> str:
-    """Return the launch as HTML. Where the script runs, its shadow root takes the place of this."""
-    from edulaunch.desk.view.launch_outline import launch_outline  # late, because a live view has no such part
+    """Return the launch as HTML. If scripts run, the page replaces this HTML."""
+    from edulaunch.desk.view.launch_outline import launch_outline  # imported here, because a live view does not need it
 
     outline = launch_outline(delta.get('launches', ()), delta['now'])
     style = 'color-scheme: light dark; color: CanvasText; background: Canvas; font: 16px/1.45 system-ui, sans-serif; padding: 1em'
@@ -85,7 +94,7 @@ def _without_script(delta: dict[str, Any], title: str) -> str:
 
 
 def live_page(title: str, tab: str = 'graph') -> str:
-    """Return the page beside a terminal, which connects to the server that sent it."""
+    """Return the page of `edulaunch view`, which connects to the server that has sent it."""
     link = (Path(__file__).with_name('page') / 'socket.js').read_text(encoding='utf-8')
     return _page(
         title, f'{link}\nopenDesk(document.getElementById("desk"), socketLink(), {{ tab: {json.dumps(tab)}, whole: true }});'

@@ -1,4 +1,4 @@
-"""The terminals on a page: each runs one command of the machine at a time, reads lines or keys, and completes words."""
+"""The terminals on a page. Each terminal runs one command at a time, reads lines or keys, and completes words."""
 
 from __future__ import annotations
 
@@ -22,9 +22,11 @@ Start = Callable[[list[str], str, Callable[[str, str], object], Callable[[int], 
 
 
 class Pane:
-    """One terminal.
+    """One terminal of a page.
 
-    :param say: sends a message (plain data) to the page.
+    :param number: the number of the terminal on the page.
+    :param start: a function that starts a command on the machine.
+    :param say: a function that sends a message (plain data) to the page.
     """
 
     def __init__(self, number: int, start: Start, say: Callable[[dict[str, Any]], object]) -> None:
@@ -36,11 +38,11 @@ class Pane:
         self._keyboard: _Keyboard | None = None
 
     def has_programs(self) -> bool:
-        """Return whether something runs that was started here, with or without `&`."""
+        """Return whether a program that this terminal has started still runs, with or without `&`."""
         return any(one is not None and one.returncode is None for one in (self._job, *self._left))
 
     def line(self, text: str) -> None:
-        """Handle a typed line: input for the running program, or a command.
+        """Handle a line that the user has typed: it is input for the running program, or a new command.
 
         :raises ValueError: when the command cannot be parsed.
         """
@@ -62,17 +64,17 @@ class Pane:
             self._tell_mode(False)
 
     def keys(self, text: str) -> None:
-        """Send pressed keys to the running program."""
+        """Send keys to the running program."""
         if self._keyboard is not None:
             self._keyboard.feed(text)
 
     def interrupt(self) -> None:
-        """Press Ctrl-C."""
+        """Send SIGINT to the running program, as Ctrl-C does."""
         if self._job is not None and self._job.returncode is None:
             self._job.send_signal(signal.SIGINT)
 
     def tell(self, stream: str, text: str) -> None:
-        """Show the output of a program."""
+        """Send the output of a program to the page."""
         self._say({'text': text, 'pane': self._number})
 
     def _tell_mode(self, by_key: bool) -> None:
@@ -84,7 +86,7 @@ class Pane:
 
 
 class _Keyboard(PipedInput):
-    """The input of a program in a pane; the program may request keys instead of lines."""
+    """The input of a program in a page's terminal. The program may request single keys instead of lines."""
 
     is_inherited = True
 
@@ -93,30 +95,33 @@ class _Keyboard(PipedInput):
         self._tell_mode = tell_mode
 
     def isatty(self) -> bool:
-        """Return True: a person uses the terminal."""
+        """Return True, because a user types in this terminal."""
         return True
 
     def terminal_size(self) -> tuple[int, int]:
-        """Return the size of a terminal that the user has not resized."""
+        """Return the fixed columns and lines of a page's terminal."""
         return SIZE
 
     def change_mode(self, process: Process, flags: int) -> None:
-        """Report to the page whether the program wants keys or lines."""
+        """Report to the page whether the program wants single keys or whole lines."""
         super().change_mode(process, flags)
         self._tell_mode(self.by_key)
 
 
 def completions(session: Session, words: list[str], typed: str, index: Callable[[], Index]) -> list[str]:
-    """Return the words that fit at the end of `ros2 WORDS...` and begin as typed, in alphabetical order.
+    """Return the words that can follow in `ros2 WORDS...` and begin with `typed`, in alphabetical order.
 
-    :param index: returns the packages that the terminal finds.
+    :param session: the session of the machine.
+    :param words: the complete words after `ros2`.
+    :param typed: the beginning of the word that the user is typing.
+    :param index: a function that returns the index of the packages that the terminal finds.
     """
     possible = ros2_command.complete(words, typed, index, lambda command: _listed(session, command))
     return sorted({word for word in possible if word.startswith(typed)})
 
 
 def _listed(session: Session, command: str) -> list[str]:
-    """Return what a command such as `topic list` would print now, without a turn of any program."""
+    """Return the lines that a command such as `topic list` would print now. No simulated program runs for that."""
     rows, (what, *rest) = session.recorder.endpoints, command.split()
     if what == 'node':
         return [node.fully_qualified_name for node in session.graph.nodes if not node.name.startswith('_')]

@@ -1,4 +1,4 @@
-"""The page of a planned system: the graph of nodes, topics and frames before anything runs."""
+"""Build the page of a planned system, which shows the graph of nodes, topics and frames before anything runs."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ def planned_page(system: System) -> str:
 
 
 def planned_delta(system: System) -> dict[str, Any]:
-    """Return the system as a timeline of no length (see `edulaunch.desk.view.timeline`).
+    """Return the system as a timeline with a length of zero (see `edulaunch.desk.view.timeline`).
 
-    Its part `planned` has
+    The part `planned` of the timeline contains
 
     * `frames`: [parent, child, is static, nodes] of each frame;
     * `unknown`: a description of the unknown parts of each node;

@@ -1,4 +1,4 @@
-"""The sources of a timeline, and the replay of a run: the live view without a machine, in a frame without network access."""
+"""The two sources of a timeline, and the replay of a run, which is a live view without a machine."""
 
 from __future__ import annotations
 
@@ -33,9 +33,10 @@ MOVING = ('turtlesim/msg/Pose', 'nav_msgs/msg/Odometry')
 
 
 def timeline_of(recording: Recording, other: Recording | None = None) -> dict[str, Any]:
-    """Return all of a recording as one timeline delta, with what the rules report.
+    """Return a whole recording as one timeline delta, with the findings of the rules.
 
-    :param other: another run, which the page plots over this one.
+    :param recording: the recording.
+    :param other: another recording, which the page plots for comparison, or None.
     """
     from edulaunch.desk.view.defaults import defaults_of  # imported here, because only the page of an ended run needs it
 
@@ -49,26 +50,29 @@ def timeline_of(recording: Recording, other: Recording | None = None) -> dict[st
 
 
 def outline_of(recording: Recording) -> str:
-    """Return the launch of a recording as HTML without scripts, as it was at the end; '' if the recording has no launch."""
+    """Return the launch of a recording as HTML without scripts, or an empty string. It shows the state at the end of the run."""
     source = RecordingSource(recording)
     return launch_outline([in_microseconds(trace) for trace in source.beside('launches', {})], source.now_ns() // 1000)
 
 
 class RecordingSource:
-    """A finished recording as the source of a timeline. It contains no paths of this machine, so it is equal on all machines."""
+    """A finished recording as the source of a timeline.
+
+    It contains no paths of this computer, so it is equal on all computers.
+    """
 
     def __init__(self, recording: Recording) -> None:
         from edulaunch.engine.recording.canonical import canonical
 
         for topic in recording.topics:
-            recording.wires(topic, recording.topics[topic].type)  # refuses messages of a damaged file that do not fit their type
+            recording.wires(topic, recording.topics[topic].type)  # rejects messages of a damaged file
         self._content = canonical(recording._content)
         self._lines = recording.lines
         self._class = recording.message_class
         self._topics = {(column['topic'], column['type']): column for column in self._content['topics']}
 
     def topics(self) -> list[tuple[str, str]]:
-        """Return the (topic, type) of all topics."""
+        """Return the (name, type) of each topic."""
         return list(self._topics)
 
     def rows(self, topic: str, kind: str, first: int) -> tuple[Sequence[int], Sequence[int], Sequence[Any]]:
@@ -82,15 +86,15 @@ class RecordingSource:
         return rows
 
     def numbers(self, name: str) -> Sequence[int]:
-        """Return 0, 1, 2, ...: a recording has dropped nothing."""
+        """Return 0, 1, 2, and so on, because a recording has dropped no rows."""
         return range(len(self.part(name)))
 
     def forgotten(self, topic: tuple[str, str]) -> int:
-        """Implement `TimelineSource.forgotten`."""
+        """Return 0, because a recording has dropped no messages."""
         return 0
 
     def lines(self) -> Mapping[int, tuple[str, int]]:
-        """See `TimelineSource.lines`; a recording from a file has none."""
+        """Implement `TimelineSource.lines`. A recording from a file has no lines."""
         return self._lines
 
     def beside(self, name: str, since: Mapping[int, int]) -> Sequence[dict[str, Any]]:
@@ -108,19 +112,19 @@ class RecordingSource:
         return start
 
     def now_ns(self) -> int:
-        """Return the length of the recording."""
+        """Return the length of the recording in nanoseconds."""
         duration: int = self._content['duration_ns']
         return duration
 
 
 class RecorderSource:
-    """The recorder of a running machine as the source of a timeline."""
+    """The recorder of a running machine, as the source of a timeline."""
 
     def __init__(self, recorder: Recorder) -> None:
         self._recorder = recorder
 
     def topics(self) -> list[tuple[str, str]]:
-        """Return the (topic, type) of all topics, in alphabetical order."""
+        """Return the (name, type) of each topic, in alphabetical order."""
         return sorted(self._recorder.columns)
 
     def rows(self, topic: str, kind: str, first: int) -> tuple[Sequence[int], Sequence[int], Sequence[Any]]:
@@ -162,16 +166,18 @@ class RecorderSource:
         return self._recorder.sim.start_ns
 
     def now_ns(self) -> int:
-        """Return the simulated time since the start."""
+        """Return the simulated time since the start in nanoseconds."""
         return self._recorder.sim.now_ns - self._recorder.sim.start_ns
 
 
 class Replay:
-    """Everything of a run over time: turtles, frames, graph, numbers, log, parameters, with play, pause, steps and a slider.
+    """The replay of a whole run in a live view, with turtles, frames, the graph, plots, the log and parameters.
 
-    Notebooks, and HTML pages made from them, show the live view. Where scripts do not run, they show a strip of small pictures.
-    `repr()` is one line. For tests of notebooks, a digest of all movements is part of the output.
+    Notebooks, and HTML pages made from notebooks, show the live view. If scripts cannot run, they show a strip of small pictures.
+    `repr()` returns one line. The output also contains a digest of all movements, which tests of notebooks compare.
 
+    :param recording: the recording to replay.
+    :param other: another recording, which the page plots for comparison, or None.
     :raises NothingToDraw: when nothing moved in the recording.
     """
 
@@ -194,16 +200,18 @@ class Replay:
         return self.caption
 
     def filmstrip(self) -> str:
-        """Return small pictures of the run as an SVG."""
+        """Return a strip of small pictures of the run as SVG."""
         return filmstrip(self._worlds, self.duration_s)
 
     def page(self, *, small: bool = True) -> str:
-        """Return the live view as an HTML page that needs no other file; without `small`, zlib does not influence its bytes."""
+        """Return the live view as an HTML page that needs no other file.
+
+        :param small: whether to compress the data. If False, the bytes are the same for all versions of zlib.
+        """
         return recorded_page(self.timeline, self._title, small=small)
 
     def html(self) -> str:
-        """Return the notebook's output: the live view in an isolated frame, over a picture for places without frames or
-        scripts."""
+        """Return the output for a notebook: an isolated frame with the live view, above a picture for places without scripts."""
         alternative, picture = html.escape(self.caption), b64encode(self.filmstrip().encode()).decode()
         return (
             f'{SCHEME}<div class="edulaunch-replay" style="position:relative;height:{HEIGHT_PX}px;overflow:hidden">'
@@ -219,12 +227,15 @@ class Replay:
         return {'text/plain': repr(self), 'text/html': self.html(), **scene_data([moved, self.timeline.get('tf')])}
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the live view as an HTML file that any browser replays, without a network."""
+        """Write the live view as an HTML file that any browser can replay without a network."""
         Path(path).write_text(self.page(), encoding='utf-8')
 
 
 def _in_quotes(text: str) -> str:
-    """Return a string as the value of an attribute in double quotes. Other characters need no escape; a page has thousands."""
+    """Return a string as the value of an attribute in double quotes.
+
+    Only two characters are escaped, because a page contains thousands of the others.
+    """
     return text.replace('&', '&amp;').replace('"', '&quot;')
 
 

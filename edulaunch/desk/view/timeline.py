@@ -1,7 +1,8 @@
-"""A run as plain data for the page: records that are only added, sent delta by delta, and marks on nodes, topics and frames.
+"""Convert a run to plain data for the page: deltas with new records, and marks on nodes, topics and frames.
 
-The first delta of a finished recording contains all of it; a live machine sends the changes since the last delta. Times are whole
-microseconds since the start of the simulation. The marks come from the rules of advice; this file only defines their form.
+The first delta of a finished recording contains the whole recording. A live machine sends the changes since the last delta.
+Times are whole microseconds since the start of the simulation. The marks come from the rules of advice. This module only
+defines their format.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ LONGEST_TEXT = 160
 
 
 def marks_of(recording: Recording) -> list[Mark]:
-    """Return the advice on a run as strings without paths of this machine, because notebooks store them."""
+    """Return the advice on a run as marks. They contain no paths of this computer, because notebooks store them."""
     from edulaunch.advice.rendering import marks  # imported here, so that a page loads the rules only on request
 
     return marks(recording)
@@ -52,45 +53,59 @@ def mark_rows(marks: Iterable[Mark]) -> list[dict[str, Any]]:
 
 
 class TimelineSource(Protocol):
-    """The source of a timeline: the recorder of a live machine, or a finished recording."""
+    """The interface of the sources of a timeline: the recorder of a live machine, and a finished recording."""
 
     def rows(self, topic: str, kind: str, first: int) -> tuple[Sequence[int], Sequence[int], Sequence[Any]]:
-        """Return times (ns since the start), publishers and wires of a topic, from message number `first`."""
+        """Return the times (ns since the start), publishers and wire tuples of a topic's messages.
+
+        :param topic: the name of the topic.
+        :param kind: the message type of the topic.
+        :param first: the number of the first message to return, counted over the whole run.
+        """
 
     def topics(self) -> list[tuple[str, str]]:
-        """Return the (topic, type) of all topics."""
+        """Return the (name, type) of each topic."""
 
     def part(self, name: str) -> Sequence[Any]:
-        """Return the rows of 'processes', 'nodes', 'endpoints', 'parameters', 'descriptors', 'calls', 'logs', 'output' or
-        'notes'."""
+        """Return the rows of a part of the recording.
+
+        :param name: 'processes', 'nodes', 'endpoints', 'parameters', 'descriptors', 'calls', 'logs', 'output' or 'notes'.
+        """
 
     def numbers(self, name: str) -> Sequence[int]:
-        """Return the number of each row of a part, counted over the whole run: a long run has dropped some rows."""
+        """Return the number of each row of a part, counted over the whole run. During a long run, old rows are dropped."""
 
     def forgotten(self, topic: tuple[str, str]) -> int:
-        """Return how many messages of a (topic, type) it has dropped."""
+        """Return the number of dropped messages of a (topic, type)."""
 
     def wire_type(self, kind: str) -> Sequence[tuple[str, str]]:
-        """Return (dotted path, type) of each entry of a wire."""
+        """Return (dotted path, type) for each entry of a type's wire tuple."""
 
     def lines(self) -> Mapping[int, tuple[str, int]]:
-        """Return the file and line that created an endpoint, by its number. It contains only code of students."""
+        """Return the file and line that created each endpoint, by the number of the endpoint.
+
+        Only code of students is included.
+        """
 
     def beside(self, name: str, since: Mapping[int, int]) -> Sequence[dict[str, Any]]:
-        """Return the records of another wing (see `Recorder.beside`).
+        """Return the records of another part of edulaunch (see `Recorder.beside`).
 
-        :param since: the counts that it returned in the previous call, by process id.
+        :param name: the name of these records, such as 'launches'.
+        :param since: the counts that the previous call returned, by process id.
         """
 
     def start_ns(self) -> int:
-        """Return when the simulation started, since the epoch."""
+        """Return the time at which the simulation started, in nanoseconds since the epoch."""
 
     def now_ns(self) -> int:
-        """Return the simulated time since the start."""
+        """Return the simulated time since the start in nanoseconds."""
 
 
 class _Column(NamedTuple):
-    """One leaf of a message type: its path, its place in a wire, and its form ('float', 'number', 'text')."""
+    """A field of a message type that is a number or a string: its path, its place in a wire tuple, and its form.
+
+    The form is 'float', 'number' or 'text'.
+    """
 
     path: str
     place: int
@@ -98,7 +113,7 @@ class _Column(NamedTuple):
 
 
 class Timeline:
-    """Returns the content of a source in consecutive deltas. See :meth:`delta`."""
+    """Returns the content of a source in consecutive deltas, with :meth:`delta`."""
 
     def __init__(self, source: TimelineSource) -> None:
         self._source = source
@@ -111,14 +126,15 @@ class Timeline:
         self._launches: dict[int, tuple[int, Any]] = {}
 
     def mark(self, marks: Iterable[Mark] | None) -> None:
-        """Send these marks with the next delta, in place of the previous marks; None keeps the previous ones."""
+        """Send these marks with the next delta. They replace the previous marks on the page; None keeps the previous marks."""
         self._marks = None if marks is None else mark_rows(marks)
 
     def delta(self) -> dict[str, Any]:
-        """Return the changes since the last call, ready for JSON.
+        """Return the changes since the last call as data for JSON.
 
-        It has `start` (us since the epoch), `now` (us), `topics`, `tf`, `scans`, and the new rows of all other parts. After
-        :meth:`mark`, it also has `advice`.
+        The delta contains `start` (us since the epoch), `now` (us), `topics`, `tf`, `scans`, and the new rows of all other
+        parts. After
+        :meth:`mark`, it also contains `advice`.
         """
         source = self._source
         delta: dict[str, Any] = {
@@ -160,7 +176,7 @@ class Timeline:
         return delta
 
     def _launched(self) -> list[dict[str, Any]]:
-        """Return the launches that have changed since the last delta, each with its new and changed steps."""
+        """Return the launches that have changed since the last delta. Each launch contains only its new and changed steps."""
         found = []
         for trace in self._source.beside('launches', {pid: count for pid, (count, _) in self._launches.items()}):
             state = trace['count'], trace['at']
@@ -177,7 +193,12 @@ class Timeline:
         return self._source.part(name)[first:]
 
     def _living(self, name: str, row_of: Callable[[int, Any], list[Any]], end: Any) -> list[list[Any]]:
-        """Return new rows, and old ones that have ended since; each begins with its number."""
+        """Return the new rows of a part, and the old rows that have ended since the last delta. Each row begins with its number.
+
+        :param name: the name of the part, such as 'nodes'.
+        :param row_of: a function that converts a row to plain data.
+        :param end: the index or key of a value of the row. This value stays None until the row ends.
+        """
         numbers, new = self._source.numbers(name), self._new(name)
         rows = self._source.part(name)
         found = [(number, bisect_left(numbers, number)) for number in self._open.get(name, ())]
@@ -187,7 +208,7 @@ class Timeline:
         return [row_of(number, row) for number, row in [*(pair for pair in open_before if pair[1][end] is not None), *new_rows]]
 
     def _columns(self, topic: str, kind: str, times: Sequence[int], wires: Sequence[Any]) -> dict[str, Any]:
-        """Return the messages of a topic as columns: the times, and each leaf that is a number or a string."""
+        """Return the messages of a topic as columns: one for the times, and one for each field that is a number or a string."""
         if kind not in self._layout:
             self._layout[kind] = _layout(self._source.wire_type(kind)) if kind != TF_TYPE else []
         found: dict[str, Any] = {'name': topic, 'type': kind}
@@ -211,7 +232,7 @@ class Timeline:
     def _transforms(
         self, topic: str, times: Sequence[int], publishers: Sequence[int], wires: Sequence[Any]
     ) -> list[dict[str, Any]]:
-        """Return the transforms of TFMessages, a track for each combination of child, parent and publisher."""
+        """Return the transforms of TFMessages, as one track for each combination of child, parent and publisher."""
         tracks: dict[tuple[str, str, int], list[tuple[float, ...]]] = {}
         for time, publisher, wire in zip(times, publishers, wires, strict=True):
             for sec, nanosec, parent, child, *numbers in wire[0]:
@@ -226,7 +247,7 @@ class Timeline:
         return found
 
     def _robots(self, topic: str, times: Sequence[int], wires: Sequence[Any]) -> list[list[Any]]:
-        """Return [time, namespace, True for a description or False for a footprint, outline from above] of robots."""
+        """Return [time, namespace, is a description, outline from above] of robots. The third value is False for a footprint."""
         found = []
         for time, wire in zip(times, wires, strict=True):
             if outline := outline_of(wire[0]):
@@ -234,7 +255,10 @@ class Timeline:
         return found
 
     def _scans(self, topic: str, times: Sequence[int], wires: Sequence[Any]) -> list[list[Any]]:
-        """Return [topic, time, frame, first angle, step (radians), ranges in cm or None] of some of the scans."""
+        """Return [topic, time, frame, first angle, step, ranges] of some scans.
+
+        Angles are in radians. Ranges are in centimetres, or None.
+        """
         places = {path: place for place, (path, _) in enumerate(self._source.wire_type(SCAN_TYPE))}
         found = []
         for time, wire in zip(times, wires, strict=True):
@@ -257,19 +281,21 @@ def _layout(wire_type: Sequence[tuple[str, str]]) -> list[_Column]:
 
 
 def _text(value: Any) -> str:
-    """Return a string unchanged, or an array as a short string."""
+    """Return a string, or the representation of another value. A long string is shortened."""
     text = value if isinstance(value, str) else repr(list(value[:24]) if isinstance(value, (tuple, bytes)) else value)
     return text if len(text) <= LONGEST_TEXT else text[: LONGEST_TEXT - 1] + '…'
 
 
 def _event(row: Sequence[Any]) -> list[Any]:
-    """Return a row that begins with its time."""
+    """Return a row as plain data. It begins with a time, which is converted to microseconds."""
     return [row[0] // 1000, *map(_json, row[1:])]
 
 
 def _parameter(row: Sequence[Any]) -> list[Any]:
-    """Return [time, node, name, value, origin, whether its numbers are doubles, because a browser cannot distinguish 1.0 from
-    1]."""
+    """Return [time, node, name, value, origin, is double].
+
+    The last value is needed because a browser cannot distinguish 1.0 from 1.
+    """
     value = row[3]
     entries = value if isinstance(value, (list, tuple)) else [value]
     return [*_event(row), bool(entries) and all(isinstance(entry, float) for entry in entries)]
@@ -292,18 +318,18 @@ def _json(value: Any) -> Any:
 
 
 def _place(file: str | None, line: int | None) -> str:
-    """Return a place without the folders of this machine, '' for none."""
+    """Return a place as 'file:line' without folders, or an empty string if there is no file."""
     return '' if not file else f'{os.path.basename(file)}:{line}'
 
 
 def _node(number: int, row: Sequence[Any]) -> list[Any]:
-    """Return [number, name, process, index, from, to]."""
+    """Return [number, name, process, index, start, end]."""
     name, process, start, end, index = row
     return [number, name, process, index, start // 1000, None if end is None else end // 1000]
 
 
 def _process(number: int, row: Any) -> list[Any]:
-    """Return [number, name, pid, argv, from, to, return code, place of its launch action]"""
+    """Return [number, name, pid, argv, start, end, return code, place of the launch action]."""
     end = row['ended']
     return [
         number,
@@ -318,6 +344,6 @@ def _process(number: int, row: Any) -> list[Any]:
 
 
 def _call(number: int, row: Sequence[Any]) -> list[Any]:
-    """Return [number, time, service, type, client, request, served, replied]; the request is a list of its leaves."""
+    """Return [number, time, service, type, client, request, served, replied]. The request is a list of its fields."""
     time, service, kind, client, request, served, replied, _ = row
     return [number, time // 1000, service, kind, client, _json(request), served, None if replied is None else replied // 1000]

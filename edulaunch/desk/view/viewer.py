@@ -1,6 +1,6 @@
-"""One live view of a live machine: it sends the timeline, and handles the user's mouse and keyboard.
+"""The machine's side of one live view: it sends the timeline, and handles the user's mouse and keyboard.
 
-Data from the page may be anything. An error message answers an invalid request.
+The page may send any data. The reply to an invalid request is an error message.
 """
 
 from __future__ import annotations
@@ -36,10 +36,12 @@ DRIVER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'driver.py')
 
 
 class Viewer:
-    """The machine's side of one page.
+    """Sends the data of a machine to one page, and handles the requests of the page.
 
-    :param say: sends a message (plain data) to the page.
-    :param typed_in: the terminal that opened the page. Commands of the page find the same files and packages as there.
+    :param machine: the machine that the page shows.
+    :param say: a function that sends a message (plain data) to the page.
+    :param typed_in: the folder and environment of the terminal that opened the page, or None. Commands of the page find the same
+        files and packages as this terminal.
     """
 
     def __init__(self, machine: ViewedMachine, say: Callable[[dict[str, Any]], object], typed_in: TypedIn | None = None) -> None:
@@ -53,7 +55,7 @@ class Viewer:
         self._sent_state: dict[str, object] | None = None
 
     def show(self) -> None:
-        """Send the news: a timeline delta, and the state of time."""
+        """Send an update to the page: a timeline delta, and the state of the simulated time."""
         message: dict[str, Any] = {}
         if self._look():
             message['reset'] = True
@@ -66,7 +68,7 @@ class Viewer:
         self._say({**message, 'delta': self._timeline.delta()})
 
     def has_programs(self) -> bool:
-        """Return whether any program that a terminal of the page has started still runs."""
+        """Return whether a program that a terminal of the page has started still runs."""
         return self._machine.session is self._session and any(pane.has_programs() for pane in self._panes)
 
     @property
@@ -74,7 +76,7 @@ class Viewer:
         return self._machine.time
 
     def _look(self) -> bool:
-        """Return whether the machine now runs a different session, so the page starts over."""
+        """Start over if the machine now runs another session. Return whether it does."""
         if self._machine.session is self._session:
             return False
         self._session = self._machine.session
@@ -84,7 +86,7 @@ class Viewer:
         return True
 
     def take(self, request: Any) -> None:
-        """Handle a request of the page: a dict with `op` and its values."""
+        """Handle a request of the page: a dictionary with `op` and the values for this operation."""
         op = request.get('op') if isinstance(request, dict) else None
         action = _ACTIONS.get(op) if isinstance(op, str) else None
         if action is None:
@@ -109,7 +111,7 @@ class Viewer:
         self._time.speed = min(speed, FASTEST) if speed > 0 else FASTEST
 
     def _step(self, request: dict[str, Any]) -> None:
-        """Let time pass by a tick of turtlesim, to the next message, or by one item of the agenda; then pause."""
+        """Run a tick of turtlesim, run until the next message, or run one item of the agenda. Then pause the time."""
         self._time.paused = True
         sim, recorder = self._session.sim, self._session.recorder
         what = request.get('what', 'tick')
@@ -131,7 +133,7 @@ class Viewer:
         self._machine.continue_at(min(max(_number(request, 'time'), 0.0), self._session.sim.elapsed_s))
 
     def _launch(self, request: dict[str, Any]) -> None:
-        """Run a launch until the next action, event or line. Then pause the time."""
+        """Run a launch until its next action or event, or until it reaches a line. Then pause the time."""
         trace = next((one for one in self._session.traces if one.pid == request['pid']), None)
         if trace is None or trace.is_over:
             raise ValueError('this launch has ended')
@@ -152,7 +154,7 @@ class Viewer:
             self._say({'said': f'{missing} within 10 s of simulated time.'})
 
     def _stops(self, request: dict[str, Any]) -> None:
-        """Set whether new launches stop before their first action. With `again`, run this launch again and stop there."""
+        """Set whether new launches stop before their first action. With `again`, repeat this launch and stop there."""
         on = request['on'] is True
         again = on and request.get('again') is True
         if again and not self._machine.can_continue:
@@ -162,7 +164,7 @@ class Viewer:
             self._machine.continue_at(0.0)
 
     def _process(self, request: dict[str, Any]) -> None:
-        """Stop or kill the process of a launch, or start it again."""
+        """Stop, kill or restart a process of a launch."""
         trace = next((one for one in self._session.traces if one.pid == request['pid']), None)
         if trace is None:
             raise ValueError('this launch has ended')
@@ -198,15 +200,17 @@ class Viewer:
         self._start(words_of_line, 'ros2', lambda stream, text: self._say({'said': text.strip()}))
 
     def _line(self, request: dict[str, Any]) -> None:
-        """Handle a line typed in one of the page's terminals."""
+        """Handle a line that the user has typed in one of the page's terminals."""
         self._panes[_pane(request)].line(str(request['line'])[:LONGEST_LINE])
 
     def _keys(self, request: dict[str, Any]) -> None:
-        """Handle keys pressed there for a program that wants keys."""
+        """Handle keys that the user has pressed in one of the page's terminals, for a program that reads keys."""
         self._panes[_pane(request)].keys(str(request['keys'])[:LONGEST_LINE])
 
     def _complete(self, request: dict[str, Any]) -> None:
-        """Handle the Tab key in the page's terminal: complete the unambiguous part of the line, and list what could follow."""
+        """Handle the Tab key in one of the page's terminals: complete the unambiguous part of the line, and list the possible
+        words.
+        """
         line = str(request['line'])[:LONGEST_LINE]
         *before, typed = line.split(' ')
         if before[:1] != ['ros2']:
@@ -221,19 +225,19 @@ class Viewer:
         self._panes[_pane(request)].interrupt()
 
     def _export(self, request: dict[str, Any]) -> None:
-        """Send the page a file that replays the run so far, from disk and without a network."""
+        """Send an HTML page that replays the run so far without other files or a network. The user saves it as a file."""
         recording = self._machine.recording()
         name = os.path.basename(recording.launch.file or '').partition('.')[0] or 'machine'
         self._say({'export': recorded_page(timeline_of(recording), name), 'name': f'{name}.html'})
 
     def _advise(self, request: dict[str, Any]) -> None:
-        """Check the run so far with the rules of advice."""
+        """Check the run so far with the rules of advice, and send the number of problems."""
         marks = marks_of(self._machine.recording())
         self._timeline.mark(marks)
         self._say({'said': f'Problems found: {len(marks)}.' if marks else 'No problems found.'})
 
     def _defaults(self, request: dict[str, Any]) -> None:
-        """Send the page the defaults of parameters that got a value from outside."""
+        """Send the defaults of parameters whose values come from a launch file or a command line."""
         from edulaunch.desk.view.defaults import defaults_of
 
         recorder = self._session.recorder
@@ -255,7 +259,7 @@ class Viewer:
     def _start_typed(
         self, argv: list[str], name: str, on_output: Callable[[str, str], object], on_exit: Callable[[int], object]
     ) -> Process:
-        """Start a command of the page's terminals."""
+        """Start a command from one of the page's terminals. Return its process."""
         if self._typed_in is None:
             return self._start(argv, name, on_output, on_exit)
         spec, index = typed_command(argv, f'{name}-view', *self._typed_in, self._session.index)
@@ -264,13 +268,13 @@ class Viewer:
         return process
 
     def _index(self) -> Index:
-        """Return the packages that the page's terminals find."""
+        """Return the index of the packages that the page's terminals find."""
         if self._typed_in is None:
             return self._session.index
         return typed_command(['ros2'], 'ros2', *self._typed_in, self._session.index)[1]
 
     def close(self) -> None:
-        """End the programs of the closed page; the machine continues."""
+        """End the programs of the closed page. The machine continues to run."""
         if self._session.sim.is_suspended:
             self._session.let_go()
             self._time.paused = False
@@ -304,9 +308,9 @@ _ACTIONS: dict[str, Callable[[Viewer, dict[str, Any]], None]] = {
 
 
 def _number(request: dict[str, Any], name: str) -> float:
-    """Return a finite number.
+    """Return the number with this name in a request.
 
-    :raises ValueError: for another value.
+    :raises ValueError: when the value is not a number between -1e6 and 1e6.
     """
     value = request.get(name)
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not -1e6 < value < 1e6:
@@ -315,7 +319,7 @@ def _number(request: dict[str, Any], name: str) -> float:
 
 
 def _pane(request: dict[str, Any]) -> int:
-    """Return one of the page's terminals.
+    """Return the number of the terminal that a request names.
 
     :raises ValueError: when there is no terminal with that number.
     """
@@ -326,9 +330,9 @@ def _pane(request: dict[str, Any]) -> int:
 
 
 def _name(request: dict[str, Any], name: str) -> str:
-    """Return a ROS name: letters, digits, underscores and slashes.
+    """Return the ROS name with this key in a request. It may contain letters, digits, underscores and slashes.
 
-    :raises ValueError: for another string.
+    :raises ValueError: for another value.
     """
     value = request.get(name)
     if not isinstance(value, str) or len(value) > 255 or not all(letter.isalnum() or letter in '_/' for letter in value):

@@ -1,4 +1,4 @@
-"""`ros2 action`: list actions, send a goal, and wait for its result."""
+"""`ros2 action`: list and describe actions, and send a goal."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from rclpy.node import Node
 
 CANCEL_PATIENCE_S = 1.0
-"""Ctrl-C often ends the server too; then no result will come."""
+"""After Ctrl-C, wait this many seconds for the result, because Ctrl-C often ends the server, too."""
 STATUS_WORDS = ('UNKNOWN', 'ACCEPTED', 'EXECUTING', 'CANCELING', 'SUCCEEDED', 'CANCELED', 'ABORTED')
 
 
@@ -30,7 +30,7 @@ def info_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def info_verb(arguments: argparse.Namespace) -> None:
-    """Print the nodes with clients and with servers."""
+    """Print the nodes that have a client or a server of the action."""
     action = arguments.action_name
     with cli_node.cli_node(arguments) as node:
         sides = (
@@ -61,7 +61,7 @@ def list_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print the actions, sorted by name."""
+    """Print the names of the actions in alphabetical order."""
     with cli_node.cli_node(arguments) as node:
         graph_names.say_names(graph_names.action_names_and_types(node), arguments)
 
@@ -72,7 +72,7 @@ def type_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def type_verb(arguments: argparse.Namespace) -> int:
-    """Print the type; return 1 without a message if there is no such action, as in ROS 2."""
+    """Print the type of the action. As in ROS 2, return 1 without a message if there is no such action."""
     with cli_node.cli_node(arguments) as node:
         return graph_names.say_types(arguments.action_name, graph_names.action_names_and_types(node))
 
@@ -88,7 +88,7 @@ def send_goal_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def send_goal_verb(arguments: argparse.Namespace) -> str | None:
-    """Send the goal and wait for the result; Ctrl-C cancels the goal."""
+    """Send the goal and wait for its result. Ctrl-C cancels the goal."""
     try:
         cls = interface_class(arguments.action_type, 'action')
     except InterfaceError as error:

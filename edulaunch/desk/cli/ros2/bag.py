@@ -1,4 +1,4 @@
-"""Find bags, read them with `rosbags`, `ros2 bag info`, and the keys that control a recording or a playback."""
+"""`ros2 bag info`, functions that find and read bags with `rosbags`, and the keys that control a recording or a playback."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from edulaunch.engine.processes.current import current_process
 from edulaunch.errors import MissingExtra
 
 EVENT_TOPIC, EVENT_TYPE = '/_service_event', '_Event'
-"""The endings of the topic of a service's events, and of its type."""
+"""The endings of the name and of the type of the topic with a service's events."""
 WIDTH = 19
 LOG_LEVELS = ('debug', 'info', 'warn', 'error', 'fatal')
 SORTED_BY: dict[str, Callable[[dict[str, Any]], Any]] = {
@@ -28,28 +28,35 @@ SORTED_BY: dict[str, Callable[[dict[str, Any]], Any]] = {
 
 
 def set_level(logger: Any, word: str) -> None:
-    """Show the messages of a logger from this level on: one of `LOG_LEVELS`."""
+    """Set the level of a logger.
+
+    :param word: the lowest level that the logger shows, one of `LOG_LEVELS`.
+    """
     from rclpy.logging import get_logging_severity_from_string
 
     logger.set_level(get_logging_severity_from_string(word))
 
 
 def folder_of(path: str) -> str:
-    """Return the absolute path of a bag that the command line names."""
+    """Return the absolute path of a bag, relative to the folder in which the command runs."""
     return os.path.abspath(os.path.join(current_process().cwd or '', path))
 
 
 def new_folder() -> str:
-    """Return the path of a new folder, named after date and time as in ROS 2; several in one second get numbers."""
+    """Return the path of a new folder.
+
+    As in ROS 2, its name contains the date and the time, and a number if the folder exists.
+    """
     name = folder_of(time.strftime('rosbag2_%Y_%m_%d-%H_%M_%S'))
     numbered = (f'{name}_{number}' for number in range(1, 1_000_000))
     return name if not os.path.exists(name) else next(other for other in numbered if not os.path.exists(other))
 
 
 def found_bag(path: str) -> str:
-    """Return the folder of the bag at `path`, which is that folder or a file in it.
+    """Return the folder of a bag.
 
-    :raises RuntimeError: when there is no bag; the message begins like that of ROS 2.
+    :param path: the path of this folder, or of a file in it.
+    :raises RuntimeError: when there is no bag. The message begins as in ROS 2.
     """
     folder = folder_of(path)
     if os.path.isfile(folder):
@@ -61,7 +68,7 @@ def found_bag(path: str) -> str:
 
 
 def require_rosbags() -> None:
-    """Check that bags can be read and written.
+    """Check that the package rosbags, which reads and writes bags, is installed.
 
     :raises MissingExtra: when rosbags is not installed.
     """
@@ -71,9 +78,10 @@ def require_rosbags() -> None:
 
 @contextmanager
 def opened(path: str) -> Iterator[Any]:
-    """Open the bag at `path`, and provide its reader inside a `with` statement.
+    """Open the bag at `path` for a `with` statement, which receives the reader of rosbags.
 
-    :raises RuntimeError: when there is no bag, or it cannot be read.
+    :raises MissingExtra: when rosbags is not installed.
+    :raises RuntimeError: when there is no bag, or the bag cannot be read.
     """
     require_rosbags()
     from rosbags.rosbag2 import Reader
@@ -92,8 +100,11 @@ def opened(path: str) -> Iterator[Any]:
 
 
 def messages_of(path: str, reader: Any, **span: Any) -> Iterator[Any]:
-    """Yield the messages of an opened bag: (connection, time, bytes).
+    """Yield the messages of an open bag as (connection, time in nanoseconds, bytes).
 
+    :param path: the name of the bag for error messages.
+    :param reader: the reader that `opened` provides.
+    :param span: the start and stop time in nanoseconds, if only some messages are wanted.
     :raises RuntimeError: when the file is damaged.
     """
     rows = reader.messages(**span)
@@ -108,12 +119,15 @@ def messages_of(path: str, reader: Any, **span: Any) -> Iterator[Any]:
 
 
 def event_kind(data: bytes) -> int:
-    """Return the kind of a serialized service event: 0 request sent, 1 request received, 2 response sent, 3 response received."""
+    """Return the event type of a serialized service event.
+
+    0 means request sent, 1 request received, 2 response sent, and 3 response received.
+    """
     return data[4]  # the first four bytes describe the encoding
 
 
 def info_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the bag, and how much to print."""
+    """Add the argument for the bag, and the options that choose what to print."""
     parser.add_argument('bag_path', help='Bag to open')
     parser.add_argument('-t', '--topic-name', action='store_true', help='Only display topic names.')
     parser.add_argument('--sort', choices=tuple(SORTED_BY), default='name', help='Configuration for sorting of output.')
@@ -121,7 +135,9 @@ def info_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def info_verb(arguments: argparse.Namespace) -> None:
-    """Print the summary: files, times, the messages of each topic and the events of each service."""
+    """Print the summary of a bag: its files, its times, and the number of messages of each topic and of events of each
+    service.
+    """
     folder = found_bag(arguments.bag_path)
     content = read_metadata(arguments.bag_path, folder)
     content['topics_with_message_count'].sort(key=SORTED_BY[arguments.sort])
@@ -184,7 +200,10 @@ def _moment(nanoseconds: int) -> str:
 
 
 class Keys:
-    """Reads pressed keys without waiting. A terminal sends each key at once; `close` restores the mode of the terminal."""
+    """Reads pressed keys from the terminal without waiting.
+
+    The terminal sends each key immediately. `close` restores the previous mode of the terminal.
+    """
 
     def __init__(self) -> None:
         process = current_process()
@@ -195,7 +214,7 @@ class Keys:
             tty.setcbreak(0)
 
     def pressed(self) -> str:
-        """Return the keys pressed since the last call."""
+        """Return the keys that the user has pressed since the last call."""
         keys = ''
         while not self._is_over and self._input.is_ready():
             key = self._input.read(1)

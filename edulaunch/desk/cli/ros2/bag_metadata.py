@@ -1,4 +1,4 @@
-"""The `metadata.yaml` of a bag from any source, checked against a schema, so that callers can trust it."""
+"""Read the `metadata.yaml` of a bag. A schema checks the file, so callers can trust the content of any bag."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def _count(value: Any) -> bool:
 
 
 def _inside(value: Any) -> bool:
-    """Return whether a path is in the bag's own folder."""
+    """Return whether a value is a path inside the bag's own folder."""
     return text(value) and '\0' not in value and not os.path.isabs(value) and '..' not in value.split('/')
 
 
@@ -40,7 +40,7 @@ TOPIC: dict[str, tuple[Check, str]] = {
 
 
 def unreadable(path: str, why: object) -> RuntimeError:
-    """Return the error for a bag that cannot be read."""
+    """Return the error to raise for a bag that cannot be read."""
     reason = ' '.join(str(why).split())[:200] or type(why).__name__
     return RuntimeError(with_help(f"[ERROR] [ros2bag]: '{path}' cannot be read: {reason}", _HELP))
 
@@ -48,8 +48,9 @@ def unreadable(path: str, why: object) -> RuntimeError:
 def read_metadata(path: str, folder: str) -> dict[str, Any]:
     """Return the metadata of the bag in a folder.
 
-    :param path: the name that the user gave for the bag.
-    :raises RuntimeError: when the metadata are invalid; the message names the entry.
+    :param path: the path that the user typed, for error messages.
+    :param folder: the folder of the bag.
+    :raises RuntimeError: when the metadata are invalid. The message names the wrong entry.
     """
     import yaml
 

@@ -1,4 +1,4 @@
-"""`ros2 bag play`: publish the messages of a bag at their times, with an optional clock and a pause key."""
+"""`ros2 bag play`: publish the messages of a bag at their recorded times. It can publish /clock, and a key pauses it."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ ACCEPTED = (
     (('--storage-config-file',), 'the storage has its usual settings'),
     (('--wait-for-all-acked',), 'a message arrives before the next one is published'),
 )
-"""Options of ROS 2 without an effect in a simulation: their names, and what happens instead."""
+"""Options of ROS 2 that have no effect in a simulation: the names of each option, and what happens instead."""
 
 
 class Player:
-    """A bag and the publishers for its topics.
+    """Plays a bag: it contains the messages of the bag and the publishers for its topics.
 
-    :ivar messages: (nanoseconds after the beginning, publisher, message) in order of time.
+    :ivar messages: (nanoseconds after the start of the playback, function that sends the message, message), sorted by time.
     """
 
     def __init__(self, node: Node, arguments: argparse.Namespace) -> None:
@@ -55,9 +55,9 @@ class Player:
             self._log.info('Press SPACE for Pause/Resume')
 
     def load(self, path: str) -> None:
-        """Read the bag and create publishers, or clients for recorded requests.
+        """Read the bag, and create a publisher for each topic. Create clients for the recorded service requests to repeat.
 
-        :raises RuntimeError: when there is no bag.
+        :raises RuntimeError: when there is no bag, or the bag cannot be read.
         """
         chosen = self._arguments
         with opened(path) as reader:
@@ -70,7 +70,7 @@ class Player:
                     self.messages.append((time_ns - self._first_ns, sender[0], _message(path, data, sender[1])))
 
     def _last_ns(self) -> int | None:
-        """Return the time in the bag at which the playback ends, if the command line gives one."""
+        """Return the recorded time in nanoseconds at which the playback ends. Return None if the playback ends with the bag."""
         chosen = self._arguments
         duration_s, until_s, until_ns = chosen.playback_duration, chosen.playback_until_sec, chosen.playback_until_nsec
         ends = [
@@ -94,7 +94,10 @@ class Player:
         return bool(self._arguments.publish_service_requests and connection.topic.endswith(EVENT_TOPIC))
 
     def _sender(self, connection: Any) -> tuple[Callable[[Any], object], Any] | None:
-        """Return the publisher or client for the messages of a topic, and their class; None if their type is unknown here."""
+        """Return a function that sends the messages of a topic, and the class of the messages.
+
+        Return None if the type is unknown.
+        """
         topic = self._names.get(connection.topic, connection.topic)
         try:
             cls = current_registry().get(connection.msgtype)
@@ -108,7 +111,7 @@ class Player:
             return None
 
     def play_once(self) -> bool:
-        """Publish all messages; return False if ROS 2 was shut down in the meantime."""
+        """Publish all messages once. Return False if ROS 2 was shut down in the meantime."""
         cli_node.pause(self._node, self._arguments.delay)
         self._log.info('Playback until timestamp: -1')
         begin_ns, rate = self._sim.now_ns, self._arguments.rate
@@ -128,7 +131,12 @@ class Player:
         return bool(self._node.context.ok())
 
     def _wait_until(self, begin_ns: int, offset_ns: int) -> int:
-        """Wait for a moment of the playback, longer if it is paused; return the shifted start time of the playback."""
+        """Wait until the playback reaches a time. A pause makes the wait longer.
+
+        :param begin_ns: the simulated time in nanoseconds at which the playback began.
+        :param offset_ns: the time to wait for, in nanoseconds after the beginning.
+        :return: the new `begin_ns`, which is later by the duration of the pauses.
+        """
         while self._node.context.ok() and (self._is_paused or self._sim.now_ns < begin_ns + offset_ns):
             before_ns = self._sim.now_ns
             look_ns = before_ns + LOOK_AT_KEYS_NS
@@ -143,7 +151,7 @@ class Player:
         return begin_ns
 
     def _clock(self) -> Callable[[int], None]:
-        """Return a function that publishes a time in nanoseconds to /clock."""
+        """Return a function that publishes a time (in nanoseconds) on the topic /clock."""
         clock_class = interface_class('rosgraph_msgs/msg/Clock', 'msg')
         publisher = self._node.create_publisher(clock_class, '/clock', 1)
 
@@ -156,9 +164,9 @@ class Player:
 
 
 def _message(path: str, data: Any, cls: Any) -> Any:
-    """Deserialize the message from the bytes of a bag.
+    """Return the message that bytes of a bag contain.
 
-    :raises RuntimeError: when the bytes are not such a message.
+    :raises RuntimeError: when the bytes are not a message of this class.
     """
     from edulaunch.ros.serialization.cdr import deserialize
 
@@ -169,7 +177,7 @@ def _message(path: str, data: Any, cls: Any) -> Any:
 
 
 def _rate_hz(text: str) -> float:
-    """Return a positive number; ros2bag has other error messages than the other commands."""
+    """Return a rate in Hz. Reject other values with the error messages of ros2bag, which differ from those of other commands."""
     try:
         rate = float(text)
     except ValueError:
@@ -180,7 +188,7 @@ def _rate_hz(text: str) -> float:
 
 
 def play_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the choice of messages, their names, and the speed."""
+    """Add the options that select and remap topics, and that set the rate."""
     parser.add_argument('bag_path', help='Bag to open')
     parser.add_argument(
         '-r', '--rate', type=_rate_hz, default=1.0, help='rate at which to play back messages. Valid range > 0.0.'
@@ -198,7 +206,7 @@ def play_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_play_times(parser: argparse.ArgumentParser) -> None:
-    """Add start, end, repetition and clock."""
+    """Add the options for the start, the end, the repetition and the clock of the playback."""
     parser.add_argument(
         '--clock',
         type=_rate_hz,
@@ -224,7 +232,7 @@ def _add_play_times(parser: argparse.ArgumentParser) -> None:
 
 
 def play_verb(arguments: argparse.Namespace) -> None:
-    """Publish each message at its time; end after the last one unless looping. SPACE pauses and resumes."""
+    """Publish each message at its time. End after the last message, or repeat the bag with `--loop`. SPACE pauses and resumes."""
     with cli_node.cli_node(name='rosbag2_player') as node:
         player = Player(node, arguments)
         player.load(arguments.bag_path)

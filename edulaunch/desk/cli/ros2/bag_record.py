@@ -1,4 +1,4 @@
-"""`ros2 bag record`: record topics in a bag folder that any rosbag2 can read, written with `rosbags`."""
+"""`ros2 bag record`: record topics in a bag folder that every rosbag2 can read. The package `rosbags` writes the bag."""
 
 from __future__ import annotations
 
@@ -34,15 +34,18 @@ ACCEPTED = (
     (('--compression-threads',), 'the bag is compressed at the end'),
     (('--compression-threads-priority',), 'the bag is compressed at the end'),
 )
-"""Options of ROS 2 without an effect in a simulation: their names, and what happens instead."""
+"""Options of ROS 2 that have no effect in a simulation: the names of each option, and what happens instead."""
 
 
 class BagTopic:
-    """Takes the messages of a topic directly from the graph, so that the recorder needs no turn and no copy for each message.
+    """Takes the messages of a topic directly from the graph, so that the recorder does not have to run or copy for each message.
 
-    :param publishers: the publishers of the topic; the subscription requests the QoS that all of them offer.
+    :param graph: the graph of the simulation.
+    :param node: the node of the recorder.
+    :param publishers: the publishers of the topic. The subscription requests the QoS that all of these publishers offer.
     :param messages: the list to which arriving messages are appended.
-    :param now_ns: return the time of arrival; 0 if there is no time yet, and then the message is left out.
+    :param now_ns: a function that returns the time of arrival in nanoseconds. While it returns 0, messages are not recorded.
+    :param is_paused: whether to ignore messages at first.
     """
 
     def __init__(
@@ -86,7 +89,7 @@ def _suitable(offered: list[qos.QoS]) -> qos.QoS:
 
 
 def record_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the options of ROS 2 that choose topics and the place of the bag."""
+    """Add the options of ROS 2 that choose the topics and the folder of the bag."""
     parser.add_argument('topics', nargs='*', help='List of topics to record.')
     parser.add_argument('--topics', nargs='+', dest='more_topics', default=[], metavar='Topic', help='List of topics to record.')
     parser.add_argument('-a', '--all', action='store_true', help='Record all topics and services.')
@@ -118,7 +121,7 @@ def record_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_discovery(parser: argparse.ArgumentParser) -> None:
-    """Add the options for discovery."""
+    """Add the options for the discovery of topics."""
     parser.add_argument(
         '-p',
         '--polling-interval',
@@ -135,7 +138,7 @@ def _add_discovery(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_control(parser: argparse.ArgumentParser) -> None:
-    """Add clock, keys, the name of the node, and what the bag says about itself."""
+    """Add the options for the clock, the keys, the name of the node, and the metadata of the bag."""
     parser.add_argument('--use-sim-time', action='store_true', help='Use the time of the /clock topic for message timestamps.')
     parser.add_argument('--start-paused', action='store_true', help='Start the recorder in a paused state.')
     parser.add_argument('--disable-keyboard-controls', action='store_true', help='disables keyboard controls for recorder')
@@ -154,7 +157,7 @@ def _add_control(parser: argparse.ArgumentParser) -> None:
 
 
 def record_verb(arguments: argparse.Namespace) -> str | None:
-    """Record until interrupted; then write the bag to the folder where the command runs. SPACE pauses and resumes."""
+    """Record until Ctrl-C, then write the bag to the folder in which the command runs. SPACE pauses and resumes."""
     wanted = [*arguments.topics, *arguments.more_topics, *(service.rstrip('/') + EVENT_TOPIC for service in arguments.services)]
     if not (
         wanted or arguments.all or arguments.all_topics or arguments.all_services or arguments.topic_types or arguments.regex
@@ -186,7 +189,7 @@ def record_verb(arguments: argparse.Namespace) -> str | None:
 
 
 class BagRecorder:
-    """Subscribes to topics as they appear, and keeps their messages."""
+    """Subscribes to topics when they appear, and stores their messages."""
 
     def __init__(self, node: Node, wanted: list[str], arguments: argparse.Namespace) -> None:
         self._node = node
@@ -206,7 +209,10 @@ class BagRecorder:
         self.messages: list[BagMessage] = []
 
     def record(self) -> None:
-        """Record until ROS 2 is shut down. Raise KeyboardInterrupt on Ctrl-C."""
+        """Record until ROS 2 is shut down.
+
+        :raises KeyboardInterrupt: on Ctrl-C.
+        """
         keys = None if self._arguments.disable_keyboard_controls else Keys()
         if keys is not None:
             self._log.info('Press SPACE for pausing/resuming')
@@ -233,7 +239,7 @@ class BagRecorder:
             topic.is_paused = self._is_paused
 
     def _now_ns(self) -> int:
-        """Return the time for a message that arrives now; 0 before the first message of /clock."""
+        """Return the time in nanoseconds for a message that arrives now. Return 0 if `/clock` has not published a time yet."""
         sim = self._core.entry.process.sim
         if not self._arguments.use_sim_time:
             return int(sim.now_ns)
@@ -282,7 +288,7 @@ class BagRecorder:
         self._log.info(f"Subscribed to topic '{topic}'")
 
     def write(self, folder: str) -> None:
-        """Write the bag, and report the end of the recording."""
+        """Write the bag to a folder, and log that the recording has ended."""
         self._log.info('Event publisher thread: Exiting')
         chosen = self._arguments
         write_bag(

@@ -1,4 +1,4 @@
-"""Writes recorded messages as a bag folder that any rosbag2 can read, with `rosbags`."""
+"""Write recorded messages as a bag folder that every rosbag2 can read. The package `rosbags` writes the files."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ SEPARATOR = '=' * 80
 
 
 class Topic(Protocol):
-    """What the metadata of a bag has about a topic."""
+    """The data about a topic that the metadata of a bag contain."""
 
     name: str
     cls: Any
@@ -36,14 +36,15 @@ def write_bag(
     compression: str = 'none',
     custom_data: Mapping[str, str] | None = None,
 ) -> None:
-    """Write `metadata.yaml` and one storage file.
+    """Write a bag folder with `metadata.yaml` and one storage file.
 
-    :param folder: a folder that must not exist yet.
+    :param folder: the path of the folder, which must not exist yet.
     :param storage: 'mcap' or 'sqlite3'.
-    :param messages: the messages in order of time.
-    :param registry: has the message types (default: all types that can be imported).
+    :param topics: the topics of the bag.
+    :param messages: the messages, sorted by time.
+    :param registry: contains the message types (default: all types that can be imported).
     :param compression: 'none', 'file', or 'message'.
-    :param custom_data: stored in the metadata.
+    :param custom_data: keys and values to store in the metadata.
     """
     from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin, Writer
 
@@ -77,7 +78,7 @@ def write_bag(
 
 
 def definition(registry: Registry, type_name: str) -> str:
-    """Return the definition of a message and all nested messages, in the form of bag files."""
+    """Return the definition of a message type and of all nested types, in the format of bag files."""
     texts: dict[str, str] = {}
     waiting = [type_name]
     while waiting:
@@ -101,7 +102,7 @@ def _constant(constant: Constant) -> str:
 
 
 def _short(name: str) -> str:
-    """Return the name of a type, such as 'geometry_msgs/msg/Point', in the form of bag files."""
+    """Return the short name of a type that bag files use, such as 'geometry_msgs/Point' for 'geometry_msgs/msg/Point'."""
     return name.replace('/msg/', '/')
 
 

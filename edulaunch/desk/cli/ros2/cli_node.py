@@ -1,4 +1,4 @@
-"""The node of a command, and functions that wait in simulated time."""
+"""The node that a command creates, and functions that wait in simulated time."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ DISCOVERY_S = 0.5
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the options for discovery that most verbs have."""
+    """Add the options for discovery, which most verbs have."""
     parser.add_argument(
         '--spin-time',
         type=float,
@@ -33,11 +33,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 @contextmanager
 def cli_node(arguments: argparse.Namespace | None = None, name: str | None = None, *, signals: str = 'ALL') -> Iterator[Node]:
-    """Start ROS 2 with one node for the duration of a command; its default name is `_ros2cli_<pid>`.
+    """Start ROS 2 with one node, for a `with` statement. Shut ROS 2 down at the end.
 
-    :param arguments: with them, the command first waits until the graph is known; without them, it starts immediately.
-    :param signals: the signals that shut ROS 2 down, by the name of `SignalHandlerOptions`; a command that still has work after
-        Ctrl-C leaves out that signal.
+    :param arguments: the parsed options. If they are given, first wait until the graph is known; otherwise, start immediately.
+    :param name: the name of the node (default: `_ros2cli_<pid>`).
+    :param signals: the name of the `SignalHandlerOptions` for the signals that shut ROS 2 down. A command that still has work
+        after Ctrl-C leaves out SIGINT.
     """
     import rclpy
     from rclpy.parameter import Parameter
@@ -61,7 +62,7 @@ def discover(node: Node, arguments: argparse.Namespace) -> None:
     """Wait until the graph is known.
 
     In ROS 2, the first command waits for half a second and starts a daemon, which answers later commands immediately. Here the
-    graph is known when the simulation is half a second old. So commands of a launch file see the processes that started at the
+    graph is known when the simulation is half a second old. So a command in a launch file sees the processes that started at the
     same time.
     """
     host: Any = current_process().host
@@ -77,7 +78,7 @@ def discover(node: Node, arguments: argparse.Namespace) -> None:
 
 
 def pause(node: Node, seconds: float) -> bool:
-    """Let simulated time pass; return False if ROS 2 was shut down in the meantime.
+    """Wait for a simulated time in seconds. Return False if ROS 2 was shut down in the meantime.
 
     :raises KeyboardInterrupt: on Ctrl-C.
     """
@@ -85,7 +86,7 @@ def pause(node: Node, seconds: float) -> bool:
 
 
 def pause_until(node: Node, at_ns: int) -> bool:
-    """Wait until the simulated time `at_ns`; see :func:`pause`."""
+    """Wait until the simulated time is `at_ns` nanoseconds. Return and raise the same as :func:`pause`."""
     sim = current_task().sim
     while sim.now_ns < at_ns and node.context.ok():
         node.context.rcl_park(at_ns)
@@ -93,15 +94,18 @@ def pause_until(node: Node, at_ns: int) -> bool:
 
 
 class NoAnswer(RuntimeError):
-    """A service does not exist, or has not replied in time."""
+    """A service does not exist, or its node has not replied in time."""
 
 
 def call(node: Node, service: str, service_type: Any, *, waits_s: Sequence[float | None] = (None,), **fields: Any) -> Any:
-    """Call a service and wait for its response.
+    """Call a service and return its response.
 
-    :param waits_s: seconds of each waiting period (None means forever). Each period except the first begins with a note that the
-        service has not replied.
-    :raises NoAnswer: when the last wait is over.
+    :param service: the name of the service.
+    :param service_type: the class of the service.
+    :param waits_s: the duration of each waiting period in seconds; None means forever. Before each period except the first, print
+        a note that the service has not replied.
+    :param fields: the values for the fields of the request.
+    :raises NoAnswer: when the last period is over.
     :raises RuntimeError: when there is no response because ROS 2 was shut down.
     """
     import rclpy
@@ -130,7 +134,7 @@ def call(node: Node, service: str, service_type: Any, *, waits_s: Sequence[float
 
 
 def no_answer(service: str, seconds: float) -> str:
-    """Return why a node may not answer."""
+    """Return a message that explains why a node has not replied for a time in seconds."""
     name = service.rpartition('/')[0]
     return (
         f'{name} has not answered for {seconds:g} s: it may not spin, a callback may take long, or it may not have this service'

@@ -1,7 +1,7 @@
-"""`ros2 ...` inside the simulation: list the commands, parse a command line, and run it.
+"""`ros2 ...` inside the simulation: the list of commands, and functions that parse and run a command line.
 
-A command has verbs, or does its work itself (an empty table of verbs). Only the file of the chosen command is loaded. argparse
-is used as in ros2cli, and writes to the streams of the running process.
+A command has verbs, or an empty table of verbs if it does its work itself. Only the file of the chosen command is loaded.
+As in ros2cli, argparse parses the words. It writes to the streams of the running process.
 """
 
 from __future__ import annotations
@@ -149,7 +149,7 @@ MODULES = {
     'topic hz': 'topic_measuring',
     'wtf': 'system_checks',
 }
-"""Verbs with a file of their own, and commands in the file of another command."""
+"""The file of each verb that has its own file, and of each command that is in the file of another command."""
 NOT_HERE = {
     'control': 'edulaunch has no ros2_control',
     'plugin': 'plugins are C++ libraries, which cannot run here',
@@ -167,16 +167,16 @@ INTERRUPTED = 2
 
 
 class Verb(NamedTuple):
-    """The arguments of a verb (or of a command without verbs), and its function."""
+    """The two functions of a verb, or of a command without verbs: one adds its arguments, and one runs it."""
 
     add_arguments: Callable[[argparse.ArgumentParser], None]
     main: Callable[[argparse.Namespace], Any]
 
 
 def load(command: str, verb: str | None) -> Verb:
-    """Return the functions `VERB_arguments` and `VERB_verb` of the command's file.
+    """Return the functions `VERB_arguments` and `VERB_verb` from the file of a command.
 
-    For commands without verbs, and if one function serves all verbs, VERB is the name of the command.
+    VERB is the name of the command if the command has no verbs, or if one function serves all its verbs.
     """
     home = MODULES.get(f'{command} {verb}') or MODULES.get(command, command)
     names = vars(import_module(f'edulaunch.desk.cli.ros2.{home}'))
@@ -185,7 +185,7 @@ def load(command: str, verb: str | None) -> Verb:
 
 
 class Parser(argparse.ArgumentParser):
-    """A parser that writes to the streams of the simulated program, with a fixed width."""
+    """A parser that writes to the streams of the simulated program, in lines of a fixed width."""
 
     def __init__(self, prog: str, description: str) -> None:
         super().__init__(
@@ -197,8 +197,10 @@ class Parser(argparse.ArgumentParser):
         (process.streams.stderr if file is sys.stderr else process.streams.stdout).write(message)
 
     def parse(self, words: Sequence[str]) -> argparse.Namespace:
-        """Do the same as `parse_args`, but also accept optional words after options: argparse allows that only in newer
-        versions of Python."""
+        """Return the parsed arguments. Unlike `parse_args`, also accept optional positional words after options.
+
+        argparse itself accepts these words only in newer versions of Python.
+        """
         arguments, others = self.parse_known_args(words)
         for action in self._get_positional_actions():
             if action.nargs == '*':
@@ -216,7 +218,7 @@ class Parser(argparse.ArgumentParser):
         return arguments
 
     def error(self, message: str) -> NoReturn:
-        """Print usage and message on standard error, with the nearest known option; exit with status 2."""
+        """Print the usage, the message and a suggestion on standard error. Exit with status 2."""
         self.print_usage(sys.stderr)
         unknown = message.partition('unrecognized arguments: ')[2].split()
         near = nearest(unknown[0], self._option_string_actions) if unknown and unknown[0].startswith('-') else None
@@ -227,10 +229,10 @@ class Parser(argparse.ArgumentParser):
 
 
 def command_line(words: Sequence[str]) -> tuple[Verb, argparse.Namespace]:
-    """Return the function for `ros2 WORDS...`, and its arguments.
+    """Return the functions of the command that `ros2 WORDS...` names, and its parsed arguments.
 
-    :raises SystemExit: 0 after showing help, 2 after an error.
-    :raises UnusableInput: for an option of a plug-in of edulaunch that is not installed.
+    :raises SystemExit: with status 0 after showing help, and with status 2 after an error.
+    :raises UnusableInput: for an option of one of edulaunch's own plug-ins that is not installed.
     """
     words = words[words[:1] == [BUFFERING] :]
     command = _chosen('ros2', 'command', words, {name: text for name, (text, _) in COMMANDS.items()})
@@ -250,7 +252,7 @@ def command_line(words: Sequence[str]) -> tuple[Verb, argparse.Namespace]:
 
 
 def _chosen(prog: str, kind: str, words: Sequence[str], known: dict[str, str], text: str = '') -> str:
-    """Return the first word, which must be a known one; without a word, show help."""
+    """Return the first word if it is a known command or verb. Without a word, show the help."""
     option = '' if text else f' [{BUFFERING}]'
     usage = f'usage: {prog} [-h]{option} Call `{prog} <{kind}> -h` for more detailed usage. ...\n'
     if not words or words[0] in ('-h', '--help'):
@@ -279,9 +281,11 @@ def _listed(known: dict[str, str]) -> str:
 
 
 def main(process: Process) -> int:
-    """Run the command line of `process` (`process.argv`, 'ros2' first) inside it; return its exit code.
+    """Run the command line of a process inside this process. Return the exit code.
 
-    As in ROS 2, the error message of a verb goes to standard error with status 1, and wrong usage has status 2.
+    As in ROS 2, the error message of a verb goes to standard error, with exit code 1. Wrong usage has exit code 2.
+
+    :param process: the process, whose `argv` begins with 'ros2'.
     """
 
     try:
@@ -296,7 +300,7 @@ def main(process: Process) -> int:
 
 
 def _exit_code(process: Process, outcome: Any) -> int:
-    """Convert the result of a verb (None, a number, or an error message) to an exit code."""
+    """Return the exit code for the result of a verb: None, a number, or an error message, which is printed."""
     if isinstance(outcome, str):
         process.streams.stderr.write(outcome + '\n')
         return 1

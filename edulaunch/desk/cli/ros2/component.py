@@ -19,13 +19,13 @@ CONTAINER_PACKAGE, CONTAINER_EXECUTABLE, CONTAINER_NAME = 'rclcpp_components', '
 
 
 def _container_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the container."""
+    """Add the argument for the container."""
     cli_node.add_arguments(parser)
     parser.add_argument('container_node_name', help='Container node name')
 
 
 def _component_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the component and the properties of its node."""
+    """Add the arguments for the component, and the options for its node."""
     parser.add_argument('package_name', help='Package name where the component can be found')
     parser.add_argument('plugin_name', help='Type name of the component, such as composition::Talker')
     parser.add_argument('-n', '--node-name', help='Component node name')
@@ -57,7 +57,7 @@ def container(node: Node, name: str) -> str:
 
 
 def components(node: Node, name: str) -> list[tuple[int, str]]:
-    """Return number and full name of each node in a container."""
+    """Return the number and the full name of each node in a container."""
     from composition_interfaces.srv import ListNodes
 
     answer = cli_node.call(node, name + _LIST, ListNodes)
@@ -65,7 +65,12 @@ def components(node: Node, name: str) -> list[tuple[int, str]]:
 
 
 def load(node: Node, name: str, arguments: argparse.Namespace) -> str | None:
-    """Load a component into a container and report it; return an error message on failure."""
+    """Load a component into a container, and print the result. Return an error message if that failed.
+
+    :param node: the node of the command.
+    :param name: the full name of the container.
+    :param arguments: the parsed options, which describe the component.
+    """
     from composition_interfaces.srv import LoadNode
 
     answer = cli_node.call(
@@ -88,9 +93,9 @@ def load(node: Node, name: str, arguments: argparse.Namespace) -> str | None:
 
 
 def _level(word: str | None) -> int:
-    """Return the number of a severity name for the service; 0 without a name.
+    """Return the number of a log level for the service. Return 0 if the user names no level.
 
-    :raises RuntimeError: for an unknown severity.
+    :raises RuntimeError: for an unknown log level.
     """
     from rclpy.logging import get_logging_severity_from_string
 
@@ -111,14 +116,14 @@ def _parameter(text: str) -> Any:
 
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the container; without one, list all containers."""
+    """Add the argument for the container. If the user names none, the verb lists all containers."""
     cli_node.add_arguments(parser)
     parser.add_argument('container_node_name', nargs='?', help='Container node name to list components from')
     parser.add_argument('--containers-only', action='store_true', help='List found containers nodes only')
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print each container, followed by the number and name of each of its nodes, indented by two spaces."""
+    """Print each container. Below it, print the number and the name of each of its nodes, indented by two spaces."""
     wanted = arguments.container_node_name
     with cli_node.cli_node(arguments) as node:
         for name in _containers(node) if wanted is None else [container(node, wanted)]:
@@ -129,7 +134,7 @@ def list_verb(arguments: argparse.Namespace) -> None:
 
 
 def load_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the container and the component."""
+    """Add the arguments for the container and the component."""
     _container_arguments(parser)
     _component_arguments(parser)
 
@@ -141,14 +146,14 @@ def load_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def standalone_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the component, and the name of the container."""
+    """Add the arguments for the component, and an option for the name of the container."""
     cli_node.add_arguments(parser)
     _component_arguments(parser)
     parser.add_argument('-c', '--container-node-name', default=None, help='Name of the container node')
 
 
 def standalone_verb(arguments: argparse.Namespace) -> str | int | None:
-    """Start the container, load the component, and wait until the container ends."""
+    """Start a container, load the component, and wait until the container ends."""
     from edulaunch.engine.processes.children import Child
 
     process = current_process()
@@ -168,12 +173,12 @@ def standalone_verb(arguments: argparse.Namespace) -> str | int | None:
 
 
 def types_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the package; without one, list all packages."""
+    """Add the argument for the package. If the user names none, the verb lists the components of all packages."""
     parser.add_argument('package_name', nargs='?', help='Package name to list components from')
 
 
 def types_verb(arguments: argparse.Namespace) -> str | None:
-    """Print the types, below the name of their package if the user names no package."""
+    """Print the component types of one package. If the user names no package, print the types of each package below its name."""
     wanted, packages = arguments.package_name, _registered()
     if wanted is not None and wanted not in packages:
         return with_help(f"Cannot find package '{wanted}' or it has no components", did_you_mean(wanted, packages))
@@ -186,7 +191,10 @@ def types_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def _registered() -> dict[str, list[str]]:
-    """Return the types of each package from its components.txt or, for an installed package, from the ament index."""
+    """Return the component types of each package.
+
+    They come from the package's components.txt or, for an installed package, from the ament index.
+    """
     from ament_index_python import get_resource, get_resources
     from rclcpp_components.component_container import components_of, packages_with_components
 
@@ -199,13 +207,13 @@ def _registered() -> dict[str, list[str]]:
 
 
 def unload_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the container and the numbers."""
+    """Add the arguments for the container and for the numbers of the components."""
     _container_arguments(parser)
     parser.add_argument('component_uid', nargs='+', type=int, help='Unique ID of the component node to be unloaded')
 
 
 def unload_verb(arguments: argparse.Namespace) -> str | None:
-    """Unload the components in order; stop at the first failure."""
+    """Unload the components in the given order. Stop when one of them cannot be unloaded."""
     from composition_interfaces.srv import UnloadNode
 
     with cli_node.cli_node(arguments) as node:

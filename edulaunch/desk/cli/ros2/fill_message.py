@@ -1,4 +1,4 @@
-"""Convert words of a command line to the class of a type, and to a message filled from YAML."""
+"""Find the class of a type that the user names, and fill a message with values in YAML."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ EXAMPLES = {'msg': 'geometry_msgs/msg/Twist', 'srv': 'turtlesim/srv/Spawn', 'act
 
 
 class FillError(Exception):
-    """A value does not fit its field. The message begins as in ROS 2; a line of help may follow."""
+    """A value does not fit its field. The message begins as in ROS 2, and a line of help may follow."""
 
     def __init__(self, text: str, help: str | None = None) -> None:
         super().__init__(f'Failed to populate field: {text}' + ('' if help is None else f'\n  help: {help}'))
 
 
 def parse_values(text: str) -> dict[str, Any]:
-    """Return the fields of a YAML string.
+    """Return the field values that a YAML string contains, by name.
 
-    :raises FillError: when it is not valid YAML or not a dictionary, with the message of ROS 2.
+    :raises FillError: when the string is not valid YAML or not a dictionary, with the message of ROS 2.
     """
     import yaml
 
@@ -61,17 +61,17 @@ def parse_or_none(text: str) -> Any:
 
 
 class ValuesError(FillError):
-    """The values are not a dictionary."""
+    """The values are not valid YAML, or they are not a dictionary."""
 
     def __init__(self, text: str) -> None:
         Exception.__init__(self, text)
 
 
 def fill_message(message: Message, values: dict[str, Any], *, stamps: bool = False) -> list[Stamp]:
-    """Set the fields that `values` names; numbers are converted to the field's type, as ROS 2's commands do.
+    """Set the fields of a message that `values` names. As in ROS 2, convert numbers to the type of the field.
 
-    :param stamps: whether `header: auto` and a time field `now` mean the time of sending.
-    :returns: a function that sets these times; call it with a Time before each sending.
+    :param stamps: whether `header: auto`, and `now` in a time field, mean the time of sending.
+    :returns: functions that set these times. Call each function with a Time before each sending.
     :raises FillError: for an unknown field, or a value that does not fit.
     """
     found: list[Stamp] = []
@@ -133,7 +133,7 @@ def _list(field: Field, value: Any) -> Any:
 
 
 def _plain(field_type: FieldType, value: Any) -> Any:
-    """Convert a number, string or boolean to the field's type: 2 becomes 2.0 in a float field."""
+    """Return a number, string or boolean in the type of the field. For example, 2 becomes 2.0 in a float field."""
     kind = field_type.kind
     assert kind is not None
     if type(value) is kind.python:
@@ -144,9 +144,11 @@ def _plain(field_type: FieldType, value: Any) -> Any:
 
 
 def interface_class(text: str, kind: str) -> Any:
-    """Return the class of 'pkg/msg/Name' (`kind` is 'msg', 'srv' or 'action'); the short form 'pkg/Name' is allowed.
+    """Return the class of a type that the user names.
 
-    :raises InterfaceError: when there is no such type; the help names the nearest one.
+    :param text: the name, such as 'std_msgs/msg/String' or the short form 'std_msgs/String'.
+    :param kind: 'msg', 'srv' or 'action'.
+    :raises InterfaceError: when there is no such type. The help suggests the most similar name.
     """
     parts = text.split('/')
     if len(parts) == 2:

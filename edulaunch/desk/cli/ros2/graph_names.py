@@ -1,4 +1,4 @@
-"""Names in the graph with their types, as the commands for topics, services, actions and nodes list them."""
+"""List the names in the graph with their types, for the commands about topics, services, actions and nodes."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ _MARK, _TYPE_END = '/_action/feedback', '_FeedbackMessage'
 
 
 def is_hidden(name: str) -> bool:
-    """Return whether a name is hidden: one of its tokens starts with an underscore."""
+    """Return whether a name is hidden, which means that one of its parts starts with an underscore."""
     return any(token.startswith('_') for token in name.split('/'))
 
 
 def visible(names_and_types: NamesAndTypes, include_hidden: bool) -> NamesAndTypes:
-    """Return the entries, without hidden names unless they are wanted."""
+    """Return the entries. Leave out hidden names unless `include_hidden` is True."""
     return [entry for entry in names_and_types if include_hidden or not is_hidden(entry[0])]
 
 
@@ -32,12 +32,18 @@ def absolute(name: str) -> str:
 
 
 def node_names(node: Node, include_hidden: bool = True) -> list[str]:
-    """Return the full names of all nodes, sorted."""
+    """Return the full names of all nodes, sorted. Leave out hidden nodes if `include_hidden` is False."""
     return sorted(name for name in node.get_fully_qualified_node_names() if include_hidden or not is_hidden(name))
 
 
 def add_name_arguments(parser: argparse.ArgumentParser, what: str, purpose: str, example: str) -> None:
-    """Add the options for discovery, and the name of a topic, service or action."""
+    """Add the options for discovery, and the argument for the name of a topic, service or action.
+
+    :param parser: the parser to extend.
+    :param what: 'topic', 'service' or 'action'.
+    :param purpose: the purpose of the verb for the help, such as 'get type'.
+    :param example: an example of a name for the help.
+    """
     cli_node.add_arguments(parser)
     parser.add_argument(f'{what}_name', help=f"Name of the ROS {what} to {purpose} (e.g. '{example}')")
 
@@ -51,7 +57,7 @@ def add_find_arguments(parser: argparse.ArgumentParser, what: str, example: str)
 
 
 def add_list_arguments(parser: argparse.ArgumentParser, what: str) -> None:
-    """Add the arguments of all `list` verbs for names with types."""
+    """Add the arguments that all `list` verbs for topics, services and actions have."""
     cli_node.add_arguments(parser)
     parser.add_argument('-t', '--show-types', action='store_true', help=f'Additionally show the {what} type')
     _add_count(parser, what)
@@ -68,7 +74,7 @@ def add_hidden(parser: argparse.ArgumentParser, what: str) -> None:
 
 
 def say_names(names_and_types: NamesAndTypes, arguments: argparse.Namespace) -> None:
-    """Print names, with types or as a count, depending on the options."""
+    """Print the names, the names with their types, or only the number of names. The options choose the form."""
     if arguments.count:
         say(str(len(names_and_types)))
         return
@@ -77,7 +83,7 @@ def say_names(names_and_types: NamesAndTypes, arguments: argparse.Namespace) -> 
 
 
 def say_found(names_and_types: NamesAndTypes, type_name: str, count: bool) -> None:
-    """Print the names that have a type, or their number."""
+    """Print the names that have a type. If `count` is True, print only the number of these names."""
     found = [name for name, types in names_and_types if type_name in types]
     if count:
         say(str(len(found)))
@@ -86,29 +92,29 @@ def say_found(names_and_types: NamesAndTypes, type_name: str, count: bool) -> No
 
 
 def types_of(name: str, names_and_types: Iterable[tuple[str, list[str]]]) -> list[str]:
-    """Return the types of a name; an empty list if no node uses it."""
+    """Return the types of a name. Return an empty list if no node uses the name."""
     return next((types for known, types in names_and_types if known == name), [])
 
 
 def say_types(name: str, names_and_types: NamesAndTypes) -> int:
-    """Print the types of a name; return 1 without a message if no node uses it, as in ROS 2."""
+    """Print the types of a name. As in ROS 2, return 1 without a message if no node uses the name."""
     types = types_of(name, names_and_types)
     say_lines(types)
     return 0 if types else 1
 
 
 def servers_by_node(node: Node, name: str, namespace: str) -> NamesAndTypes:
-    """Return the actions that a node serves: it publishes their feedback."""
+    """Return the actions for which a node has a server. An action server publishes the action's feedback topic."""
     return _actions(node.get_publisher_names_and_types_by_node(name, namespace))
 
 
 def clients_by_node(node: Node, name: str, namespace: str) -> NamesAndTypes:
-    """Return the actions that a node uses: it subscribes to their feedback."""
+    """Return the actions for which a node has a client. An action client subscribes to the action's feedback topic."""
     return _actions(node.get_subscriber_names_and_types_by_node(name, namespace))
 
 
 def action_names_and_types(node: Node) -> NamesAndTypes:
-    """Return all actions with a server or a client."""
+    """Return all actions that have a server or a client, with their types."""
     return _actions(node.get_topic_names_and_types())
 
 

@@ -25,7 +25,7 @@ def list_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print the types of each kind below a heading."""
+    """Print the messages, services and actions, each kind below a heading."""
     chosen = [kind for kind, _ in KINDS if getattr(arguments, kind)]
     for kind, heading in KINDS:
         if not chosen or kind in chosen:
@@ -39,7 +39,7 @@ def package_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def package_verb(arguments: argparse.Namespace) -> str | None:
-    """Print the types of the package, sorted."""
+    """Print the types of one package."""
     registry, package = current_registry(), arguments.package_name
     if not registry.has(package):
         return with_help(f"Unknown package '{package}'", did_you_mean(package, registry.packages()))
@@ -53,7 +53,7 @@ def packages_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def packages_verb(arguments: argparse.Namespace) -> None:
-    """Print the packages, sorted."""
+    """Print the names of the packages that contain interfaces, in alphabetical order."""
     registry = current_registry()
     chosen = [kind for kind, _ in KINDS if getattr(arguments, kind)]
     say_lines([name for name in registry.packages() if not chosen or any(registry.has(name, kind) for kind in chosen)])
@@ -66,7 +66,7 @@ def proto_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def proto_verb(arguments: argparse.Namespace) -> None:
-    """Print the default values of a message, of the request of a service, or of the goal of an action."""
+    """Print a message with its default values. For a service, print the request, and for an action the goal."""
     cls = current_registry().get(arguments.type)
     cls = getattr(cls, 'Request', getattr(cls, 'Goal', cls))
     text = message_yaml(cls())
@@ -84,7 +84,7 @@ def show_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def show_verb(arguments: argparse.Namespace) -> str | None:
-    """Print the file; each nested field is followed by its definition, indented by a tab."""
+    """Print the file of the type. Below each nested field, print the definition of its type, indented by a tab."""
     registry, name = current_registry(), arguments.type
     package = name.partition('/')[0]
     try:
@@ -106,7 +106,7 @@ def _lines(registry: Registry, name: str, level: int, comments: bool, all_commen
 
 
 def _nested_types(spec: InterfaceSpec) -> dict[int, str]:
-    """Return the types of fields that are interfaces themselves, by line of the file."""
+    """Return the types of the fields that contain other messages, by the line of the field in the file."""
     parts = (
         (spec,)
         if isinstance(spec, MessageSpec)

@@ -1,4 +1,7 @@
-"""`ros2 launch` runs a launch file in this process; `edulaunch launch` has the same options. `ros2 run` runs a program."""
+"""`ros2 launch` runs a launch file in its own process, and `ros2 run` runs a program.
+
+`edulaunch launch` has the same options as `ros2 launch`.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,7 @@ from edulaunch.runtime.launching import LAUNCH_SUFFIXES, find_launch_file, launc
 
 
 def add_launch_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the options to launch, or only to show the launch file."""
+    """Add the options of `ros2 launch`, including the options that only show the launch file."""
     parser.add_argument(
         '-n', '--noninteractive', action='store_true', help='Run the launch system non-interactively, with no terminal associated'
     )
@@ -44,7 +47,7 @@ def add_launch_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def prefix_arguments(arguments: argparse.Namespace) -> dict[str, str]:
-    """Return the launch configurations that contain the prefix.
+    """Return the launch configurations for the options `--launch-prefix` and `--launch-prefix-filter`.
 
     :raises UnusableInput: for a filter without a prefix, with the message of ROS 2.
     """
@@ -55,7 +58,7 @@ def prefix_arguments(arguments: argparse.Namespace) -> dict[str, str]:
 
 
 def launch_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the launch file, its options and its arguments."""
+    """Add the arguments of `ros2 launch`: the launch file, the options and the launch arguments."""
     add_launch_arguments(parser)
     parser.add_argument('--view', action='store_true', help='open the live view in a browser while it runs')
     parser.add_argument('package_name', help='Name of the ROS package which contains the launch file, or path of a launch file')
@@ -66,7 +69,7 @@ def launch_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def launch_verb(arguments: argparse.Namespace) -> int:
-    """Launch the file and wait for its end; return launch's exit code.
+    """Run the launch file to its end. Return the exit code of launch.
 
     :raises UnusableInput: for an unknown package or file, or an argument without `:=`, with the message of ROS 2.
     """
@@ -100,8 +103,9 @@ def launch_verb(arguments: argparse.Namespace) -> int:
 
 
 def _launch_file(process: Process, arguments: argparse.Namespace) -> tuple[str, list[str]]:
-    """Return the path of the launch file, relative to the terminal's folder. If a launch argument takes the place of its name,
-    return that, too.
+    """Return the path of the launch file, and a list with the second word if it does not name the launch file.
+
+    A path in the command line is relative to the folder of the terminal.
     """
     word, name = arguments.package_name, arguments.launch_file_name
     path = os.path.join(process.cwd or '', word)
@@ -121,7 +125,7 @@ def run_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run_verb(arguments: argparse.Namespace) -> int | str:
-    """Run the program to its end; return its exit code."""
+    """Run the program to its end. Return its exit code, or an error message if there is no such program."""
     from edulaunch.advice.workspace.not_needed import WINDOWS, shown_by
 
     process = current_process()
@@ -150,7 +154,10 @@ def run_verb(arguments: argparse.Namespace) -> int | str:
 
 
 def run_child(process: Process, spec: ProcessSpec) -> int:
-    """Run a program that writes to the streams of `process` and receives its Ctrl-C; return its return code."""
+    """Run a program that writes to the streams of `process`. Return the return code of the program.
+
+    If `process` is interrupted by Ctrl-C, the program receives SIGINT.
+    """
     from edulaunch.engine.processes.children import inherit_terminal
 
     task = current_task()

@@ -19,13 +19,13 @@ _SERVICE, _TYPE = '/get_state', 'lifecycle_msgs/srv/GetState'
 
 
 def _common_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the options for discovery and hidden nodes."""
+    """Add the options for discovery and for hidden nodes."""
     cli_node.add_arguments(parser)
     parser.add_argument('--include-hidden-nodes', action='store_true', help='Consider hidden nodes as well')
 
 
 def _lifecycle_nodes(node: Node, include_hidden: bool) -> list[str]:
-    """Return the full names of all lifecycle nodes, sorted: the nodes with a service for their state."""
+    """Return the full names of all lifecycle nodes, sorted. A lifecycle node has a service for its state."""
     served = (name for name, types in node.get_service_names_and_types() if name.endswith(_SERVICE) and _TYPE in types)
     return sorted(
         name for service in served if include_hidden or not graph_names.is_hidden(name := service.removesuffix(_SERVICE))
@@ -33,22 +33,22 @@ def _lifecycle_nodes(node: Node, include_hidden: bool) -> list[str]:
 
 
 class LifecycleNodeOf(node_parameters.OtherNode):
-    """Access to the lifecycle node `name`."""
+    """Calls the lifecycle services of the node `name`."""
 
     PACKAGE = 'lifecycle_msgs'
 
     def state(self) -> str:
-        """Return label and number of its state."""
+        """Return the label and the number of the node's state, such as 'active [3]'."""
         state = self._call('get_state', 'GetState').current_state
         return f'{state.label} [{state.id}]'
 
     def transitions(self, every: bool = False) -> list[Any]:
-        """Return the descriptions of the possible transitions, or of all transitions."""
+        """Return the descriptions of the transitions that are possible now. If `every` is True, return all transitions."""
         service = 'get_transition_graph' if every else 'get_available_transitions'
         return list(self._call(service, 'GetAvailableTransitions').available_transitions)
 
     def change(self, number: int) -> bool:
-        """Trigger a transition; return whether it succeeded."""
+        """Trigger the transition with this number. Return whether it succeeded."""
         from lifecycle_msgs.msg import Transition
 
         return bool(self._call('change_state', 'ChangeState', transition=Transition(id=number)).success)
@@ -56,7 +56,7 @@ class LifecycleNodeOf(node_parameters.OtherNode):
 
 @contextmanager
 def lifecycle_node(arguments: argparse.Namespace) -> Iterator[LifecycleNodeOf]:
-    """Return the lifecycle node that the command line names.
+    """Provide the lifecycle node that the command line names, for a `with` statement.
 
     :raises NodeNotFound: when no lifecycle node has this name, with the message of ROS 2.
     """
@@ -71,7 +71,7 @@ def lifecycle_node(arguments: argparse.Namespace) -> Iterator[LifecycleNodeOf]:
 
 
 def described(transition: Any) -> str:
-    """Return a transition in the form of ROS 2."""
+    """Return the line that ROS 2 prints for a transition, such as '- configure [1]'."""
     return f'- {transition.label} [{transition.id}]'
 
 
@@ -82,7 +82,10 @@ def get_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def get_verb(arguments: argparse.Namespace) -> None:
-    """Print label and number of the state; for all nodes, print their names before them."""
+    """Print the label and the number of the node's state.
+
+    If the user names no node, print all lifecycle nodes with their states.
+    """
     if arguments.node_name is not None:
         with lifecycle_node(arguments) as one:
             say(one.state())
@@ -112,7 +115,7 @@ nodes_arguments = node_command.list_arguments
 
 
 def nodes_verb(arguments: argparse.Namespace) -> None:
-    """Print the full names of the nodes, sorted."""
+    """Print the full names of the lifecycle nodes in alphabetical order, or only their number."""
     with cli_node.cli_node(arguments) as node:
         found = _lifecycle_nodes(node, arguments.all)
     if arguments.count_nodes:
@@ -129,7 +132,10 @@ def set_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def set_verb(arguments: argparse.Namespace) -> str | None:
-    """Print the result; return 0 in both cases, as in ROS 2. A transition that is not possible now is an error."""
+    """Trigger the transition and print the result. Return an error message if the transition is not possible now.
+
+    As in ROS 2, the exit code is 0 even if the transition fails.
+    """
     with lifecycle_node(arguments) as node:
         possible = [found.transition for found in node.transitions()]
         number = next((one.id for one in possible if arguments.transition in (one.label, str(one.id))), None)

@@ -1,6 +1,4 @@
-"""Functions that verbs with subscriptions share: the class of a topic, `--filter EXPR`, the form of messages, and the `--qos-*`
-options.
-"""
+"""Functions for verbs that subscribe to a topic: they find its class, filter and print messages, and read the QoS options."""
 
 from __future__ import annotations
 
@@ -42,9 +40,13 @@ POLICIES = {
 
 
 def topic_class(node: Node, topic: str, type_text: str | None, *, verb: str, wait: bool = False) -> Any:
-    """Return the class of `type_text` or, without one, of the published type; return an error message on failure.
+    """Return the message class of a topic, or an error message if it cannot be determined.
 
-    :param wait: whether to wait with a warning until the topic appears.
+    :param node: the node of the command.
+    :param topic: the name of the topic.
+    :param type_text: the type that the user names. If None, use the type that the graph has for the topic.
+    :param verb: the name of the verb for error messages, such as 'echo'.
+    :param wait: whether to print a warning and wait until the topic appears.
     """
     if type_text is not None:
         try:
@@ -69,9 +71,11 @@ def _types(node: Node, name: str) -> list[str]:
 
 
 def message_filter(expression: str | None) -> Callable[[Any], bool]:
-    """Return a test for messages; without an expression, all pass. The expression is the user's own code, as in ROS 2.
+    """Return a function that tests whether to show a message. Without an expression, it returns True for all messages.
 
-    :raises RuntimeError: for an invalid expression; the test raises it when the expression fails for a message.
+    As in ROS 2, the expression is Python code of the user, and the message is `m`.
+
+    :raises RuntimeError: for an invalid expression. The function raises it when the expression fails for a message.
     """
     if expression is None:
         return lambda message: True
@@ -90,7 +94,7 @@ def message_filter(expression: str | None) -> Callable[[Any], bool]:
 
 
 def add_printing_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the options for the parts of a message, and for its form."""
+    """Add the options that choose parts of a message and the format of the output."""
     parser.add_argument('--csv', action='store_true', help='Output all recursive fields separated by commas')
     parser.add_argument('--field', metavar='FIELD', help='Echo a selected field of a message')
     parser.add_argument('-f', '--full-length', action='store_true', help='Output all elements for arrays, bytes, and string')
@@ -110,7 +114,7 @@ def add_printing_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 class Printer:
-    """Prints the parts that the options choose; `done` is set after the first message if only one is wanted."""
+    """Prints messages, or the fields that the options choose. With `--once`, `done` is set after the first printed message."""
 
     def __init__(self, arguments: argparse.Namespace, done: Any) -> None:
         self._arguments = arguments
@@ -121,7 +125,7 @@ class Printer:
         self._short = Shortening(length, arguments.no_arr, arguments.no_str)
 
     def on_message(self, message: Any) -> None:
-        """Print one message."""
+        """Print one message if it passes the filter."""
         if not self._passes(message):
             return
         for name in self._fields:
@@ -139,7 +143,7 @@ class Printer:
 
 
 def _member(message: Any, name: str) -> Any:
-    """Return a field, which may have the form `points[0]`.
+    """Return the field of a message, or one element of it if `name` has the form `points[0]`.
 
     :raises RuntimeError: for an unknown field, with the message of ROS 2.
     """
@@ -156,7 +160,7 @@ def _member(message: Any, name: str) -> Any:
 
 
 def add_qos_arguments(parser: argparse.ArgumentParser, default: str) -> None:
-    """Add a QoS preset, and options that override each policy."""
+    """Add an option for a QoS preset, and options that override single policies."""
     parser.add_argument(
         '--qos-profile', choices=PRESETS, default=default, help=f'Quality of service preset profile (default: {default})'
     )

@@ -1,4 +1,4 @@
-"""`ros2 node`: list nodes, and show one with its topics, services and actions."""
+"""`ros2 node`: list the nodes, and show the topics, services and actions of one node."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def info_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def info_verb(arguments: argparse.Namespace) -> str | None:
-    """Print six lists, each sorted by name."""
+    """Print the subscriptions, publishers, services and actions of a node in six lists, each sorted by name."""
     wanted = arguments.node_name
     with cli_node.cli_node(arguments) as node:
         known = graph_names.node_names(node)
@@ -62,7 +62,7 @@ def list_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print the full names of the nodes, sorted."""
+    """Print the full names of the nodes in alphabetical order, or only their number."""
     with cli_node.cli_node(arguments) as node:
         found = graph_names.node_names(node, arguments.all)
     if arguments.count_nodes:

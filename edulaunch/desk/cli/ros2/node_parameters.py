@@ -38,11 +38,15 @@ SPELLINGS = {
 
 
 class NodeNotFound(RuntimeError):
-    """The node did not appear in time."""
+    """No node with the given name appeared in time."""
 
 
 def add_node_arguments(parser: argparse.ArgumentParser, *, optional: bool = False) -> None:
-    """Add the node, and how long to wait for it."""
+    """Add the argument for the node, and the option for the time to wait for the node.
+
+    :param parser: the parser to extend.
+    :param optional: whether the user may leave out the name.
+    """
     cli_node.add_arguments(parser)
     parser.add_argument('node_name', nargs='?' if optional else None, help='Name of the ROS node')
     parser.add_argument('--include-hidden-nodes', action='store_true', help='Consider hidden nodes as well')
@@ -52,7 +56,11 @@ def add_node_arguments(parser: argparse.ArgumentParser, *, optional: bool = Fals
 
 
 class OtherNode:
-    """The parameters of the node `name`, accessed from the node of a command. `PACKAGE` has the types of its services."""
+    """Calls the services of the node `name` from the node of a command.
+
+    :cvar PACKAGE: the package with the types of these services.
+    :cvar WAITS_S: the waiting periods in seconds for each call, as in :func:`cli_node.call`.
+    """
 
     PACKAGE: str
     WAITS_S: Sequence[float | None] = (None,)
@@ -68,22 +76,22 @@ class OtherNode:
 
 
 class ParametersOf(OtherNode):
-    """Reads and changes the parameters of the node `name`, through clients of its services."""
+    """Reads and changes the parameters of the node `name` with the node's parameter services."""
 
     PACKAGE = 'rcl_interfaces'
     WAITS_S = (1.0, 9.0)
 
     def names(self, prefixes: list[str] | None = None) -> list[str]:
-        """Return the sorted names of all parameters, or of those below some prefixes."""
+        """Return the names of all parameters, sorted. If prefixes are given, return only the names with one of these prefixes."""
         response = self._call('list_parameters', 'ListParameters', prefixes=prefixes or [])
         return sorted(response.result.names)
 
     def values(self, parameters: list[str]) -> list[Any]:
-        """Return the ParameterValues of some names; an empty list if one of them is not declared."""
+        """Return the ParameterValues for some names. Return an empty list if one of these parameters is not declared."""
         return list(self._call('get_parameters', 'GetParameters', names=parameters).values)
 
     def all_values(self) -> dict[str, Any]:
-        """Return all parameters with a value as plain Python data, sorted by name."""
+        """Return all parameters that have a value, as plain Python data, sorted by name."""
         known = self.names()
         values = self.values(known)
         if len(values) < len(known):  # one parameter without a value makes the whole response empty
@@ -92,23 +100,23 @@ class ParametersOf(OtherNode):
         return {name: python_value(value) for name, value in zip(known, values, strict=True)}
 
     def descriptors(self, parameters: list[str]) -> list[Any]:
-        """Return the descriptors of some names; an empty list if one of them is not declared."""
+        """Return the descriptors for some names. Return an empty list if one of these parameters is not declared."""
         return list(self._call('describe_parameters', 'DescribeParameters', names=parameters).descriptors)
 
     def set(self, messages: list[Any]) -> list[Any]:
-        """Set each parameter on its own; return the results."""
+        """Set each parameter separately. Return one result for each parameter."""
         return list(self._call('set_parameters', 'SetParameters', parameters=messages).results)
 
     def help_for(self, parameter: str) -> str | None:
-        """Return one line of help for a name that the node does not have."""
+        """Return a line of help for an unknown parameter that suggests the most similar name, or None."""
         return did_you_mean(parameter, self.names())
 
 
 @contextmanager
 def parameters_of(arguments: argparse.Namespace) -> Iterator[ParametersOf]:
-    """Return the parameters of the node that the command line names, when it appears in time.
+    """Wait for the node that the command line names, and provide its parameters for a `with` statement.
 
-    :raises NodeNotFound: when it does not appear, with the message of ROS 2.
+    :raises NodeNotFound: when the node does not appear in time, with the message of ROS 2.
     """
     name = graph_names.absolute(arguments.node_name)
     with cli_node.cli_node(arguments) as node:
@@ -127,7 +135,7 @@ def parameters_of(arguments: argparse.Namespace) -> Iterator[ParametersOf]:
 
 
 def python_value(value: Any) -> Any:
-    """Return a ParameterValue as plain Python data: arrays as lists, bytes as numbers."""
+    """Return a ParameterValue as plain Python data. Arrays become lists, and bytes become numbers."""
     from rclpy.parameter import parameter_value_to_python
 
     found = parameter_value_to_python(value)
@@ -137,13 +145,16 @@ def python_value(value: Any) -> Any:
 
 
 def type_help(reason: str) -> str | None:
-    """Suggest how to write a value that was rejected for its type. In YAML, the spelling determines the type."""
+    """Return a line of help for a value of the wrong type, or None if the reason for the rejection is not a type.
+
+    In YAML, the spelling of a value determines its type, so the help shows the right spelling.
+    """
     found = re.search(r"is of type \{(\w+)\}|expected '(?:Parameter\.)?Type\.(\w+)'", reason)
     return None if found is None else SPELLINGS.get((found[1] or found[2]).lower())
 
 
 def nested_text(values: dict[str, Any], node_name: str) -> str:
-    """Return the content of a parameter file; names with dots are nested."""
+    """Return the content of a parameter file with these values. Parameter names with dots become nested keys."""
     import yaml
 
     tree: dict[str, Any] = {}

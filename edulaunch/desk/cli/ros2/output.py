@@ -1,4 +1,4 @@
-"""The output of commands, one write per message, and the numbers in their arguments."""
+"""Functions that print the output of commands with one write for each message, and functions that read numbers."""
 
 from __future__ import annotations
 
@@ -23,23 +23,29 @@ def complain(text: str) -> None:
 
 
 def with_help(text: str, help: str | None) -> str:
-    """Return an error message, followed by a line that suggests what to try, if there is a suggestion."""
+    """Return an error message. If `help` is not None, add a line with that suggestion."""
     return text if help is None else f'{text}\n  help: {help}'
 
 
 def say_lines(lines: Sequence[str]) -> None:
-    """Print each item on a line of its own."""
+    """Print each string as one line."""
     for line in lines:
         say(line)
 
 
 def positive_float(text: str) -> float:
-    """Return a positive number. Raise ArgumentTypeError for others, with the message of ROS 2."""
+    """Return a positive number.
+
+    :raises ArgumentTypeError: for a number that is not positive, with the message of ROS 2.
+    """
     return _positive(float(text))
 
 
 def positive_int(text: str) -> int:
-    """Return a positive whole number. Raise ArgumentTypeError for others, with the message of ROS 2."""
+    """Return a positive whole number.
+
+    :raises ArgumentTypeError: for a number that is not positive, with the message of ROS 2.
+    """
     return _positive(int(text))
 
 

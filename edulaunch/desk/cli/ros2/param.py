@@ -19,7 +19,7 @@ def delete_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def delete_verb(arguments: argparse.Namespace) -> None:
-    """Delete the parameter and print the result; return 0 in both cases, as in ROS 2."""
+    """Delete the parameter and print the result. As in ROS 2, the exit code is 0 even if the node refuses."""
     from rcl_interfaces.msg import Parameter
 
     with node_parameters.parameters_of(arguments) as parameters:
@@ -64,14 +64,14 @@ def _lines(descriptor: Any) -> list[str]:
 
 
 def dump_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the node, and the place of the output."""
+    """Add the argument for the node, and the options for the output."""
     node_parameters.add_node_arguments(parser)
     parser.add_argument('--output-dir', help='The folder where the generated file is saved, as NODE.yaml')
     parser.add_argument('--print', action='store_true', help='accepted; without --output-dir everything is printed')
 
 
 def dump_verb(arguments: argparse.Namespace) -> str | None:
-    """Print or save the parameters in the form that `--params-file` and `ros2 param load` read."""
+    """Print or save the parameters of a node in the format that `--params-file` and `ros2 param load` read."""
     if arguments.print:
         complain("WARNING: '--print' is deprecated; this utility prints to stdout by default")
     with node_parameters.parameters_of(arguments) as parameters:
@@ -99,7 +99,7 @@ def get_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def get_verb(arguments: argparse.Namespace) -> str | None:
-    """Print the value with its type."""
+    """Print the type and the value of the parameter."""
     name = arguments.parameter_name
     with node_parameters.parameters_of(arguments) as parameters:
         values = parameters.values([name])
@@ -114,7 +114,7 @@ def get_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def _label(kind: int) -> str:
-    """Return 'Double value is:' or 'Byte values are:'."""
+    """Return the label for values of a parameter type, such as 'Double value is:' or 'Byte values are:'."""
     word, _, array = node_parameters.TYPE_WORDS[kind].partition(' ')
     return f'{word.capitalize()} {"values are" if array else "value is"}:'
 
@@ -128,7 +128,7 @@ def list_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print the names of the parameters. If the user names no node, print them below the names of their nodes."""
+    """Print the names of the node's parameters. If the user names no node, print the parameters of each node below its name."""
     if arguments.node_name is not None:
         with node_parameters.parameters_of(arguments) as parameters:
             _say(parameters, arguments, heading=False)
@@ -166,7 +166,7 @@ def load_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def load_verb(arguments: argparse.Namespace) -> str | None:
-    """Set each parameter and print the result."""
+    """Set each parameter of the file, and print the results."""
     from rclpy.parameter import parameter_dict_from_yaml_file
 
     path = os.path.join(current_process().cwd or '', arguments.parameter_file)
@@ -195,7 +195,7 @@ def set_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def set_verb(arguments: argparse.Namespace) -> None:
-    """Set the parameter and print the result; return 0 in both cases, as in ROS 2."""
+    """Set the parameter and print the result. As in ROS 2, the exit code is 0 even if the node refuses."""
     import yaml
     from rcl_interfaces.msg import Parameter
     from rclpy.parameter import get_parameter_value

@@ -19,7 +19,7 @@ def create_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def create_verb(arguments: argparse.Namespace) -> str | None:
-    """Create the package below the folder of the calling program, and print what is created."""
+    """Create the package below the folder in which the command runs, and print the names of the created files."""
     from edulaunch.advice.workspace.new_package import create_package
     from edulaunch.desk.cli.pkg import described_package
 
@@ -40,7 +40,7 @@ def executables_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def executables_verb(arguments: argparse.Namespace) -> str | None:
-    """Print each program with its package."""
+    """Print each executable after the name of its package."""
     index, wanted = current_process().index, arguments.package_name
     packages = sorted(index.packages())
     if wanted is not None and wanted not in packages:
@@ -53,11 +53,11 @@ def executables_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add no arguments, as in ROS 2."""
+    """Add no arguments, because `ros2 pkg list` has none."""
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print the names of the packages, sorted."""
+    """Print the names of the packages in alphabetical order."""
     say_lines(sorted(current_process().index.packages()))
 
 
@@ -68,7 +68,7 @@ def prefix_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def prefix_verb(arguments: argparse.Namespace) -> str | None:
-    """Print the prefix, or the share directory."""
+    """Print the prefix of the package. With `--share`, print its share directory."""
     index, package = current_process().index, arguments.package_name
     place = index.share(package) if arguments.share else index.prefix(package)
     if place is None:
@@ -84,7 +84,7 @@ def xml_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def xml_verb(arguments: argparse.Namespace) -> str | None:
-    """Print the file, or the content of one tag."""
+    """Print the package.xml of the package, or the content of one tag."""
     from xml.etree import ElementTree
 
     index, package = current_process().index, arguments.package_name

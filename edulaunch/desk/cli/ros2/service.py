@@ -1,4 +1,4 @@
-"""`ros2 service`: list services, call one, and echo its calls."""
+"""`ros2 service`: list and describe services, call a service, and print its events."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def find_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def find_verb(arguments: argparse.Namespace) -> None:
-    """Print the services of a type, sorted."""
+    """Print the services that have a type, or only their number."""
     with cli_node.cli_node(arguments) as node:
         services = graph_names.visible(node.get_service_names_and_types(), arguments.include_hidden_services)
     graph_names.say_found(services, arguments.service_type, arguments.count)
@@ -39,7 +39,7 @@ def info_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def info_verb(arguments: argparse.Namespace) -> str | None:
-    """Print type and counts."""
+    """Print the type of the service, and the numbers of its clients and servers."""
     service = arguments.service_name
     with cli_node.cli_node(arguments) as node:
         services = node.get_service_names_and_types()
@@ -59,7 +59,7 @@ def list_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print the services, sorted."""
+    """Print the names of the services."""
     with cli_node.cli_node(arguments) as node:
         own = f'{node.get_fully_qualified_name()}/'
         services = [entry for entry in node.get_service_names_and_types() if not entry[0].startswith(own)]
@@ -72,7 +72,7 @@ def type_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def type_verb(arguments: argparse.Namespace) -> int:
-    """Print the type; return 1 without a message if there is no such service, as in ROS 2."""
+    """Print the type of the service. As in ROS 2, return 1 without a message if there is no such service."""
     with cli_node.cli_node(arguments) as node:
         return graph_names.say_types(arguments.service_name, node.get_service_names_and_types())
 
@@ -88,7 +88,7 @@ def call_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def call_verb(arguments: argparse.Namespace) -> str | None:
-    """Call the service once, or repeatedly at a rate."""
+    """Call the service once. With `--rate`, call it repeatedly."""
     try:
         cls = interface_class(arguments.service_type, 'srv')
     except InterfaceError as error:
@@ -143,7 +143,7 @@ def _request(node: Node, client: Client, request: Any, rate: float | None) -> No
 
 
 def echo_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the service, its type, and the form of the events."""
+    """Add the arguments for the service and its type, and the options for the output."""
     graph_names.add_name_arguments(parser, 'service', 'echo', '/add_two_ints')
     parser.add_argument('service_type', nargs='?', help="Type of the ROS service (e.g. 'example_interfaces/srv/AddTwoInts')")
     listening.add_printing_arguments(parser)
@@ -153,7 +153,7 @@ def echo_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def echo_verb(arguments: argparse.Namespace) -> str | None:
-    """Print each event until interrupted."""
+    """Print each event of the service until Ctrl-C."""
     import rclpy
 
     with cli_node.cli_node(arguments) as node:

@@ -1,7 +1,7 @@
 """`ros2 doctor` (or `ros2 wtf`): check the packages and the graph, and print warnings or a full report.
 
-The file also has `ros2 daemon`, which is not needed here, and `ros2 multicast`, which sends a datagram between
-the terminals of one simulated machine.
+The module also contains `ros2 daemon`, which explains that no daemon is needed, and `ros2 multicast`, which sends a datagram
+between the terminals of one simulated machine.
 """
 
 from __future__ import annotations
@@ -28,19 +28,23 @@ CHANNEL = '/_multicast'
 
 
 class Found(NamedTuple):
-    """The warnings of a check."""
+    """The warnings and errors that a check has found."""
 
     warnings: list[str]
     errors: list[str]
 
 
 def run_checks(node: Node, exclude_packages: bool) -> dict[str, Found]:
-    """Return the outcome of each check by its name."""
+    """Run all checks. Return the result of each check by its name.
+
+    :param node: the node of the command.
+    :param exclude_packages: whether to leave out the check of the packages.
+    """
     return {name: check(node) for name, check in CHECKS.items() if not (exclude_packages and name == 'package')}
 
 
 def known_topics(node: Node) -> list[tuple[str, int, int]]:
-    """Return name, publishers and subscriptions of each topic that is not internal to ROS 2."""
+    """Return (name, number of publishers, number of subscriptions) for each topic that is not internal to ROS 2."""
     return [
         (name, node.count_publishers(name), node.count_subscribers(name))
         for name, _ in node.get_topic_names_and_types()
@@ -49,7 +53,10 @@ def known_topics(node: Node) -> list[tuple[str, int, int]]:
 
 
 def connected_pairs(node: Node) -> Iterator[tuple[str, Any, Any, bool, str]]:
-    """Yield each publisher with each subscription of its topic: topic, both endpoints, whether their QoS fits, and why not."""
+    """Yield each pair of a publisher and a subscription of the same topic.
+
+    Each tuple contains the topic, the publisher, the subscription, whether their QoS profiles fit, and the reason if not.
+    """
     from rclpy.qos import QoSCompatibility, qos_check_compatible
 
     for topic, _ in node.get_topic_names_and_types():
@@ -60,7 +67,7 @@ def connected_pairs(node: Node) -> Iterator[tuple[str, Any, Any, bool, str]]:
 
 
 def _nothing(node: Node) -> Found:
-    """Return no warnings: the simulated machine has one platform and no network."""
+    """Return no warnings, because the simulated machine has only one platform and no network."""
     return Found([], [])
 
 
@@ -84,7 +91,10 @@ def _compatibility(node: Node) -> Found:
 
 
 def _warning(text: str) -> str:
-    """Return a warning in the form of ROS 2, always with the same file and line, because recordings have no lines of our code."""
+    """Return a warning in the format of ROS 2.
+
+    The file and line are always the same, because recordings must not depend on the lines of our code.
+    """
     return f'ros2doctor/api/topic.py: 42: UserWarning: {text}'
 
 
@@ -98,7 +108,7 @@ CHECKS: dict[str, Callable[[Node], Found]] = {
 
 
 def doctor_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the choice of a report, and what counts."""
+    """Add the options that choose a report, and the options that choose what to check."""
     parser.add_argument(
         'check', nargs='?', choices=('hello',), help='hello: check that the terminals of this machine reach each other'
     )
@@ -110,7 +120,7 @@ def doctor_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def doctor_verb(arguments: argparse.Namespace) -> int:
-    """Print warnings, and how many checks passed; return 1 if a check failed."""
+    """Print the warnings, and the number of passed checks. Return 1 if a check failed, otherwise 0."""
     if arguments.check == 'hello':
         say('All terminals share this simulated machine, so no network is between them.')
         return 0
@@ -136,7 +146,12 @@ wtf_arguments, wtf_verb = doctor_arguments, doctor_verb
 
 
 def say_report(node: Node, names: Iterable[str], exclude_packages: bool) -> None:
-    """Print the sections of these checks: a heading, and rows of name and value."""
+    """Print a section of the report for each check. A section has a heading, and rows with a name and a value.
+
+    :param node: the node of the command.
+    :param names: the names of the checks.
+    :param exclude_packages: whether to leave out the section about the packages.
+    """
     for name in names:
         if name in SECTIONS and not (exclude_packages and name == 'package'):
             heading, rows_of = SECTIONS[name]
@@ -208,7 +223,7 @@ SECTIONS: dict[str, tuple[str, Callable[[Node], Rows]]] = {
 
 
 def daemon_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add no arguments."""
+    """Add no arguments, because no verb of `ros2 daemon` has any here."""
 
 
 def daemon_verb(arguments: argparse.Namespace) -> None:
@@ -217,12 +232,12 @@ def daemon_verb(arguments: argparse.Namespace) -> None:
 
 
 def multicast_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the time to wait."""
+    """Add the option for the time to wait."""
     parser.add_argument('--timeout', type=float, default=None, help='Maximum time to wait for datagrams (default: forever)')
 
 
 def multicast_verb(arguments: argparse.Namespace) -> str | None:
-    """Send a datagram, or wait for one; return an error message on failure."""
+    """Send a datagram, or wait for one. Return an error message if that failed."""
     from std_msgs.msg import String
 
     if arguments.verb == 'receive':

@@ -1,4 +1,4 @@
-"""`ros2 topic echo|find|info|list|pub|type`. `topic_measuring` has the other verbs."""
+"""`ros2 topic echo|find|info|list|pub|type`. The module `topic_measuring` contains the other verbs."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def find_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def find_verb(arguments: argparse.Namespace) -> None:
-    """Print the topics of a type, sorted."""
+    """Print the topics that have a type, or only their number."""
     with cli_node.cli_node(arguments) as node:
         topics = graph_names.visible(node.get_topic_names_and_types(), arguments.include_hidden_topics)
     graph_names.say_found(topics, arguments.topic_type, arguments.count)
@@ -39,7 +39,7 @@ def info_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def info_verb(arguments: argparse.Namespace) -> str | None:
-    """Print type and counts; with -v, print each endpoint, too."""
+    """Print the type of the topic, and the numbers of its publishers and subscriptions. With `-v`, also print each of them."""
     topic, end = arguments.topic_name, '\n\n' if arguments.verbose else '\n'
     with cli_node.cli_node(arguments) as node:
         topics = node.get_topic_names_and_types()
@@ -65,7 +65,7 @@ def list_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def list_verb(arguments: argparse.Namespace) -> None:
-    """Print the topics, sorted."""
+    """Print the names of the topics. With `-v`, print the published topics, then the subscribed topics, with their counts."""
     with cli_node.cli_node(arguments) as node:
         topics = graph_names.visible(node.get_topic_names_and_types(), arguments.include_hidden_topics)
         if not arguments.verbose or arguments.count:
@@ -90,7 +90,7 @@ def type_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def type_verb(arguments: argparse.Namespace) -> int:
-    """Print the type; return 1 without a message if there is no such topic, as in ROS 2."""
+    """Print the type of the topic. As in ROS 2, return 1 without a message if there is no such topic."""
     with cli_node.cli_node(arguments) as node:
         return graph_names.say_types(arguments.topic_name, node.get_topic_names_and_types())
 
@@ -107,7 +107,7 @@ def echo_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def echo_verb(arguments: argparse.Namespace) -> str | int | None:
-    """Print each message until interrupted."""
+    """Print each message of the topic until Ctrl-C. With `--once`, stop after the first message."""
     import rclpy
 
     with cli_node.cli_node(arguments) as node:
@@ -123,7 +123,10 @@ def echo_verb(arguments: argparse.Namespace) -> str | int | None:
 
 
 def _suitable_profile(node: Node, topic: str, arguments: argparse.Namespace) -> QoSProfile:
-    """Return the sensor data profile, with reliability and durability that match all publishers; warn if only some match."""
+    """Return the QoS profile for `ros2 topic echo`. Its reliability and durability match all publishers if possible.
+
+    If only some publishers offer a policy, print a warning.
+    """
     from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
 
     profile = listening.qos_profile(arguments)
@@ -161,7 +164,7 @@ def pub_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_times(parser: argparse.ArgumentParser) -> None:
-    """Add the rate, and the number of subscriptions to wait for."""
+    """Add the options for the number of messages, and for the subscriptions to wait for."""
     times = parser.add_mutually_exclusive_group()
     times.add_argument('-1', '--once', action='store_true', help='Publish one message and exit')
     times.add_argument('-t', '--times', type=int, default=0, help='Publish this number of times and then exit')
@@ -181,7 +184,7 @@ def _add_times(parser: argparse.ArgumentParser) -> None:
 
 
 def pub_verb(arguments: argparse.Namespace) -> str | None:
-    """Publish the message once, several times, or until interrupted."""
+    """Publish the message once, a given number of times, or until Ctrl-C."""
     try:
         cls = interface_class(arguments.message_type, 'msg')
     except InterfaceError as error:
@@ -202,7 +205,10 @@ def pub_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def _wait_for_subscriptions(node: Node, publisher: Publisher, arguments: argparse.Namespace, default: int) -> str | None:
-    """Wait for subscriptions: check every 0.1 s, and print a line each second."""
+    """Wait until the publisher has enough subscriptions. Check every 0.1 s, and print a line each second.
+
+    :return: an error message if the maximum wait time is over, otherwise None.
+    """
     wanted = default if arguments.wait_matching_subscriptions is None else arguments.wait_matching_subscriptions
     looks = 0
     while publisher.get_subscription_count() < wanted:

@@ -1,4 +1,4 @@
-"""`ros2 topic bw|delay|hz`: measure the bandwidth, the age and the rate of messages."""
+"""`ros2 topic bw|delay|hz`: measure the bandwidth, the delay and the rate of messages."""
 
 from __future__ import annotations
 
@@ -14,17 +14,25 @@ REPORT_EVERY_NS = 1_000_000_000
 
 
 class Measure(Protocol):
-    """Collects messages and creates reports from them."""
+    """The interface of a measurement, which processes messages and returns reports about them."""
 
     def take(self, message: Any, now_ns: int) -> None:
-        """Process one message (serialized if the measure needs raw bytes)."""
+        """Process one message.
+
+        :param message: the message, or its serialized bytes if the measurement needs them.
+        :param now_ns: the simulated time of arrival in nanoseconds.
+        """
 
     def report(self) -> str | None:
-        """Return the lines to print, or None."""
+        """Return the lines to print, or None if there is nothing to report."""
 
 
 def _common_arguments(parser: argparse.ArgumentParser, window: int) -> None:
-    """Add the topic, and the number of messages that count."""
+    """Add the argument for the topic, and the option for the size of the window.
+
+    :param parser: the parser to extend.
+    :param window: the default size of the window, in messages.
+    """
     graph_names.add_name_arguments(parser, 'topic', 'tap into', '/chatter')
     parser.add_argument(
         '-w',
@@ -39,7 +47,13 @@ def _common_arguments(parser: argparse.ArgumentParser, window: int) -> None:
 def listen(
     arguments: argparse.Namespace, measure: Measure, *, verb: str, heading: str | None = None, raw: bool = False
 ) -> str | None:
-    """Feed the measure and print its reports until interrupted; return an error message on failure."""
+    """Pass each message of a topic to a measurement, and print the reports until Ctrl-C. Return an error message on failure.
+
+    :param measure: the measurement.
+    :param verb: the name of the verb for error messages.
+    :param heading: a line to print first, or None. It may contain `{topic}`.
+    :param raw: whether to pass serialized messages.
+    """
     import rclpy
     from rclpy.qos import qos_profile_sensor_data
 
@@ -57,14 +71,14 @@ def listen(
 
 
 class Reports:
-    """Prints a report with the first message at least a second after the last report."""
+    """Prints a report at most once a second, when a message arrives."""
 
     def __init__(self, measure: Measure) -> None:
         self._measure = measure
         self._last_ns: int | None = None
 
     def on_message(self, message: Any) -> None:
-        """Process one message."""
+        """Process one message, and print a report if the last report is at least a second old."""
         now = current_task().sim.now_ns
         self._measure.take(message, now)
         if self._last_ns is None:
@@ -77,12 +91,16 @@ class Reports:
 
 
 def mean(values: list[float]) -> float:
-    """Return the arithmetic mean."""
+    """Return the arithmetic mean of some numbers."""
     return sum(values) / len(values)
 
 
 def spread(values: list[float], window: int) -> str:
-    """Return the line with the smallest and the largest value, and the (population) standard deviation."""
+    """Return the line with the minimum, the maximum and the standard deviation of a population.
+
+    :param values: the values in seconds.
+    :param window: the number of messages to print.
+    """
     middle = mean(values)
     deviation = mean([(value - middle) ** 2 for value in values]) ** 0.5
     return f'\tmin: {min(values):.3f}s max: {max(values):.3f}s std dev: {deviation:.5f}s window: {window}'
@@ -94,22 +112,22 @@ def bw_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def bw_verb(arguments: argparse.Namespace) -> str | None:
-    """Print the bandwidth of a topic, each second."""
+    """Print the bandwidth of a topic once a second."""
     return listen(arguments, Bandwidth(arguments.window), verb='echo', heading='Subscribed to [{topic}]', raw=True)
 
 
 class Bandwidth:
-    """Measures the times and sizes of the last messages."""
+    """Measures the bandwidth from the arrival times and sizes of the last messages."""
 
     def __init__(self, window: int) -> None:
         self._taken: deque[tuple[int, int]] = deque(maxlen=window)
 
     def take(self, message: bytes, now_ns: int) -> None:
-        """Record time of arrival and length, including the CDR header."""
+        """Record the arrival time and the length of a message, including the CDR header."""
         self._taken.append((now_ns, len(message)))
 
     def report(self) -> str | None:
-        """Return the two lines of ROS 2."""
+        """Return the two lines that `ros2 topic bw` prints, or None if no time has passed."""
         seconds = (current_task().sim.now_ns - self._taken[0][0]) / 1e9
         if seconds <= 0:
             return None
@@ -135,18 +153,18 @@ def delay_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def delay_verb(arguments: argparse.Namespace) -> str | None:
-    """Print the delay of the messages of a topic, each second."""
+    """Print the delay of the messages of a topic once a second."""
     return listen(arguments, Delay(arguments.window), verb='echo')
 
 
 class Delay:
-    """Measures the last delays."""
+    """Measures the delays of the last messages."""
 
     def __init__(self, window: int) -> None:
         self._delays: deque[float] = deque(maxlen=window)
 
     def take(self, message: Any, now_ns: int) -> None:
-        """Record how long ago the header was stamped.
+        """Record the time between the stamp of the message's header and the arrival of the message.
 
         :raises RuntimeError: for a message without a header, with the message of ROS 2.
         """
@@ -158,7 +176,7 @@ class Delay:
         self._delays.append((now_ns - stamp.sec * 1_000_000_000 - stamp.nanosec) / 1e9)
 
     def report(self) -> str:
-        """Return the two lines of ROS 2."""
+        """Return the two lines that `ros2 topic delay` prints."""
         values = list(self._delays)
         return f'average delay: {mean(values):.3f}\n{spread(values, len(values))}'
 
@@ -171,7 +189,7 @@ def hz_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def hz_verb(arguments: argparse.Namespace) -> str | None:
-    """Print the rate of a topic, each second."""
+    """Print the rate of a topic once a second."""
     return listen(arguments, Rate(arguments.window, arguments.filter), verb='echo')
 
 
@@ -184,7 +202,7 @@ class Rate:
         self._passes = listening.message_filter(expression)
 
     def take(self, message: Any, now_ns: int) -> None:
-        """Record the time of arrival."""
+        """Record the time since the previous message that passed the filter."""
         if not self._passes(message):
             return
         if self._last_ns is not None:
@@ -192,7 +210,7 @@ class Rate:
         self._last_ns = now_ns
 
     def report(self) -> str | None:
-        """Return the two lines of ROS 2."""
+        """Return the two lines that `ros2 topic hz` prints, or None if there is no interval yet."""
         if not self._intervals:
             return None
         values = list(self._intervals)

@@ -1,4 +1,4 @@
-# Functions of bash and zsh that answer a tutorial's set-up lines. They step aside for programs that exist.
+# Functions for bash and zsh that explain a tutorial's set-up commands. They run the real program for anything else.
 colcon() {
     if (unset -f colcon; command -v colcon) > /dev/null 2>&1; then command colcon "$@"; else edulaunch colcon "$@"; fi
 }

@@ -1,4 +1,4 @@
-# Written by `edulaunch env --install` for fish. bin/activate.fish reads this file; `deactivate` takes it back.
+# Written by `edulaunch env --install` for fish. bin/activate.fish reads this file; `deactivate` undoes its effects.
 if test -z "$AMENT_PREFIX_PATH"; or contains -- @PREFIX@ (string split : -- "$AMENT_PREFIX_PATH")
     set -g _edulaunch_sourced 1
     set -l paths (string split -n : -- "$PYTHONPATH")

@@ -1,4 +1,4 @@
-# Written by `edulaunch env --install` for bash and zsh. bin/activate reads this file; `deactivate` takes it back.
+# Written by `edulaunch env --install` for bash and zsh. bin/activate reads this file; `deactivate` undoes its effects.
 _edulaunch_without() {  # prints the list of paths $1 without the path $2
     local paths=":$1:"
     paths=${paths//":$2:"/:}

@@ -8,7 +8,7 @@ function sayings(store) {
   return rows.filter(row => !seen.has(text(row)) && seen.add(text(row))).map(row => ({ t: row.t, subject: {}, text: text(row), rule: row.kind }));
 }
 
-/* The advice on one subject that applies at a time. */
+/* The advice on one subject that is true at a time. */
 const sayingsOf = (store, kind, name, time) => (store.advice || []).filter(row => row.t <= time + 1e-7 && row.subject[kind] === name);
 
 const sentences = rows => rows.map(row => make('p', { class: 'bad' }, `⚠ ${row.text}`, make('span', { class: 'soft' }, ` (${row.rule})`)));

@@ -1,4 +1,4 @@
-/* What happened when: the timeline of processes, logs and topics. */
+/* The timeline of processes, logs and topics. */
 
 class TimelineView {
   constructor(desk) {

@@ -53,7 +53,7 @@ class Topic {
     });
   }
   column(path) { return this.columns[this.place.get(path)]; }
-  /* Number of the newest message at a time; -1 before the first. */
+  /* The number of the newest message at a time, or -1 before the first message. */
   at(time) { return this.t.upTo(time + 1e-7) - 1; }
   value(path, number) {
     const column = this.column(path);
@@ -78,7 +78,7 @@ class Track {
   add(delta) {
     delta.c.forEach((steps, i) => this.c[i].steps(steps, i < 2 ? 1e6 : i < 5 ? FINE : FINE * 100));
   }
-  /* Number of the newest transform that was published by a time; -1 for none. */
+  /* The number of the newest transform that was published by a time, or -1 if there is no such transform. */
   at(time) { return this.c[0].upTo(time + 1e-7) - 1; }
   forgetBefore(time) {
     const count = Math.max(0, Math.min(this.c[0].upTo(time), this.c[0].n - 1));
@@ -139,12 +139,12 @@ class Store {
     if (this.from === 0 && delta.topics?.length && this.now > KEPT_S) this.from = Math.max(0, this.first());
     if (this.now - this.from > KEPT_S * 1.5) this.forgetBefore(this.now - KEPT_S);
   }
-  /* Defaults of parameters: those of nodes that declared one without another value, and those that the machine knows. */
+  /* The defaults of parameters. They come from nodes that declared a parameter without an override, and from the machine. */
   known(rows) {
     for (const [node, name, value] of rows) this.defaults.set(node + ' ' + name, value);
     this.version++;
   }
-  /* The steps of a launch that are new or have changed: by number, in the order of their visit, and by the step around them. */
+  /* Store the new and changed steps of a launch by number, in the order in which launch visited them, and by the enclosing step. */
   launched({ pid, at, rows }) {
     if (!this.launches.has(pid)) this.launches.set(pid, { pid, at: null, name: 'launch', steps: [], order: [], below: new Map(), events: new Map(), version: 0 });
     const launch = this.launches.get(pid), seconds = value => value / 1e6;
@@ -167,7 +167,7 @@ class Store {
     launch.events = new Map();
     for (const event of launch.order) for (const number of event.kind === 'event' ? new Set([event.about, ...(event.fired || [])]) : []) launch.events.set(number, [...(launch.events.get(number) || []), event]);
   }
-  /* The time of the oldest message here. */
+  /* The time of the oldest stored message. */
   first() { return Math.min(this.now, ...[...this.topics.values()].filter(topic => topic.t.n).map(topic => topic.t.a[0])); }
   /* A live view that is open for hours keeps the messages of the last ten minutes, and all of graph, processes and parameters. */
   forgetBefore(time) {
@@ -180,7 +180,7 @@ class Store {
   }
   nodeName(index) { return this.nodes.find(node => node?.index === index)?.name ?? '?'; }
   byName(name) { return [...this.topics.values()].filter(topic => topic.name === name); }
-  /* The value of a parameter at a time, with where it came from. */
+  /* The value of a parameter at a time, with its origin. */
   parameter(node, name, time) {
     let found;
     for (const row of this.parameters) if (row.t <= time + 1e-7 && row.node === node && row.name === name) found = row;

@@ -1,17 +1,17 @@
-/* The live view: its layout, the bar of time, the keyboard, and the requests to the machine. */
+/* The live view: its layout, the time bar, the keyboard, and the requests to the machine. */
 
 const TICK_S = 0.016, SLOW_MS = [40, 90, Infinity], SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8, 0];
 
-/* On a busy computer, pictures leave out details: the open tab and the trails take part in some pictures only, and names disappear. Input is never left out. */
+/* On a busy computer, some pictures leave out the open tab, the trails and the names. The page always handles input. */
 class Effort {
   constructor() { this.mean = 0; this.level = 0; this.count = 0; }
-  /* `spent`: milliseconds from the request of a picture to its end; the average of some pictures counts. */
+  /* `spent` is the time in milliseconds from the request of a picture to its end. The average of some pictures is used. */
   took(spent) {
     this.mean += (Math.min(spent, 500) - this.mean) / 8;
     if (this.mean > SLOW_MS[this.level]) this.level = Math.min(2, this.level + 1);
     else if (this.level && this.mean < SLOW_MS[this.level - 1] * 0.6) this.level--;
   }
-  /* Whether details take part in this picture: in each one, in every second, or in every fourth. */
+  /* Whether to draw details in this picture: in each picture, in every second one, or in every fourth one. */
   get isTurn() { return this.count++ % (1 << this.level) === 0; }
 }
 
@@ -132,7 +132,7 @@ class Desk {
     this.panel.replaceChildren(this.shown.box);
     this.redraw();
   }
-  /* The theme is that of JupyterLab, or of the system elsewhere; the button ◐ overrides both. */
+  /* The page uses the theme of JupyterLab or, elsewhere, of the system. The button ◐ overrides the theme. */
   follows(given) {
     const system = matchMedia('(prefers-color-scheme: dark)'), { body } = document;
     const wanted = () => given || (body?.dataset.jpThemeLight ? (body.dataset.jpThemeLight === 'false' ? 'dark' : 'light') : system.matches ? 'dark' : 'light');
@@ -153,7 +153,7 @@ class Desk {
   }
   log(process) { this.views.log[0].choose(process); this.open('log'); }
   plot(topic, path) { this.views.plot[0].add(topic.name, path); this.open('plot'); }
-  /* Show the subject of an advice. */
+  /* Show the subject of a piece of advice. */
   point(kind, name, time) {
     if (!this.live && this.time < time) this.seek(time);
     const tab = kind === 'frame' ? 'frames' : 'graph';
@@ -187,7 +187,7 @@ class Desk {
     this.say(`saved as ${name}`);
   }
   say(text) { this.state.textContent = text; this.saidAt = performance.now(); }
-  /* A plan has a graph and parameters; nothing in it moves. */
+  /* A plan has a graph and parameters, but nothing moves in it. */
   showPlan() {
     this.box.setAttribute('aria-label', 'plan of a launch file');
     for (const tab of [...this.tabs.children]) if (!['graph', 'parameters'].includes(tab.dataset.tab)) { delete this.views[tab.dataset.tab]; tab.remove(); }
@@ -306,7 +306,7 @@ class Desk {
     const room = this.left.clientWidth, count = this.worldViews.length;
     if (room) for (const view of this.worldViews) view.resize(Math.floor(Math.max(180, Math.min(count > 1 ? (room - 14) / 2 : room - 4, count > 1 ? 360 : 560))));
   }
-  /* Whether there were programs, and all have ended. */
+  /* Whether programs have run, and all of them have ended. */
   stopped() {
     const programs = this.store.processes.filter(Boolean);
     return programs.length > 0 && programs.every(process => process.to <= this.time + 1e-7);
@@ -345,7 +345,7 @@ function openDesk(host, link, options) {
   return new Desk(root, link, options);
 }
 
-/* Read a timeline that `packed` (page.py) has written: base64 after a letter that shows whether it is deflated. */
+/* Read a timeline that `packed` (page.py) has written: a letter that shows whether it is compressed, then base64. */
 async function unpacked(text) {
   let stream = new Blob([Uint8Array.from(atob(text.slice(1)), letter => letter.charCodeAt(0))]).stream();
   if (text[0] === 'z') stream = stream.pipeThrough(new DecompressionStream('deflate'));

@@ -1,4 +1,4 @@
-/* Short functions that create elements and canvases. Strings never become markup, whatever a program has written. */
+/* Short functions that create elements and canvases. Strings of programs never become markup. */
 
 function make(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);

@@ -127,7 +127,7 @@ class FramesView {
       if (poses.length <= FEW) this.letters(pen, poses, axis, colour);
     }
   }
-  /* Draw a letter at each tip, because colours alone do not distinguish the axes for everyone. */
+  /* Draw a letter at each tip, because some users cannot distinguish the colours of the axes. */
   letters(pen, poses, axis, colour) {
     const letter = this.glyph('xyz'[axis.indexOf(1)], colour), half = GLYPH_PX / 2;
     for (const pose of poses) {
@@ -213,7 +213,7 @@ class FramesView {
       this.answer.className = 'mono';
     }
   }
-  /* Draw which times the buffer has for each link of the chain, and the requested time. */
+  /* Draw the times for which the buffer has transforms, for each link of the chain, and the requested time. */
   bars(found, time) {
     const spans = found.spans || [], width = this.width - 24, height = spans.length ? 16 * spans.length + 18 : 1;
     const pen = sized(this.spans, width, height);
@@ -237,7 +237,7 @@ class FramesView {
 }
 
 class TreeView {
-  /* The tf tree, parents above children. */
+  /* The tf tree, with parents above children. */
   constructor(desk) {
     this.desk = desk;
     this.box = make('div', { class: 'pane scroll' });
@@ -251,7 +251,7 @@ class TreeView {
   age(link, time) {
     return link.fixed ? '' : `, ${Math.max(0, time - (link.stamp - this.desk.store.start)).toFixed(2)} s old`;
   }
-  /* The node that publishes a transform, with the line that made its publisher, or else the line that launched it. */
+  /* The node that publishes a transform, with the line that created its publisher or, if that is unknown, that launched the node. */
   publisher(link) {
     const { store } = this.desk, index = store.publisherNode.get(link.track.by), node = store.nodes.find(found => found?.index === index);
     const line = store.places.get(link.track.by), launched = store.processes.find(row => row?.name === node?.process)?.place;

@@ -7,7 +7,7 @@ const LIT_S = 0.25;
 /* Nodes of commands such as `ros2 topic echo` are hidden, as ROS 2 hides them. */
 const hidden = node => node.name.split('/').pop().startsWith('_') && node.name !== '/_desk';
 
-/* Straight lines and S-curves in turn. */
+/* Straight lines and S-curves, alternately. */
 function wayOf(points, right) {
   return points.map(([x, y], i) => {
     if (!i) return `M${x} ${y}`;
@@ -68,7 +68,7 @@ class GraphView {
     for (const box of boxes.values()) box.mark ||= sayingsOf(store, box.kind, box.name, time)[0]?.rule || '';
     return { boxes, edges };
   }
-  /* Of a plan: what is not known of a node, and the frames. */
+  /* For a plan: the unknown parts of a node, and the frames. */
   plan(boxes, edges) {
     const { unknown, frames } = this.desk.store.planned;
     for (const box of boxes.values()) {
@@ -104,7 +104,7 @@ class GraphView {
     }
     if (this.chosen) this.tell(time);
   }
-  /* An advice is about this box: choose it, and show its details. */
+  /* Select the box that a piece of advice is about, and show its details. */
   point(kind, name) {
     const { boxes } = this.read(this.desk.time), box = [...boxes.values()].find(found => found.kind === kind && found.name === name);
     if (!box) return;
@@ -112,7 +112,7 @@ class GraphView {
     this.tell(this.desk.time, true);
     this.told.scrollIntoView({ block: 'nearest' });
   }
-  /* Arrange boxes in layers; each is as large as its text (see layout.js). */
+  /* Arrange boxes in layers. Each box is as large as its text (see layout.js). */
   lay({ boxes, edges }) {
     const all = [...boxes.values()], place = new Map(all.map((box, i) => [box.id, i]));
     if (!all.length) { this.sheet.replaceChildren(); this.paths = []; return; }
@@ -157,7 +157,7 @@ class GraphView {
     this.zoom = by ? Math.max(0.2, Math.min(4, now * by)) : 0;
     this.fit();
   }
-  /* Drag moves the picture; + and - zoom, 0 fits it to the width. */
+  /* Dragging moves the picture. The keys + and - zoom, and 0 fits the picture to the width. */
   hand() {
     const { frame } = this;
     let from = null;
@@ -212,7 +212,7 @@ class GraphView {
     rows.push(...(said.length || !box.mark ? sentences(said) : [make('p', { class: 'bad' }, `⚠ ${box.mark}`)]));
     this.told.replaceChildren(...rows);
   }
-  /* What a plan says of a box. */
+  /* The details of a box in a plan. */
   planned(box) {
     const { store } = this.desk, known = { run: 'known from an earlier run', source: 'read in the source', 'built-in': 'known from edulaunch' };
     if (box.kind === 'frame') return [make('b', {}, box.name), box.parent ? ` is a ${box.fixed ? 'static ' : ''}frame in ${box.parent}, published by ${box.by.join(', ')}` : ' is a root frame'];

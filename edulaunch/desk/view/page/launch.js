@@ -1,5 +1,5 @@
-/* The launch itself: its files, includes, groups, actions and processes as a tree, with what happened to each, and why; its
-   events; and stepping through it, forwards and back. */
+/* The launch: its files, includes, groups, actions and processes as a tree, with the state of each one and the reason. Also its
+   events, and the buttons that step through it, forwards and backwards. */
 
 const HIDDEN_STEPS = new Set(['PushLaunchConfigurations', 'PopLaunchConfigurations', 'PushEnvironment', 'PopEnvironment', 'ResetEnvironment']);
 const PROCESS_KINDS = new Set(['node', 'process']);
@@ -92,7 +92,7 @@ class LaunchView {
     this.again();
     this.scrollTo = true;
   }
-  /* The slider or the clock moved, so the order of steps within one instant no longer matters. */
+  /* The slider or the clock has moved, so the order of steps within one instant no longer matters. */
   moved() { if (this.cursor !== null) { this.cursor = null; this.key = null; } }
   wanted() {
     const text = this.place.value.trim().match(/^(.*):(\d+)$/);

@@ -6,7 +6,7 @@ const range = count => Array.from({ length: count }, (_, i) => i);
 const meanOf = numbers => numbers.reduce((a, b) => a + b, 0) / numbers.length;
 const put = (map, key, value) => { if (map.has(key)) map.get(key).push(value); else map.set(key, [value]); };
 
-/* Numbers of the edges that close a loop. */
+/* Return the numbers of the edges that close a loop. */
 function backEdges(count, edges) {
   const following = range(count).map(() => []), entered = new Set(edges.map(([, b]) => b)), state = Array(count).fill(0), back = new Set();
   edges.forEach(([a, b], number) => following[a].push([number, b]));
@@ -136,8 +136,8 @@ function groupsOf(count, edges) {
   return [...new Set(group)].map(name => [range(count).filter(item => group[item] === name), range(edges.length).filter(number => group[edges[number][0]] === name)]).sort((a, b) => b[0].length - a[0].length);
 }
 
-/* Places for boxes of these [width, height] and arrows between them: the size, the upper left corners, the way of each arrow
-   (points; every second stretch, beginning with the first, is straight) and whether it closes a loop. */
+/* Return places for boxes of these [width, height] and arrows between them: the size, the upper left corners, the points of each
+   arrow (every second segment, beginning with the first one, is straight), and whether the arrow closes a loop. */
 function layOut(sizes, edges, direction = null, widest = 900) {
   const sheet = direction => {
     const right = direction === 'right', turned = (a, c) => right ? [a, c] : [c, a], corners = sizes.map(() => [0, 0]), routes = edges.map(() => []), back = new Set();

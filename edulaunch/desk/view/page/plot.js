@@ -1,4 +1,4 @@
-/* The tab Plot: lines of this run, and of another run over them. */
+/* The tab Plot: lines of this run, and lines of another run for comparison. */
 
 const LINES = ['#2a6fdb', '#b0348f', '#2e8c30', '#9c6ade', '#c97b12', '#128a8a'], DASHES = [[], [6, 3], [9, 3, 2, 3], [4, 4], [12, 4], [1, 3]], OTHER = [1.5, 3];
 
@@ -31,7 +31,7 @@ class PlotView {
     this.text.addEventListener('keydown', event => { if (event.key === 'Enter') typed(); });
     return [this.transforms, make('div', { class: 'tools' }, this.text, button('Add', 'add this expression to the plot', typed))];
   }
-  /* Another run: a page that Export or `edulaunch recording show` wrote. */
+  /* Another run comes from a page that Export or `edulaunch recording show` has written. */
   another() {
     const file = make('input', { type: 'file', accept: '.html', 'aria-label': 'page of another run to plot over this one' });
     this.away = button('Without the other run', 'take the other run out of the plot', () => this.over(null));
@@ -43,7 +43,7 @@ class PlotView {
     });
     return [make('label', { class: 'file' }, 'other run ', file), this.away];
   }
-  /* Plot another run over this one; null for none. */
+  /* Plot another run for comparison, or no other run if the argument is null. */
   over(delta) {
     this.other = delta ? new Store() : null;
     this.other?.apply(delta);
@@ -54,7 +54,7 @@ class PlotView {
     this.wrong.textContent = text;
     this.wrong.hidden = !text;
   }
-  /* Add an expression; returns whether it is one. */
+  /* Add an expression. Return whether it is valid. */
   write(text) {
     this.say('');
     if (!text.trim()) return false;
@@ -82,7 +82,7 @@ class PlotView {
     this.lines.push({ expression, number: this.lines.reduce((most, row) => Math.max(most, row.number + 1), 0) });
     this.restart();
   }
-  /* Compute all lines anew: there is another run, or the machine has begun again. */
+  /* Compute all lines again, because there is another run, or the machine has started over. */
   restart() {
     for (const row of this.lines) {
       row.mine = new Series(this.desk.store, row.expression);
@@ -117,7 +117,7 @@ class PlotView {
       select.value = names.includes(before) ? before : wanted;
     }
   }
-  /* What most people want to see first, once: where somebody is. */
+  /* Plot the position of a turtle or robot first, because most users want to see it. */
   offer() {
     const topic = [...this.desk.store.topics.values()].find(found => found.place.has('theta') || found.place.has('pose.pose.position.x'));
     if (!topic || this.offered) return;

@@ -98,7 +98,7 @@ class Series {
     if (expression.inputs.length === 1 && only.topic && expression.text.trim() === `${only.topic}.${only.path}`) this.plain = only;
     this.moves = expression.inputs.some(input => input.target);
   }
-  /* What is new since the last call. Returns whether more is waiting: a long run comes in parts, so that the page stays quick. */
+  /* Add the values since the last call. Return whether there are more: a long run is processed in parts, so that the page stays fast. */
   update() {
     const { store } = this;
     if (this.plain) {
@@ -113,7 +113,7 @@ class Series {
     return times.length > some.length;
   }
   topic({ topic, path }) { return this.store.byName(topic).find(found => found.column(path) instanceof Grow); }
-  /* Times after the last sample at which an input changed, not closer to one another than a plot can show. */
+  /* The times after the last sample at which an input changed. They are not closer together than a plot can show. */
   times() {
     const { store } = this, columns = [], frames = new Set();
     for (const input of this.expression.inputs) {
@@ -148,12 +148,12 @@ class Series {
     this.put(time, value);
     this.done = time;
   }
-  /* Whether nothing came for much longer than usual. */
+  /* Whether no sample has arrived for much longer than usual. */
   isLate(time) {
     const last = this.v.n ? this.v.a[this.v.n - 1] : NaN;
     return last === last && time - this.done > Math.max(GAP_S, 4 * (this.usual || Infinity));
   }
-  /* A sample; a stretch of NaN after a number is a gap, until the next number. */
+  /* Add a sample. NaN values after a number form a gap until the next number. */
   put(time, value) {
     const isGap = value !== value;
     if (isGap && this.t.n && this.open === undefined && this.seen) this.open = time;

@@ -1,4 +1,4 @@
-/* The connection of the page beside a terminal: a web socket to the server of the page. The page asks for each delta. */
+/* The connection of the page of `edulaunch view`: a web socket to the server of the page. The page asks for each delta. */
 
 const SHOWN_EVERY_MS = 33;
 

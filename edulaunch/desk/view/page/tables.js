@@ -9,7 +9,7 @@ function written({ value, double }) {
   return typeof value === 'string' ? value : double && Number.isInteger(value) ? value.toFixed(1) : JSON.stringify(value);
 }
 
-/* A value in a parameter file: strings in quotes, so that none is read as a number or as true. */
+/* A value in a parameter file. Strings are in quotes, so that no string is read as a number or a boolean. */
 function inYaml(row) {
   if (Array.isArray(row.value)) return `[${row.value.map(value => inYaml({ ...row, value })).join(', ')}]`;
   return typeof row.value === 'string' ? JSON.stringify(row.value) : written(row);
@@ -27,7 +27,7 @@ class LogView {
     this.box.append(make('div', { class: 'tools' }, this.process, make('label', {}, 'from ', this.level), this.word), this.sheet);
     for (const control of [this.process, this.level, this.word]) control.addEventListener('input', () => { this.key = null; desk.redraw(); });
   }
-  /* Show the lines of one process, even before its first line. */
+  /* Show the lines of one process, even if it has not written a line yet. */
   choose(process) {
     if (![...this.process.options].some(option => option.value === process)) this.process.append(make('option', { value: process }, process));
     this.process.value = process;
@@ -70,7 +70,7 @@ class ParameterView {
       make('span', { class: 'soft' }, desk.live ? 'change a value, as ros2 param set does' : '')), this.yaml, this.table);
     for (const box of [this.every, this.other]) box.addEventListener('change', () => { this.key = null; desk.redraw(); });
   }
-  /* Whether a value differs from the default; undefined when nobody knows the default. */
+  /* Whether a value differs from the default, or undefined if the default is unknown. */
   differs(row) {
     const known = this.desk.store.defaults.get(row.node + ' ' + row.name);
     return known !== undefined ? JSON.stringify(known) !== JSON.stringify(row.value) : row.origin === 'default' ? false : undefined;
@@ -79,7 +79,7 @@ class ParameterView {
     return this.desk.store.parametersAt(time).filter(row => (this.every.checked || !/^(use_sim_time|start_type_description_service|qos_overrides\.)/.test(row.name))
       && (!this.other.checked || this.differs(row) !== false));
   }
-  /* The table as a parameter file. It is shown, too: a page in a frame of a notebook may not save files everywhere. */
+  /* The table as a parameter file. It is also shown, because a page in a frame of a notebook cannot always save files. */
   save() {
     const nodes = new Map();
     for (const row of this.rows(this.desk.time)) nodes.set(row.node, [...(nodes.get(row.node) || []), row]);
@@ -101,7 +101,7 @@ class ParameterView {
     if (inside) [...this.table.querySelectorAll('input')].find(input => input.type === active.type && input.getAttribute('aria-label') === active.getAttribute('aria-label'))?.focus();
     if (!rows.length) this.table.append(make('tr', {}, make('td', { colspan: 5 }, this.other.checked ? 'no parameter differs from its default' : 'no node has parameters yet')));
   }
-  /* The default, and a sign where the value is another one. */
+  /* The default, and a sign if the value differs from it. */
   standard(row) {
     const differs = this.differs(row);
     if (differs === undefined) return [make('span', { class: 'soft' }, 'not known')];

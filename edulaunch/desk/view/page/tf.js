@@ -1,4 +1,4 @@
-/* tf from the view of a listener that received everything: the tree at a time, poses in a fixed frame, and lookups with ROS 2's error messages. */
+/* tf as a listener sees it that has received all transforms: the tree at a time, poses in a fixed frame, and lookups with ROS 2's error messages. */
 
 const CACHE_S = 10;
 
@@ -46,7 +46,7 @@ class Tree {
     }
   }
   names() { return this.all ??= [...new Set([...this.links.values()].flatMap(link => [link.parent, link.child]))]; }
-  /* Root of a frame and its pose there. Each is computed once, because there may be hundreds of frames below one another. */
+  /* The root of a frame, and the pose of the frame relative to it. Each one is computed once, because there may be hundreds of frames below one another. */
   inRoot(frame) {
     const chain = [];
     while (!this.placed.has(frame) && this.links.has(frame) && chain.length < 1000) { chain.push(frame); frame = this.links.get(frame).parent; }

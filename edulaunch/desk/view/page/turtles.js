@@ -23,7 +23,7 @@ class Mover {
     const of = axis => this.topic.value('pose.pose.orientation.' + axis, number);
     return 2 * Math.atan2(of('z'), of('w'));
   }
-  /* Return the pose at a time, interpolated between two messages; null if it did not exist. */
+  /* Return the pose at a time, interpolated between two messages, or null if the turtle or robot did not exist. */
   at(time) {
     const stamps = this.topic.t, i = this.topic.at(time);
     if (i < 0) return stamps.n && stamps.a[0] - time < 0.05 ? this.row(0) : null;
@@ -45,7 +45,7 @@ class Mover {
     const x = this.x.a[i], y = this.y.a[i], { base } = this;
     return base ? [base.x + x * Math.cos(base.a) - y * Math.sin(base.a), base.y + x * Math.sin(base.a) + y * Math.cos(base.a)] : [x, y];
   }
-  /* Return its outline from above: the description of its namespace or the nearest parent, otherwise a footprint in its namespace. */
+  /* Return the outline from above: from the description in its namespace or the nearest parent, otherwise from a footprint. */
   outline() {
     const mine = this.topic.name.replace(/\/[^/]*$/, '');
     const near = this.store.robots.filter(row => row.described ? `${mine}/`.startsWith(`${row.name}/`) : row.name.startsWith(`${mine}/`));
@@ -356,7 +356,7 @@ class WorldView {
       if (!own.has(name)) this.here.push({ label: name, place: [x, y] });
     }
   }
-  /* Draw names beside their turtles, moved where they would overlap; in a crowd, draw only the name under the pointer. */
+  /* Draw names beside their turtles, and move names that would overlap. In a crowd, draw only the name under the pointer. */
   names(pen) {
     const crowd = this.isCrowd || this.desk.hurry > 1;
     pen.font = '12px system-ui, sans-serif';

@@ -17,7 +17,7 @@ function render({ model, el }) {
     if (!isLive) hear({ ended: 'The kernel was restarted: run this cell again.', machine: { running: false } });
   }
   model.on('comm_live_update', change);
-  /* Other front ends do not: the page stops asking a kernel that does not answer. */
+  /* Other front ends do not do this, so the page stops asking a kernel that does not answer. */
   const ask = () => {
     if (document.hidden || !isLive || asked > MOST_UNANSWERED) return;
     if (asked++ === MOST_UNANSWERED) hear({ ended: 'The kernel does not answer: wait for the running cell, or run this cell again if the kernel was restarted.', machine: { running: false } });
