@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from ..evidence import Evidence, Failure
+from .identity import nodes_of
 from .launched import refuse_strangers, stranger
 from .movement import Track, command_topics, distances, farthest, fastest, length, progress_towards, pushed, since, turtle_track
 
+if TYPE_CHECKING:
+    from edulaunch.engine.recording import Recording
+
+POSE = 'turtlesim/msg/Pose'
 FASTEST_M_S = 20.0  # the listener drives half of the distance in a second, in a world 11 m wide
 LAST_S = 1.0  # greatest age of the last pose of a turtle that exists until the end
 MOST_PUSHED_M = 0.1
@@ -105,10 +112,12 @@ def require_copy(run: Evidence, original: str, copy: str, try_: str, hint_seen: 
     """Require that a turtle drives as far as the turtle that it copies, within 5 %. The original must drive at least half a
     metre.
 
+    The program `mimic` must receive the poses of the original, or those of another copy of it.
+
     :param original: the turtle to copy, such as ``/turtle1``.
     :param copy: the turtle that must copy it.
     :param hint_seen: another observation that explains the failure.
-    :raises Failure: with both distances.
+    :raises Failure: with both distances, or with the topics from which `mimic` receives poses.
     """
     for scenario, recording in run.items():
         there, here = (length(turtle_track(recording, f'{turtle}/pose')) for turtle in (original, copy))
@@ -121,6 +130,31 @@ def require_copy(run: Evidence, original: str, copy: str, try_: str, hint_seen: 
                 where=run.source.place,
                 try_=try_,
             )
+        heard = copied_poses(recording, copy)
+        if f'{original}/pose' not in heard:
+            raise Failure(
+                f'{copy} copies another turtle than {original} in the run with {run.scenario(scenario).words}',
+                expected=f'mimic subscribes to {original}/pose',
+                seen=f'mimic subscribes to {", ".join(heard) or "no pose"}',
+                where=run.source.place,
+                try_=try_,
+            )
+
+
+def copied_poses(recording: Recording, copy: str) -> list[str]:
+    """Return the topics with the poses that a turtle copies through `mimic`, also through the copies in between."""
+    mimics = [recording.nodes[position] for position in nodes_of(recording, 'turtlesim', 'mimic')]
+    found, turtles = {}, [copy]
+    for turtle in turtles:
+        commands = command_topics(recording, f'{turtle}/pose') or {f'{turtle}/cmd_vel'}
+        for node in mimics:
+            if commands.isdisjoint(name for name, _ in node.publishers):
+                continue
+            for name, kind in node.subscriptions:
+                if kind == POSE and name not in found:
+                    found[name] = turtle
+                    turtles.append(name.rpartition('/')[0])
+    return list(found)
 
 
 def driven_track(run: Evidence, scenario: str, turtle: str) -> Track:

@@ -46,12 +46,13 @@ def require_node(
         if not nodes:
             others = [f'{node.name} of another program ({node.process})' for _, node in named_nodes(recording, name)]
             own = range(len(recording.nodes)) if package is None else nodes_of(recording, package)
-            among = [recording.nodes[position].name for position in own]
+            among = [] if others else [recording.nodes[position].name for position in own]
             program = f' of {" ".join(filter(None, (package, executable)))}' if package and others else ''
             raise Missing(
                 f'the node {name}{program}',
                 name=name,
                 among=among,
+                expected=name if others else None,
                 seen=', '.join(others) or None,
                 where=run.source.place,
                 try_=try_,

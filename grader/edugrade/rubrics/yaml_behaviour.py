@@ -10,6 +10,7 @@ from math import inf
 
 from ..evidence import Evidence, Failure, Mismatch, Missing
 from ..library.description import joints_of, require_derived
+from ..library.following import require_copy, require_driver
 from ..library.frames import transforms
 from ..library.heard import Program, require_heard, require_lines_of_messages
 from ..library.identity import rows_of
@@ -71,6 +72,15 @@ def prints(run: Evidence, wanted: Wanted) -> None:
 def _fits(wanted: Wanted, lines: Iterable[str]) -> bool:
     pattern = re.compile(str(wanted['pattern']))
     return any(pattern.search(line[:1000]) for line in lines)
+
+
+@kind('{turtle} copies {original}', 'turtle original')
+def copies(run: Evidence, wanted: Wanted) -> None:
+    """Require that a turtle drives as far as another one, because `mimic` receives the poses of the other one."""
+    for one in wanted.of_each(run):
+        turtle, original = (f'/{one.text(key).strip("/")}' for key in ('turtle', 'original'))
+        require_copy(one.alone, original, turtle, wanted.try_ or 'check the remappings of the Node of mimic')
+        require_driver(one.alone, turtle, 'turtlesim', 'mimic')
 
 
 @kind('{executable} counts the messages of {topics}', 'package executable pattern topics')
@@ -145,11 +155,12 @@ def tells_place(run: Evidence, wanted: Wanted) -> None:
     """Require that a program prints an earlier position of a turtle. The groups of `pattern` are x, y and the age in seconds.
 
     With `frame`, the program must get the position from tf2, so it cannot print a position before the first transform of this
-    frame.
+    frame. The program must not subscribe to the poses of the turtle.
     """
     for one in wanted.of_each(run):
         track = turtle_track(one.recording, f'/{one.text("turtle").strip("/")}/pose')
         lines, known_s = _lines(one), _first_transform_s(one)
+        _refuse_poses(one)
         if len(lines) < LEAST_LINES:
             asked = wanted['example'] or readable(str(wanted['pattern']))
             raise Failure(
@@ -179,6 +190,17 @@ def _first_transform_s(one: OfRun) -> float:
     frame = one.wanted['frame']
     sent = transforms(one.run, one.scenario).get(frame, ()) if frame else ()
     return min((item.time_s for item in sent), default=inf if frame else 0.0)
+
+
+def _refuse_poses(one: OfRun) -> None:
+    """Refuse a program that receives the poses of the turtle, in a check with `frame`: it needs no tf2 to know the position."""
+    topic = f'/{one.text("turtle").strip("/")}/pose'
+    nodes = Program('', *one.program()).nodes(one.recording) if one.wanted['frame'] else []
+    node = next((node for node in nodes if topic in (name for name, _ in node.subscriptions)), None)
+    if node is not None:
+        thing = f'{node.name} receives the positions on {topic}, and not only from tf2, in the run with {one.words}'
+        asked, advice = f'no subscription to {topic}', f'remove this subscription, and look up {one.wanted["frame"]} in a Buffer'
+        raise Failure(thing, expected=asked, seen=f'a subscription to {topic}', where=one.run.source.place, try_=advice)
 
 
 def _topics(one: OfRun) -> list[str]:

@@ -11,7 +11,7 @@ from ..library.arguments import require_default
 from ..library.circle_fit import fit_circle
 from ..library.deaths import refuse_dead, refuse_gone
 from ..library.following import driven_track, require_driver, require_near, require_pursuit
-from ..library.frames import numbers, require_frame, transforms, yaw
+from ..library.frames import numbers, require_frame, tilt, transforms, yaw
 from ..library.launched import refuse_strangers, require_process
 from ..library.movement import Track, length, odometry_track, since, turtle_track
 from ..library.node_graph import require_ended, require_listener, require_node, require_nodes, require_started, require_topic
@@ -302,7 +302,9 @@ def place(run: Evidence, wanted: Wanted) -> None:
 
 @kind('tf knows the frame {child} in the frame {parent}', 'child parent', f'x y z yaw by {MEASURE}')
 def frame(run: Evidence, wanted: Wanted) -> None:
-    """Require a frame with its parent and, optionally, its position, its yaw and the package that broadcasts it."""
+    """Require a frame with its parent and, optionally, its position, its yaw and the package that broadcasts it. A frame with a
+    yaw must have no roll and no pitch.
+    """
     child, advice = wanted['child'], wanted.try_ or 'check the tree of frames with ros2 run tf2_tools view_frames'
     require_frame(run, child, wanted['parent'], advice)
     place_advice = wanted.try_ or f'check the position and the rotation of the frame {child}'
@@ -319,6 +321,7 @@ def frame(run: Evidence, wanted: Wanted) -> None:
                 asked = one.number('yaw')
                 turns = round((asked - yaw(sent.frame)) / tau)  # half a turn is the same to the left and to the right
                 one.require_close(f'the yaw of {child}', yaw(sent.frame) + turns * tau, asked, 0.01, place_advice)
+                one.require_close(f'the tilt of {child} by roll and pitch', tilt(sent.frame), 0.0, 0.01, place_advice)
 
 
 @kind('{turtle} drives at least {at_least} m', 'at_least', 'turtle odometry share driver')
