@@ -42,7 +42,7 @@ KEYS: tuple[tuple[str, type, str], ...] = (
     ('hints', list, 'a list of strings'),
     ('why', str, 'a text'),
     ('check_points', dict, 'a table of points'),
-    ('variants', list, 'a list of lists'),
+    ('variants', list, 'a list of lists of texts'),
 )
 """The fields of an exercise in the manifest: name, type, and the type in words."""
 TRIED = b'no secret: the variants that are tried'
@@ -147,7 +147,7 @@ def _fits(key: str, value: Any) -> bool:
     if key == 'file':
         return value not in ('', '.') and not os.path.isabs(value) and os.pardir not in value.split('/')
     if key == 'variants':
-        return all(isinstance(row, list) for row in value)
+        return all(isinstance(row, list) and row for row in value)
     return True
 
 

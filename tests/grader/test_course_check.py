@@ -210,7 +210,16 @@ def test_two_rubrics_of_one_exercise_are_found(tmp_path: Path, capsys: pytest.Ca
         ("'spin.launch.py'", "'/spin.launch.py'", 'a path in exercises is expected'),
         ("'spin.launch.py'", "''", 'a path in exercises is expected'),
         ('title =', 'titel =', 'spin.launch.py has the unknown field titel in course.toml; did you mean title?'),
-        ('points = 6', 'points = 6\nvariants = [1.0]', 'variants is [1.0] in course.toml, and a list of lists is expected'),
+        (
+            'points = 6',
+            'points = 6\nvariants = [1.0]',
+            'variants is [1.0] in course.toml, and a list of lists of texts is expected',
+        ),
+        (
+            'points = 6',
+            'points = 6\nvariants = [[]]',
+            'variants is [[]] in course.toml, and a list of lists of texts is expected',
+        ),
     ],
 )
 def test_a_field_of_the_manifest_that_cannot_mean_anything_is_named(
