@@ -225,19 +225,23 @@ def main(words: Sequence[str]) -> int:
     names = sorted({result['rubric']['name'] for result in results})
     if options.exercise is not None and options.exercise not in names:
         raise UnusableInput(f'there are no results of {options.exercise}', help=f'choose one of {", ".join(names)}')
-    pages = []
+    pages, lines = [], []
     for name in [options.exercise] if options.exercise else names:
         works, lost = _works([result for result in results if result['rubric']['name'] == name], options.results)
         pairs = alike(works, _handed_out(name), options.least)
         pages.append(similar_page(name, pairs))
-        print(f'{name}: {len(works)} submissions, {len(pairs)} pairs with at least {options.least:.0%} of their code in common')
-        for pair in pairs:
-            print(printable(f'  {pair.code:4.0%} code {pair.graph:4.0%} launch graph  {pair.one.path}  {pair.two.path}'))
+        count = f'{len(works)} submissions, {len(pairs)} pairs with at least {options.least:.0%} of their code in common'
+        lines += [f'{name}: {count}', *map(_line, pairs)]
         if lost:
-            print(printable('  not found with the graded content: ' + ', '.join(lost)))
-    if options.html is not None:
+            lines.append('  not found with the graded content: ' + ', '.join(lost))
+    if options.html is not None:  # first, because a reader of the output may stop early (``| head``)
         write_whole(options.html, '\n'.join(pages))
+    print('\n'.join(map(printable, lines)) or f'there are no results in {options.results}')
     return 0
+
+
+def _line(pair: Pair) -> str:
+    return f'  {pair.code:4.0%} code {pair.graph:4.0%} launch graph  {pair.one.path}  {pair.two.path}'
 
 
 def _works(results: Sequence[dict[str, Any]], folder: str) -> tuple[list[Work], list[str]]:
