@@ -27,7 +27,7 @@ from .rubric import RubricMistake
 from .rubrics.catalogue import ENDINGS, course_rubrics, find_rubric, load_rubric, rubrics_folder, rubrics_in
 from .rubrics.yaml_lint import points_for_defaults, points_for_names
 from .submission import Submission
-from .variant import CourseSecret, Variant, personal
+from .variant import MARK, CourseSecret, Variant, personal
 
 STUBS, SOLUTIONS, LESSONS = 'exercises', 'solutions', 'lessons'
 QUESTIONS = 'questions.toml'  # the questions of the lessons, with their answers
@@ -210,6 +210,8 @@ def _variants(folder: str, item: Exercise, rubric: str | None) -> Iterator[str]:
                 yield f'{item.name}: a row of variants has different texts, and more than one: {", ".join(row)}'
             elif not any(Variant('', '', {row[0]: '\0'}).of(text) != text for text in found):
                 yield f'{item.name}: the variant {row[0]} does not stand in {place}'
+    if all(not MARK.search(Variant('', '0' * 8, {}).stub(text)) for text in texts[0]):
+        yield f'{STUBS}/{item.path} needs a line that begins with "Grade it ", because each variant gets its mark above this line'
     names = [check.name for check in load_rubric(rubric).checks]
     for variant in _tried(item, CourseSecret.of(TRIED)):
         if [check.name for check in load_rubric(rubric, variant.of).checks] != names:

@@ -230,6 +230,17 @@ def test_a_field_of_the_manifest_that_cannot_mean_anything_is_named(
     assert said in capsys.readouterr().out
 
 
+def test_a_starter_file_that_gets_no_mark_of_its_variant_is_found(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    course = _new_course(tmp_path)
+    edit(course / 'course.toml', 'points = 6', "points = 6\nvariants = [['turtle1', 'turtle2']]")
+    assert main([str(course), '--quick']) == 0
+    edit(course / 'exercises' / 'spin.launch.py', 'Grade it with', 'Grade with')
+    capsys.readouterr()
+    assert main([str(course), '--quick']) == 1
+    said = capsys.readouterr().out
+    assert said.startswith('course: exercises/spin.launch.py needs a line that begins with "Grade it ", because'), said
+
+
 def _new_course(folder: Path) -> Path:
     from edulaunch.course.copying import new_course
 
