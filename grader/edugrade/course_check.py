@@ -42,7 +42,7 @@ KEYS: tuple[tuple[str, type, str], ...] = (
     ('hints', list, 'a list of strings'),
     ('why', str, 'a text'),
     ('check_points', dict, 'a table of points'),
-    ('variants', list, 'a list of lists of texts'),
+    ('variants', list, 'a list of lists of strings'),
 )
 """The fields of an exercise in the manifest: name, type, and the type in words."""
 TRIED = b'no secret: the variants that are tried'
@@ -57,7 +57,7 @@ def main(argv: Sequence[str] | None = None, also: Sequence[str] = ()) -> int:
 
     :param also: problems that the caller has found.
     """
-    options = _parser().parse_args(argv)
+    options = course_parser().parse_args(argv)
     folder: str = options.folder
     places = [os.path.join(folder, MANIFEST), os.path.join(folder, STUBS, MANIFEST)]
     manifest = next((place for place in places if os.path.isfile(place)), places[1])
@@ -88,7 +88,8 @@ def _can_be_run(folder: str, item: Exercise) -> bool:
     return True
 
 
-def _parser() -> argparse.ArgumentParser:
+def course_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade course``."""
     parser = argparse.ArgumentParser(
         prog='edugrade course', description='Check that exercises, solutions, rubrics and manifest of a course belong together.'
     )

@@ -213,12 +213,12 @@ def test_two_rubrics_of_one_exercise_are_found(tmp_path: Path, capsys: pytest.Ca
         (
             'points = 6',
             'points = 6\nvariants = [1.0]',
-            'variants is [1.0] in course.toml, and a list of lists of texts is expected',
+            'variants is [1.0] in course.toml, and a list of lists of strings is expected',
         ),
         (
             'points = 6',
             'points = 6\nvariants = [[]]',
-            'variants is [[]] in course.toml, and a list of lists of texts is expected',
+            'variants is [[]] in course.toml, and a list of lists of strings is expected',
         ),
     ],
 )

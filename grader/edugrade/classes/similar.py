@@ -209,8 +209,8 @@ def _graph(work: Work, both: set[str]) -> Markup:
 LONGEST_READING_S = 20.0  # time limit for the fingerprints of one submission
 
 
-def main(words: Sequence[str]) -> int:
-    """Print the pairs, and write the page on request. The exit code is always 0, because similarity is not a verdict."""
+def similar_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade similar``."""
     parser = argparse.ArgumentParser(
         prog='edugrade similar', description='Show submissions that are more alike than the task explains.'
     )
@@ -220,7 +220,12 @@ def main(words: Sequence[str]) -> int:
         '--least', type=_percent, default=0.6, metavar='PERCENT', help='least percentage of common code (default: 60)'
     )
     parser.add_argument('--html', metavar='FILE', help='also write the pairs side by side')
-    options = parser.parse_args(words)
+    return parser
+
+
+def main(words: Sequence[str]) -> int:
+    """Print the pairs, and write the page on request. The exit code is always 0, because similarity is not a verdict."""
+    options = similar_parser().parse_args(words)
     results = [result for result in Store(options.results).all() if 'rubric' in result]
     names = sorted({result['rubric']['name'] for result in results})
     if options.exercise is not None and options.exercise not in names:

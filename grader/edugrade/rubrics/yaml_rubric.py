@@ -112,7 +112,7 @@ def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
     parts = _mapping(node, problem, 'a run', RUN)
     if 'name' not in parts:
         raise problem(node, 'a run needs a name')
-    name = _text(parts['name'], problem, 'name')
+    name = _string(parts['name'], problem, 'name')
     given = _mapping(parts['arguments'], problem, 'arguments', None) if 'arguments' in parts else {}
     arguments = {key: _argument(value, problem) for key, value in given.items()}
     usual = _mapping(parts['defaults'], problem, 'defaults', None) if 'defaults' in parts else {}
@@ -244,7 +244,7 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: 
     points = _value(parts['points'], problem) if 'points' in parts else 0
     if type(points) is not int or points < 0:
         raise problem(parts['points'], f'{points!r} points; points are whole numbers, and never negative')
-    words = {name: _text(parts[name], problem, name) for name in ('say', 'name') if name in parts}
+    words = {name: _string(parts[name], problem, name) for name in ('say', 'name') if name in parts}
     *steps, last = _advice(parts['try'], problem) if 'try' in parts else [None]
     wanted = Wanted(given, last)
     wanted.may_end = may_end
@@ -279,7 +279,7 @@ def _advice(node: yaml.Node, problem: Problem) -> list[str | None]:
     items = node.value if isinstance(node, yaml.SequenceNode) else [node]
     if not items:
         raise problem(node, 'try must be a string, or a list of strings that become more specific')
-    return [_text(item, problem, 'try') for item in items]
+    return [_string(item, problem, 'try') for item in items]
 
 
 def _with_steps(function: CheckFunction, steps: Sequence[str | None]) -> CheckFunction:
@@ -342,11 +342,11 @@ def _items(node: yaml.Node, problem: Problem, what: str) -> list[yaml.Node]:
     return list(node.value)
 
 
-def _text(node: yaml.Node, problem: Problem, what: str) -> str:
-    """Return a text, such as a name. A number or a date is a text, too."""
+def _string(node: yaml.Node, problem: Problem, what: str) -> str:
+    """Return a string, such as a name. A number or a date counts as its string."""
     value = _value(node, problem)
     if not isinstance(node, yaml.ScalarNode) or value is None or not str(value).strip():
-        raise problem(node, f'{what} is {value!r}; write a text')
+        raise problem(node, f'{what} is {value!r}; write a string')
     return str(value)
 
 
