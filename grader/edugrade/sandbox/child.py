@@ -27,8 +27,6 @@ OFTEN = (
 )
 """Modules that only some runs load. For a class, it is worth loading them once."""
 OFTEN_TYPES = ('nav_msgs/msg/Odometry', 'sensor_msgs/msg/LaserScan', 'std_msgs/msg/String', 'std_msgs/msg/Int32')
-OFTEN_LAUNCHED = (('turtlebot3_gazebo', 'empty_world.launch.py'), ('demo_nodes_cpp', 'talker_listener_launch.xml'))
-"""Launch files of edulaunch whose readers, modules and interfaces many runs need."""
 WORDS, LINK = 3, 4  # the only descriptors other than input and output
 MOST_DESCRIPTORS = 4096
 RESERVE_BYTES = 8 << 20  # memory that is kept free for the report that memory has run out
@@ -40,8 +38,15 @@ def warm_up() -> None:
     :raises RuntimeError: when that launch fails, as it does when memory runs out while a module loads. Every run that is forked
         from this process would fail, too, and students would lose marks.
     """
-    if not _runs_to_the_end('turtle_tf2_py', 'turtle_tf2_demo.launch.py'):
-        raise RuntimeError('the first launch of this process failed')
+    from edulaunch.runtime.session import Session
+
+    with Session(turn_limit_s=0) as session:  # without a watchdog, because a process with threads must not be forked
+        launch = session.launch('turtle_tf2_py', 'turtle_tf2_demo.launch.py')
+        session.run(WARM_UP_S)
+        recording = session.recording()
+        recording.to_bytes()
+        if launch.process.returncode is not None or any(process.returncode is not None for process in recording.processes):
+            raise RuntimeError('the first launch of this process failed')
     import tempfile
     import traceback  # noqa: F401  (for _broke)
 
@@ -51,22 +56,8 @@ def warm_up() -> None:
     tempfile.tempdir = None  # each run has its own folder
 
 
-def _runs_to_the_end(package: str, file: str) -> bool:
-    """Launch a file of edulaunch. Return whether all its programs still run after the simulated time."""
-    from edulaunch.runtime.session import Session
-
-    with Session(turn_limit_s=0) as session:  # without a watchdog, because a process with threads must not be forked
-        launch = session.launch(package, file)
-        session.run(WARM_UP_S)
-        recording = session.recording()
-        recording.to_bytes()
-    return launch.process.returncode is None and all(process.returncode is None for process in recording.processes)
-
-
 def warm_up_for_many() -> None:
-    """Load what only some runs need, and launch files that exercises include. If a module is not installed, this process
-    continues, and a run reports what is missing.
-    """
+    """Load what only some runs need. If a module is not installed, this process continues, and a run reports what is missing."""
     from importlib import import_module
 
     from edulaunch.engine.interfaces.registry import underlay_registry
@@ -76,8 +67,6 @@ def warm_up_for_many() -> None:
             import_module(name)
     for name in OFTEN_TYPES:
         underlay_registry().get(name)
-    for package, file in OFTEN_LAUNCHED:
-        _runs_to_the_end(package, file)
 
 
 def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[[list[str], str], dict[str, str]]) -> NoReturn:
