@@ -78,14 +78,17 @@ def read_class(folder: str) -> tuple[list[Standing], list[Refused]]:
     try:
         names = sorted(os.listdir(folder))
     except OSError as error:
-        raise UnusableInput(
-            f'cannot read {folder}: {error.strerror}', help='name a folder with one folder for each student'
-        ) from None
+        help = 'name a folder with one folder for each student'
+        if os.path.isfile(folder):
+            help += ', and unpack an archive before'
+        raise UnusableInput(f'cannot read {folder}: {error.strerror}', help=help) from None
     found: dict[str, Standing] = {}
     refused = [Refused(os.curdir, f'only the first {MOST_STUDENTS} entries are read')] if len(names) > MOST_STUDENTS else []
     for name in names[:MOST_STUDENTS]:
         for path in _files(folder, name):
             try:
+                if os.path.islink(os.path.join(folder, path)):
+                    raise ValueError('it is a link, and links are not followed')
                 exercises, answers = _read(os.path.join(folder, path))
             except (OSError, ValueError) as error:
                 refused.append(Refused(path, getattr(error, 'strerror', None) or str(error)))

@@ -84,7 +84,7 @@ def _in_order(files: dict[str, bytes], names: list[str], say: Say) -> Iterator[t
 
 def _outputs(place: str, name: str) -> Outputs:
     folder = os.path.join(place, LESSONS)
-    done = run_notebook(os.path.join(folder, f'{name}.ipynb'))
+    done = run_notebook(os.path.join(folder, f'{name}.ipynb'), called=f'{LESSONS}/{name}.ipynb')
     given = {cell['id']: cell['outputs'] for cell in done['cells'] if cell['cell_type'] == 'code'}
     return dict(without_place(given, folder))
 

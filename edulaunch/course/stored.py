@@ -60,22 +60,23 @@ def store_outputs(notebook: str) -> None:
     strip(notebook)
 
 
-def run_notebook(notebook: str, timeout_s: float = 120.0) -> Any:
+def run_notebook(notebook: str, timeout_s: float = 120.0, called: str = '') -> Any:
     """Run a notebook in its folder, in a fresh kernel, and return it with its outputs. The file does not change.
 
+    :param called: the name of the notebook in messages (default: its path).
     :raises UnusableInput: when a cell fails that is not tagged `raises-exception`.
     """
     import nbclient
     import nbformat
 
-    folder = os.path.dirname(os.path.abspath(notebook))
+    folder, called = os.path.dirname(os.path.abspath(notebook)), called or notebook
     read: Any = nbformat.read
     if not all(cell.ident for cell in read_notebook(notebook).cells):
-        raise UnusableInput(f'{notebook} has a cell without an id', help='open it in JupyterLab and save it again')
+        raise UnusableInput(f'{called} has a cell without an id', help='open it in JupyterLab and save it again')
     try:
         done = read(notebook, as_version=4)
     except Exception as error:  # Jupyter raises many kinds of errors for an invalid notebook
-        raise UnusableInput(f'cannot read {notebook} as a notebook: {str(error).splitlines()[0][:200]}') from None
+        raise UnusableInput(f'cannot read {called} as a notebook: {str(error).splitlines()[0][:200]}') from None
     client = nbclient.NotebookClient(
         done, timeout=timeout_s, record_timing=False, coalesce_streams=True, resources={'metadata': {'path': folder}}
     )
@@ -85,12 +86,12 @@ def run_notebook(notebook: str, timeout_s: float = 120.0) -> Any:
             # uses its own event loop, so it also works in a thread
             asyncio.run(client.async_execute(stderr=DEVNULL, env=environ))
     except nbclient.exceptions.CellTimeoutError:
-        raise UnusableInput(f'{notebook}: a cell takes more than {timeout_s:g} s', help='simulate less time in it') from None
+        raise UnusableInput(f'{called}: a cell takes more than {timeout_s:g} s', help='simulate less time in it') from None
     except nbclient.exceptions.DeadKernelError:
-        raise UnusableInput(f'{notebook}: the kernel died', help='run the cells one by one to find the cause') from None
+        raise UnusableInput(f'{called}: the kernel died', help='run the cells one by one to find the cause') from None
     except nbclient.exceptions.CellExecutionError as error:
         help = 'if the cell should fail, give it the tag raises-exception'
-        raise UnusableInput(f'{notebook}: {_failure(done) or error}', help=help) from None
+        raise UnusableInput(f'{called}: {_failure(done) or error}', help=help) from None
     return done
 
 

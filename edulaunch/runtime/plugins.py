@@ -40,11 +40,13 @@ class GradingVerb(NamedTuple):
     :ivar function: the function for the words after the verb, as `module:function`. It returns the exit code.
     :ivar example: an example call for `edugrade --help`, without the leading `edugrade`.
     :ivar about: the purpose of the example.
+    :ivar parser: `module:function` that returns the parser of the words after the verb, for completion.
     """
 
     function: str
     example: str
     about: str
+    parser: str = ''
 
 
 class Plugin(NamedTuple):

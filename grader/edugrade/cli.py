@@ -49,6 +49,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     except RubricMistake as error:
         print(f'edugrade: the rubric is wrong: {error}', file=sys.stderr)
         return 3
+    except BrokenPipeError:  # a reader that stops early (``| head``) is not an error
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # otherwise, Python tries to write again at its end
+        return 141
     except OSError as error:
         if error.errno not in (errno.ENOSPC, errno.EDQUOT):
             return _broke(error)
@@ -251,7 +254,7 @@ def _refused(refusals: Sequence[Refusal]) -> list[str]:
 
 
 def _show(text: str) -> None:
-    """Print a string. It is not an error if the reader stops early (``| head``)."""
+    """Print a string. The exit code stays that of the report if a reader stops early (``| head``)."""
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors='backslashreplace')
     try:

@@ -27,7 +27,7 @@ from .rubric import RubricMistake
 from .rubrics.catalogue import ENDINGS, course_rubrics, find_rubric, load_rubric, rubrics_folder, rubrics_in
 from .rubrics.yaml_lint import points_for_defaults, points_for_names
 from .submission import Submission
-from .variant import CourseSecret, Variant, personal
+from .variant import MARK, CourseSecret, Variant, personal
 
 STUBS, SOLUTIONS, LESSONS = 'exercises', 'solutions', 'lessons'
 QUESTIONS = 'questions.toml'  # the questions of the lessons, with their answers
@@ -42,7 +42,7 @@ KEYS: tuple[tuple[str, type, str], ...] = (
     ('hints', list, 'a list of strings'),
     ('why', str, 'a text'),
     ('check_points', dict, 'a table of points'),
-    ('variants', list, 'a list of lists'),
+    ('variants', list, 'a list of lists of strings'),
 )
 """The fields of an exercise in the manifest: name, type, and the type in words."""
 TRIED = b'no secret: the variants that are tried'
@@ -58,7 +58,7 @@ def main(argv: Sequence[str] | None = None, also: Sequence[str] = ()) -> int:
     :param argv: the words of the command line (default: those of this process).
     :param also: problems that the caller has found.
     """
-    options = _parser().parse_args(argv)
+    options = course_parser().parse_args(argv)
     folder: str = options.folder
     places = [os.path.join(folder, MANIFEST), os.path.join(folder, STUBS, MANIFEST)]
     manifest = next((place for place in places if os.path.isfile(place)), places[1])
@@ -91,7 +91,8 @@ def _can_be_run(folder: str, item: Exercise) -> bool:
     return True
 
 
-def _parser() -> argparse.ArgumentParser:
+def course_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade course``."""
     parser = argparse.ArgumentParser(
         prog='edugrade course', description='Check that exercises, solutions, rubrics and manifest of a course belong together.'
     )
@@ -150,7 +151,7 @@ def _fits(key: str, value: Any) -> bool:
     if key == 'file':
         return value not in ('', '.') and not os.path.isabs(value) and os.pardir not in value.split('/')
     if key == 'variants':
-        return all(isinstance(row, list) for row in value)
+        return all(isinstance(row, list) and row for row in value)
     return True
 
 
@@ -217,6 +218,8 @@ def _variants(folder: str, item: Exercise, rubric: str | None) -> Iterator[str]:
                 yield f'{item.name}: a row of variants has different texts, and more than one: {", ".join(row)}'
             elif not any(Variant('', '', {row[0]: '\0'}).of(text) != text for text in found):
                 yield f'{item.name}: the variant {row[0]} does not stand in {place}'
+    if all(not MARK.search(Variant('', '0' * 8, {}).stub(text)) for text in texts[0]):
+        yield f'{STUBS}/{item.path} needs a line that begins with "Grade it ", because each variant gets its mark above this line'
     names = [check.name for check in load_rubric(rubric).checks]
     for variant in _tried(item, CourseSecret.of(TRIED)):
         if [check.name for check in load_rubric(rubric, variant.of).checks] != names:

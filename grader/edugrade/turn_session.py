@@ -8,13 +8,13 @@ from __future__ import annotations
 import errno
 import os
 import signal
-from collections.abc import Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.engine.processes.host import Host
+from edulaunch.runtime.first_starts import FirstStarts
 from edulaunch.runtime.session import Session
 
 from .evidence import Scenario
@@ -30,13 +30,8 @@ class _Visitor(NamedTuple):
     pid: int = 0
 
 
-class TurnHost(Host):
-    """A host on which the first start of some programs fails.
-
-    :ivar fails: the programs, as in `Scenario.fails`.
-    """
-
-    fails: Sequence[str] = ()
+class TurnHost(FirstStarts, Host):
+    """Starts programs, except those whose first start fails."""
 
     def start(self, spec: Any, *others: Any, **more: Any) -> Any:
         """Start a program like `Host.start`.
@@ -46,9 +41,7 @@ class TurnHost(Host):
         known = self.known_command(spec, more.get('index'))
         program = known.program if known is not None else None
         name = program.executable if program is not None else ' '.join(spec.argv if known is None else known.argv)
-        refused = next((each for each in self.fails if f'{name} '.startswith(f'{each} ')), None)
-        if refused is not None:
-            self.fails = [each for each in self.fails if each != refused]
+        if self.refuses(name):
             raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
         return super().start(spec, *others, **more)
 

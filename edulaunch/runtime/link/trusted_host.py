@@ -23,6 +23,7 @@ from edulaunch.engine.processes.programs import run_program
 from edulaunch.engine.processes.spec import Origin, ProcessSpec
 from edulaunch.engine.sim.task import current_task
 from edulaunch.engine.underlay_place import underlay_prefix
+from edulaunch.runtime.first_starts import FirstStarts
 from edulaunch.runtime.link.codec import FrameKind, Violation, load
 from edulaunch.runtime.link.peer import Peer, TooManyPrograms
 from edulaunch.runtime.link.provenance import HostedProgram
@@ -81,30 +82,22 @@ def runs_beside_the_student(package: str | None, executable: str | None, word: s
 MOST_PROGRAMS = 2000
 
 
-class TrustedHost(Host):
+class TrustedHost(FirstStarts, Host):
     """Hosts the programs of edulaunch. It starts no program of the system, and does not search the student's files for programs.
 
     :ivar identified: the program of each process that runs in this peer, by process ID.
     :ivar late_s: for each executable, the delay of its first start in simulated seconds. The second start has twice
         this delay, and so on.
-    :ivar fails: the programs of both peers whose first start fails. Each item is an executable, or the first words of a command.
+    :ivar fails: as in `FirstStarts`, for the programs of both peers.
     """
 
     peer: Peer
     identified: dict[int, HostedProgram]
     late_s: Mapping[str, float] = MappingProxyType({})
-    fails: Sequence[str] = ()
 
     def may_start(self, payload: memoryview) -> bool:
         """Return whether a program can be started."""
-        refused = self.refused_now(text_of(load(bytes(payload))))
-        if refused is not None:
-            self.fails = [each for each in self.fails if each != refused]
-        return refused is None
-
-    def refused_now(self, name: str) -> str | None:
-        """Return the item of `fails` for a program that may not start now, or None."""
-        return next((each for each in self.fails if f'{name} '.startswith(f'{each} ')), None)
+        return not self.refuses(text_of(load(bytes(payload))))
 
     def spawn(self, payload: memoryview) -> None:
         """Start a program at the request of the confined peer."""

@@ -9,11 +9,12 @@ from __future__ import annotations
 import csv
 import io
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from datetime import datetime
 from math import ceil, isfinite
 from typing import Any, NamedTuple
 
+from edulaunch.engine.nearest import nearest
 from edulaunch.errors import UnusableInput
 
 from ..files import read_given
@@ -69,10 +70,32 @@ def decided(results: Sequence[Result], folder: str, late: Late | None = None) ->
     decisions = read_decisions(os.path.join(folder, FILE))
     found = [_decided(result, decisions, late) for result in results]
     known = {key for result in results for key in _keys(result)}
-    strange = next((key for key in decisions if key not in known), None)
-    if strange is not None:
-        raise UnusableInput(f'{FILE} names {strange[0]} with the exercise {strange[1] or "(none)"}, and there is no such result')
+    for name, exercise in decisions:
+        if (name, exercise) not in known:
+            _refuse_stranger(folder, name, {student for student, _ in known})
+            has = sorted(other for student, other in known if student == name and other)
+            raise UnusableInput(
+                f'{os.path.join(folder, FILE)}: {name} has no result of {exercise}', help=f'write one of {", ".join(has)}'
+            )
     return found
+
+
+def refuse_strangers(folder: str, names: Collection[str]) -> None:
+    """Check the teacher's file before a class is graded.
+
+    :param folder: the folder of the results.
+    :param names: the names and numbers of the students.
+    :raises UnusableInput: when the file cannot be read, or names another student.
+    """
+    for name, _ in read_decisions(os.path.join(folder, FILE)):
+        _refuse_stranger(folder, name, names)
+
+
+def _refuse_stranger(folder: str, name: str, names: Collection[str]) -> None:
+    if name not in names:
+        close = nearest(name, names)
+        help = f'write {close}, or remove the line' if close else 'write the name as in the table of marks, or remove the line'
+        raise UnusableInput(f'{os.path.join(folder, FILE)} names {name}, who has no result', help=help)
 
 
 def _keys(result: Result) -> list[tuple[str, str]]:

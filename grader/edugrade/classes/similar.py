@@ -215,8 +215,8 @@ def _graph(work: Work, both: set[str]) -> Markup:
 LONGEST_READING_S = 20.0  # time limit for the fingerprints of one submission
 
 
-def main(words: Sequence[str]) -> int:
-    """Print the pairs, and write the page on request. The exit code is always 0, because similarity is not a verdict."""
+def similar_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade similar``."""
     parser = argparse.ArgumentParser(
         prog='edugrade similar', description='Show submissions that are more alike than the task explains.'
     )
@@ -226,24 +226,33 @@ def main(words: Sequence[str]) -> int:
         '--least', type=_percent, default=0.6, metavar='PERCENT', help='least percentage of common code (default: 60)'
     )
     parser.add_argument('--html', metavar='FILE', help='also write the pairs side by side')
-    options = parser.parse_args(words)
+    return parser
+
+
+def main(words: Sequence[str]) -> int:
+    """Print the pairs, and write the page on request. The exit code is always 0, because similarity is not a verdict."""
+    options = similar_parser().parse_args(words)
     results = [result for result in Store(options.results).all() if 'rubric' in result]
     names = sorted({result['rubric']['name'] for result in results})
     if options.exercise is not None and options.exercise not in names:
         raise UnusableInput(f'there are no results of {options.exercise}', help=f'choose one of {", ".join(names)}')
-    pages = []
+    pages, lines = [], []
     for name in [options.exercise] if options.exercise else names:
         works, lost = _works([result for result in results if result['rubric']['name'] == name], options.results)
         pairs = alike(works, _handed_out(name), options.least)
         pages.append(similar_page(name, pairs))
-        print(f'{name}: {len(works)} submissions, {len(pairs)} pairs with at least {options.least:.0%} of their code in common')
-        for pair in pairs:
-            print(printable(f'  {pair.code:4.0%} code {pair.graph:4.0%} launch graph  {pair.one.path}  {pair.two.path}'))
+        count = f'{len(works)} submissions, {len(pairs)} pairs with at least {options.least:.0%} of their code in common'
+        lines += [f'{name}: {count}', *map(_line, pairs)]
         if lost:
-            print(printable('  not found with the graded content: ' + ', '.join(lost)))
-    if options.html is not None:
+            lines.append('  not found with the graded content: ' + ', '.join(lost))
+    if options.html is not None:  # first, because a reader of the output may stop early (``| head``)
         write_whole(options.html, '\n'.join(pages))
+    print('\n'.join(map(printable, lines)) or f'there are no results in {options.results}')
     return 0
+
+
+def _line(pair: Pair) -> str:
+    return f'  {pair.code:4.0%} code {pair.graph:4.0%} launch graph  {pair.one.path}  {pair.two.path}'
 
 
 def _works(results: Sequence[dict[str, Any]], folder: str) -> tuple[list[Work], list[str]]:

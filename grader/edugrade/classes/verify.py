@@ -28,14 +28,19 @@ LARGEST_KEY, LARGEST_REPORT = 10_000, 50_000_000
 MAKE = 'openssl genpkey -algorithm ed25519 -out key.pem; openssl pkey -in key.pem -pubout -out public.pem'
 
 
-def sign_command(words: Sequence[str]) -> int:
-    """Run the command ``edugrade sign``, and return its exit code."""
+def sign_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade sign``."""
     parser = argparse.ArgumentParser(
         prog='edugrade sign', description='Sign reports in place, with an ed25519 key.', epilog=f'keys: {MAKE}'
     )
     parser.add_argument('reports', metavar='REPORT', nargs='+', help='a JSON report, or a result of a batch')
     parser.add_argument('--key', metavar='FILE', required=True, help='the private key, PEM')
-    options = parser.parse_args(words)
+    return parser
+
+
+def sign_command(words: Sequence[str]) -> int:
+    """Run the command ``edugrade sign``, and return its exit code."""
+    options = sign_parser().parse_args(words)
     for path in options.reports:
         write_whole(path, json_text(signed(read_report(path), options.key)))
     return 0
@@ -115,8 +120,8 @@ MOST_PLACES = 20_000  # most files that a search for a submission reads
 NAMES = {'submission': 'the text of the submission', 'rubric': 'the text of the rubric', 'edulaunch': 'the version of edulaunch'}
 
 
-def main(words: Sequence[str]) -> int:
-    """Run the command. Return 0 if the report is confirmed, 1 if it is not, and 2 if the command cannot check it."""
+def verify_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade verify``."""
     parser = argparse.ArgumentParser(
         prog='edugrade verify',
         description='Grade the same submission again with the same rubric and seed, and report whether the mark is the same.',
@@ -125,7 +130,12 @@ def main(words: Sequence[str]) -> int:
     parser.add_argument('--submission', metavar='PATH', help='the graded submission (default: the file beside the report)')
     parser.add_argument('--key', metavar='FILE', help='the report must be signed by this public key (PEM)')
     add_common(parser)
-    options = parser.parse_args(words)
+    return parser
+
+
+def main(words: Sequence[str]) -> int:
+    """Run the command. Return 0 if the report is confirmed, 1 if it is not, and 2 if it cannot be checked."""
+    options = verify_parser().parse_args(words)
     report = read_report(options.report)
     differences = [*_of_the_signature(report, options.key), *_made_again(report, options)]
     for line in differences:

@@ -123,11 +123,16 @@ def _recording(work: Work, outcome: Outcome) -> Recording:
     return outcome.recording
 
 
-def _options(argv: Sequence[str]) -> argparse.Namespace:
+def decoys_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade decoys``."""
     parser = argparse.ArgumentParser(prog='edugrade decoys', description='Grade submissions that have names and no behaviour.')
     parser.add_argument('words', nargs='*', metavar='FOLDER or NAME', help='the folder of a course, and names of its exercises')
     parser.add_argument('--limit', type=float, default=60.0, metavar='SECONDS', help='longest real time of each run')
-    options = parser.parse_args(argv)
+    return parser
+
+
+def _options(argv: Sequence[str]) -> argparse.Namespace:
+    options = decoys_parser().parse_args(argv)
     folders = [word for word in options.words if os.path.isdir(word)]
     options.folder = folders[0] if folders else '.'
     options.names = [word for word in options.words if word not in folders[:1]]

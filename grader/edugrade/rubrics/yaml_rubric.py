@@ -117,7 +117,7 @@ def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
     parts = _mapping(node, problem, 'a run', RUN)
     if 'name' not in parts:
         raise problem(node, 'a run needs a name')
-    name = str(_value(parts['name'], problem))
+    name = _string(parts['name'], problem, 'name')
     given = _mapping(parts['arguments'], problem, 'arguments', None) if 'arguments' in parts else {}
     arguments = {key: _argument(value, problem) for key, value in given.items()}
     usual = _mapping(parts['defaults'], problem, 'defaults', None) if 'defaults' in parts else {}
@@ -251,7 +251,7 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: 
     points = _value(parts['points'], problem) if 'points' in parts else 0
     if type(points) is not int or points < 0:
         raise problem(parts['points'], f'{points!r} points; points are whole numbers, and never negative')
-    words = {name: str(_value(parts[name], problem)) for name in ('say', 'name') if name in parts}
+    words = {name: _string(parts[name], problem, name) for name in ('say', 'name') if name in parts}
     *steps, last = _advice(parts['try'], problem) if 'try' in parts else [None]
     wanted = Wanted(given, last)
     wanted.may_end = may_end
@@ -283,11 +283,10 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: 
 
 def _advice(node: yaml.Node, problem: Problem) -> list[str | None]:
     """Return the advice of a check as a list: one string, or several that become more specific."""
-    found = _value(node, problem)
-    texts = found if isinstance(found, list) else [found]
-    if not texts:
+    items = node.value if isinstance(node, yaml.SequenceNode) else [node]
+    if not items:
         raise problem(node, 'try must be a string, or a list of strings that become more specific')
-    return [str(text) for text in texts]
+    return [_string(item, problem, 'try') for item in items]
 
 
 def _with_steps(function: CheckFunction, steps: Sequence[str | None]) -> CheckFunction:
@@ -348,6 +347,14 @@ def _items(node: yaml.Node, problem: Problem, what: str) -> list[yaml.Node]:
     if not isinstance(node, yaml.SequenceNode) or not node.value:
         raise problem(node, f'{what} is a list, each item after a "-"')
     return list(node.value)
+
+
+def _string(node: yaml.Node, problem: Problem, what: str) -> str:
+    """Return a string, such as a name. A number or a date counts as its string."""
+    value = _value(node, problem)
+    if not isinstance(node, yaml.ScalarNode) or value is None or not str(value).strip():
+        raise problem(node, f'{what} is {value!r}; write a string')
+    return str(value)
 
 
 def _value(node: yaml.Node, problem: Problem) -> Any:

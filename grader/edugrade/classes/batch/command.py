@@ -23,6 +23,7 @@ MOST_REASONS = 5
 
 def main(words: Sequence[str]) -> int:
     """Grade a class. Return the exit code: 0, or 3 when the grader failed, so that a submission has no verdict."""
+    from ..decisions import refuse_strangers
     from .batch_options import read_batch_options
 
     options = read_batch_options(words)
@@ -39,6 +40,7 @@ def main(words: Sequence[str]) -> int:
         ).entries()
         if not entries:
             raise UnusableInput(f'there is nothing to grade in {options.folder}', help='exercises: ' + ', '.join(wanted))
+        refuse_strangers(store.folder, {name for entry in entries for name in (entry.student, entry.id)})
         todo = list(work_to_do(entries, store, how))
         if options.dask:
             from .dask_cluster import grade_there

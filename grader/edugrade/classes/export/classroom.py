@@ -34,8 +34,8 @@ class Test(NamedTuple):
     points: int
 
 
-def main(words: Sequence[str]) -> int:
-    """Run the command, and return its exit code."""
+def classroom_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade classroom``."""
     parser = argparse.ArgumentParser(
         prog='edugrade classroom', description='Write the autograding of a GitHub Classroom assignment.'
     )
@@ -51,7 +51,12 @@ def main(words: Sequence[str]) -> int:
         default=f'pip install edulaunch=={__version__}',
         help='installs edulaunch (default: %(default)s). edulaunch is not on PyPI yet: name a wheel or a repository',
     )
-    options = parser.parse_args(words)
+    return parser
+
+
+def main(words: Sequence[str]) -> int:
+    """Run the command, and return its exit code."""
+    options = classroom_parser().parse_args(words)
     found = [test for exercise in options.exercises for test in tests(exercise)]
     files = {
         'workflows/classroom.yml': workflow(found, options.install),

@@ -47,8 +47,8 @@ PATH="/opt/edugrade/bin:$PATH" exec edugrade gradescope run "${AUTOGRADER:-/auto
 """
 
 
-def main(words: Sequence[str]) -> int:
-    """Run the command, and return its exit code."""
+def gradescope_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade gradescope``."""
     parser = argparse.ArgumentParser(prog='edugrade gradescope', description='Grade on Gradescope.')
     verbs = parser.add_subparsers(dest='verb', required=True)
     build_ = verbs.add_parser('build', help='pack an autograder for one exercise')
@@ -65,7 +65,12 @@ def main(words: Sequence[str]) -> int:
     build_.add_argument('--limit', type=float, default=30.0, metavar='SECONDS', help='real time for each run (default: 30)')
     run_ = verbs.add_parser('run', help='grade the submission in this folder, as Gradescope lays it out')
     run_.add_argument('folder', nargs='?', default='/autograder')
-    options = parser.parse_args(words)
+    return parser
+
+
+def main(words: Sequence[str]) -> int:
+    """Run the command, and return its exit code."""
+    options = gradescope_parser().parse_args(words)
     if options.verb == 'run':
         return run(options.folder)
     build(options.exercise, options.out, options.wheel, options.course_secret_file, options.limit)

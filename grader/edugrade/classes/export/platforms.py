@@ -245,8 +245,8 @@ def _is(text: str, number: int) -> bool:
         return False
 
 
-def main(words: Sequence[str]) -> int:
-    """Run the command. Report the students who are missing from the list of the platform."""
+def export_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade export``."""
     parser = argparse.ArgumentParser(
         prog='edugrade export',
         description='Write the marks of a batch for a learning platform. A submission without a mark has an empty cell.',
@@ -267,7 +267,12 @@ def main(words: Sequence[str]) -> int:
     parser.add_argument('--due', metavar='TIME', help='the due date, such as 2026-11-20T23:59; each later day costs points')
     parser.add_argument('--late-per-day', type=float, default=10.0, metavar='PERCENT', help='for each late day (default: 10)')
     parser.add_argument('--submitted', metavar='FILE', help='a table with the times of submission: student,submitted')
-    options = parser.parse_args(words)
+    return parser
+
+
+def main(words: Sequence[str]) -> int:
+    """Run the command. Name the students who are missing from the list of the platform."""
+    options = export_parser().parse_args(words)
     if (options.due is None) != (options.submitted is None):
         raise UnusableInput('--due needs --submitted, and the reverse', help='write --submitted FILE with student,submitted')
     late = read_late(options.due, options.late_per_day, options.submitted) if options.due else None
