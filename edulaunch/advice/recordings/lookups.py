@@ -142,6 +142,7 @@ MOMENT_S = 0.05
     what="{node} looks up '{frame}' from '{target}', which is in another tree",
     why="one tree has the root '{first}', the other has the root '{second}', and no transform connects them",
     do=(
+        "write LaunchConfiguration('{argument}') instead of the string '{argument}' where this frame is the parent",
         "write '{near}' instead of '{misspelt}' where this frame is the parent",
         "broadcast a transform between the trees, for example with the parent '{second}' and the child '{first}'",
     ),
@@ -159,7 +160,9 @@ def separate_trees(recording: Recording) -> Iterator[Finding]:
             if first != second:
                 near = {root: _meant_root(recording, root) for root in (first, second)}
                 misspelt = next((root for root in near if near[root] is not None), None)
-                facts = {'misspelt': misspelt, 'near': near.get(misspelt or '')}
+                declared = {argument.name for argument in recording.launch.declared}
+                argument = next((root for root in (first, second) if root in declared), None)
+                facts = {'misspelt': misspelt, 'near': near.get(misspelt or ''), 'argument': argument}
                 yield _found(recording, fact, source, first=first, second=second, **facts)
 
 
