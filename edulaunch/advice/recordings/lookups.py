@@ -41,7 +41,7 @@ def _found(recording: Recording, fact: Fact, frame: str, **facts: Any) -> Findin
     why='the lookup can never succeed, so code that waits for it waits forever',
     do=(
         "write '{near}' if you mean that frame",
-        "start the node that broadcasts '{frame}', or look up one of these: {frames}",
+        "start the node that broadcasts '{frame}', or look up one of these frames: {frames}",
         'start a node that broadcasts transforms, because this run has no frames at all',
     ),
     lesson=LESSON,

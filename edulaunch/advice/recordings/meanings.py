@@ -136,8 +136,9 @@ def _is_one_number(ratios: list[float]) -> bool:
 
 @lru_cache(maxsize=1)
 def _turned(recording: Recording) -> list[tuple[Broadcasts, str, list[tuple[float, float, Any]]]]:
-    """Return each moving frame at the position of its turtle, with the turtle and its transforms: sine and cosine of half the
-    heading, and the rotation.
+    """Return each moving frame at the position of its turtle, with the turtle and its transforms.
+
+    A transform is the sine and the cosine of half the heading, and the rotation.
     """
     frames = {turtle[1:]: turtle for turtle in turtles(recording)}
     turned = []

@@ -113,7 +113,7 @@ def _movable(recording: Recording) -> Iterator[tuple[str, list[str]]]:
 @rule(
     'messages.no-joint-states',
     what=(
-        '{node} expects the angles of its joints on {topic}, but {other} publishes them on {elsewhere}',
+        '{node} expects the angles of the joints on {topic}, but {other} publishes them on {elsewhere}',
         'the robot description has movable joints ({joints}), but no node publishes on {topic}',
     ),
     why='without the angle of a joint, the frames after that joint have no position in tf',
