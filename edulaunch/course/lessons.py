@@ -136,8 +136,8 @@ def _line(exercise: Exercise) -> str:
 
 FOLDER = 'notes'
 _NONE = (
-    'notes on the course of edulaunch are only in its source, not in the installed package;'
-    f' for your own course, write {LESSONS}/{FOLDER}/01_name.md on 01_name.ipynb'
+    "type the command in a clone of edulaunch, because the installed package has no teachers' notes;"
+    f' for your own course, write the notes of 01_name.ipynb into {LESSONS}/{FOLDER}/01_name.md'
 )
 _ROW = re.compile(r'^\| *(\d+) *\| *(.+?) *\|', re.MULTILINE)
 
@@ -175,8 +175,8 @@ def notes_of(course: str, name: str) -> str:
     """
     known = read_notes(course)
     if not known:
-        raise UnusableInput(f'there are no notes on {name}', help=_NONE)
-    return known[the_one(name, known, f'there are no notes on {name}')]
+        raise UnusableInput(f'there are no notes for the lesson {name}', help=_NONE)
+    return known[the_one(name, known, f'the course has no lesson {name} with notes')]
 
 
 def list_of_notes(course: str) -> str:

@@ -62,7 +62,9 @@ def progress() -> ProgressPage | Verdict:
     """
     folder = lessons_folder()
     if folder is None:
-        return Verdict('There are no lessons here. Open a notebook in the folder of the lessons, and call progress() there.')
+        return Verdict(
+            'There are no lessons here. Type `edulaunch course status` in the course folder, or call progress() in a lesson.'
+        )
     file = ProgressFile(os.getcwd() if os.path.isfile(NAME) else folder)
     questions = list(find_questions().questions.values())
     rows = [_row(lesson, file, questions) for lesson in read_lessons(folder)]

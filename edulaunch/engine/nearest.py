@@ -31,6 +31,15 @@ def nearest_few(name: str, names: Iterable[str], most: int) -> list[str]:
     return [folded[close] for close in get_close_matches(_folded(name), list(folded), n=most, cutoff=0.6)]
 
 
+def nearest_name(name: str, names: Iterable[str]) -> str | None:
+    """Return the nearest full name of ROS. Its last part must be equal or nearly equal.
+
+    `/turtle1/cmd_vel` may mean `/red/turtle1/cmd_vel`, but not `/turtle1/pose`, although many letters are equal.
+    """
+    last = name.rpartition('/')[2]
+    return nearest(name, [known for known in names if nearest(last, [known.rpartition('/')[2]]) is not None])
+
+
 def nearest_spelling(name: str, names: Iterable[str]) -> str | None:
     """Return the known name of which `name` is a misspelling, or None if no known name is close enough.
 

@@ -15,9 +15,10 @@ SURE_LAUNCH_SUFFIXES = ('.launch.py', '.launch.xml', '.launch.yaml', '_launch.py
 LAUNCH_SUFFIXES = ('.py', '.xml', '.yaml', '.yml', '.launch')
 
 
-def find_launch_file(index: Index, path_or_package: str | os.PathLike[str], file: str | None) -> str:
+def find_launch_file(index: Index, path_or_package: str | os.PathLike[str], file: str | None, *, as_ros: bool = False) -> str:
     """Return the absolute path of a launch file, which is given as for `ros2 launch`.
 
+    :param as_ros: whether a package without the name of a launch file gets the message of `ros2 launch`.
     :raises UnusableInput: when there is no such file, with the message of `ros2 launch` and the nearest name.
     """
     first = os.fspath(path_or_package)
@@ -31,9 +32,11 @@ def find_launch_file(index: Index, path_or_package: str | os.PathLike[str], file
         path = str(get_share_file_path_from_package(package_name=first, file_name=file))
         return path if os.path.isfile(path) else _existing_file(os.path.realpath(path), index)
     except MultipleLaunchFilesError as error:
-        raise UnusableInput(str(error), help='give the path of the launch file') from None
+        raise UnusableInput(str(error), help='type the path of the launch file') from None
     except (FileNotFoundError, LookupError, ValueError, RuntimeError) as error:
         text = str(error.args[0]) if error.args else str(error)
+        if file is None and isinstance(error, FileNotFoundError) and not as_ros:
+            text = f'the launch file of the package {first} is not named'
         raise UnusableInput(text, help=_nearest_help(index, first, file)) from None
     finally:
         process.index = outer

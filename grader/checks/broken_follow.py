@@ -75,13 +75,13 @@ def turtle1_copies(run: Evidence) -> None:
 
 @check(points=1, needs=[no_node_dies])
 def turtle1_is_on_tf(run: Evidence) -> None:
-    """tf knows where turtle1 is: the frame turtle1 in the frame world"""
+    """A broadcaster publishes the frame turtle1 with the parent world"""
     require_frame(run, 'turtle1', 'world', 'check the Node of broadcaster1')
 
 
 @check(points=3, needs=[no_node_dies])
 def turtle2_is_on_tf(run: Evidence) -> None:
-    """tf knows where turtle2 is: the frame turtle2 in the frame world"""
+    """A broadcaster publishes the frame turtle2 with the parent world"""
     for recording in run.values():
         if not turtle_track(recording, '/turtle2/pose'):
             raise Missing(

@@ -28,8 +28,8 @@ WITHOUT = 'without'  # the run in which the start of the simulator fails
 LATEST_S, NEAR_M, BEHIND_M = 20.0, 0.8, 1.0
 MIDDLE_M, RADIUS_M, TURN_RAD_S = 5.544, 2.5, 0.4  # the start of turtle1, and its circle
 ORDER = [
-    'check each link of the chain',
-    'check in this order: the turtle exists, it is in the tf tree, its node finds the carrot, its node publishes',
+    'check each step from the new turtle to its movement',
+    'check, in this order, whether the turtle exists, is in the tf tree, finds the carrot, and drives',
 ]
 
 
@@ -71,7 +71,7 @@ def no_node_dies(run: Evidence) -> None:
 
 @check(points=2, needs=[no_node_dies])
 def everybody_is_there(run: Evidence) -> None:
-    """The number of followers is count"""
+    """The launch argument count sets the number of followers"""
     for scenario in driven(run):
         wanted = {f'turtle{number}' for where, number in followers(run) if where == scenario} | {'turtle1'}
         seen = {name.split('/')[1] for name in run[scenario].topics if name.startswith('/turtle') and name.endswith('/pose')}

@@ -58,7 +58,7 @@ def leader_exists(run: Evidence) -> None:
 
 @check(points=2, needs=[leader_exists])
 def leader_is_on_tf(run: Evidence) -> None:
-    """tf knows where turtle1 is: the frame turtle1 in the frame world"""
+    """A broadcaster publishes the frame turtle1 with the parent world"""
     _require_frame(run, 'turtle1')
 
 
@@ -82,7 +82,7 @@ def follower_exists(run: Evidence) -> None:
 
 @check(points=2, needs=[follower_exists])
 def follower_is_on_tf(run: Evidence) -> None:
-    """tf knows where turtle2 is: the frame turtle2 in the frame world"""
+    """A broadcaster publishes the frame turtle2 with the parent world"""
     _require_frame(run, 'turtle2')
     refuse_shared_names(run)
 

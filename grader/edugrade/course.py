@@ -91,7 +91,10 @@ def read_course(path: str) -> list[Exercise]:
         raise UnusableInput(f'an entry of the manifest {path} lacks {error}') from None
     except (OSError, ValueError, TypeError) as error:
         raise_fault(error)
-        raise UnusableInput(f'the manifest {path} cannot be read: {error}') from None
+        why = getattr(error, 'strerror', None) or error
+        raise UnusableInput(
+            f'the manifest {path} cannot be read: {why}', help='run the command in the folder of a course'
+        ) from None
 
 
 @lru_cache(maxsize=4)

@@ -123,7 +123,7 @@ def check_manifest(path: str) -> Iterator[str]:
     try:
         entries = read_toml(path).get('exercise')
     except (OSError, ValueError) as error:
-        yield f'the manifest {path} cannot be read: {error}'
+        yield f'the manifest {path} cannot be read: {getattr(error, "strerror", None) or error}'
         return
     if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
         yield f'the manifest {path} has no exercises: write [[exercise]] before each of them'

@@ -202,6 +202,8 @@ class Failure(Exception):
     :param where: (file, line) of the launch action or the file to change.
     :param try_: what to do, beginning with a verb. If there are several strings, students get a later one after more attempts.
     :param share: the share of the points that the check still gives: at least 0 and less than 1.
+    :param name: the bare name that the check looked for. With `among`, the report advises to correct the nearest name.
+    :param among: the names that exist.
     """
 
     def __init__(
@@ -213,6 +215,8 @@ class Failure(Exception):
         where: tuple[str, int | None] | None = None,
         try_: str | Sequence[str] | None = None,
         share: float = 0.0,
+        name: str | None = None,
+        among: Iterable[str] = (),
     ) -> None:
         super().__init__(rationale)
         self.rationale = rationale
@@ -222,6 +226,27 @@ class Failure(Exception):
         texts = [try_] if isinstance(try_, str) else list(try_ or ())
         self.steps, self.try_ = tuple(texts[:-1]), texts[-1] if texts else None
         self.share = share if 0.0 <= share < 1.0 else 0.0
+        self.name, self.known, self._may_ask = name, list(among), try_ is None or isinstance(try_, str)
+
+    def correct(self, texts: Iterable[str]) -> None:
+        """Advise to correct a name that the student wrote and that is near to the expected one, before the other advice.
+
+        :param texts: what the student wrote. The advice never names anything that is not a whole word of them.
+        """
+        name, try_ = self.name, self.try_
+        if name is None or name in self.known or not self._may_ask:
+            return
+        from edulaunch.engine.nearest import nearest
+
+        close = nearest(name, self.known)
+        if close is None or _has_other_part(name, close):
+            return
+        written = re.compile(rf'(?<!\w){re.escape(close.rpartition("/")[2])}(?!\w)')
+        if any(written.search(text) for text in texts):
+            if try_ is None:
+                self.try_ = f'write "{name}" instead of "{close}"'
+            else:
+                self.try_ = f'write "{name}" instead of "{close}", or {try_}'
 
 
 class Missing(Failure):
@@ -246,28 +271,18 @@ class Missing(Failure):
         known = list(among)
         if known:  # otherwise, the name and `none` would only repeat the headline
             expected, seen = expected or name, seen or ', '.join(known)
-        super().__init__(f'{thing} is missing', expected=expected, seen=seen, where=where, try_=try_)
-        self.name, self.known, self._may_ask = name, known, try_ is None or isinstance(try_, str)
+        super().__init__(f'{thing} is missing', expected=expected, seen=seen, where=where, try_=try_, name=name, among=known)
 
-    def correct(self, texts: Iterable[str]) -> None:
-        """Advise to correct a similar name that the student wrote, before the other advice.
 
-        :param texts: the content of the student's files. The advice names only whole words that occur in them.
-        """
-        name, try_ = self.name, self.try_
-        if name is None or name in self.known or not self._may_ask:
-            return
-        from edulaunch.engine.nearest import nearest
+def _has_other_part(name: str, close: str) -> bool:
+    """Return whether two full names differ in a part that is another name, and not a misspelling.
 
-        close = nearest(name, self.known)
-        if close is None:
-            return
-        written = re.compile(rf'(?<!\w){re.escape(close.rpartition("/")[2])}(?!\w)')
-        if any(written.search(text) for text in texts):
-            if try_ is None:
-                self.try_ = f'write "{name}" instead of "{close}"'
-            else:
-                self.try_ = f'write "{name}" instead of "{close}", or {try_}'
+    `/hall/listener` is not a misspelling of `/kitchen/listener` or `/hall/talker`, although many letters are equal.
+    """
+    from edulaunch.engine.nearest import nearest
+
+    parts, others = name.split('/'), close.split('/')
+    return len(parts) != len(others) or any(nearest(part, [other]) is None for part, other in zip(parts, others, strict=True))
 
 
 LONGEST_VALUE = 60

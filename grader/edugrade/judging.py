@@ -11,9 +11,10 @@ from dataclasses import asdict, replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from .evidence import Evidence, Failure, Missing, Outcome
+from .evidence import Evidence, Failure, Outcome
 from .faults import REPORT_IT, words_of
 from .library.deaths import words_on_deaths
+from .library.launched import VISITOR
 from .results import FAILED, GRADER_BROKE, LAUNCHES, NOT_RUN, PASSED, CheckResult
 from .rubric import Check
 from .source import Place, SubmittedText
@@ -125,8 +126,7 @@ def _result(check: Check, evidence: Evidence) -> CheckResult:
     except MemoryError:
         return _unseen(_plain(check, FAILED), 'the memory is full', evidence.source)
     except Failure as failure:
-        if isinstance(failure, Missing):
-            failure.correct(evidence.source.texts().values())
+        failure.correct(evidence.source.texts().values())
         return replace(
             _plain(check, FAILED),
             reason=failure.rationale,
@@ -203,28 +203,33 @@ SHORTEST_NAME = 4
 
 
 def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckResult]:
-    """Return the results, in which failed checks have findings as causes.
+    """Return the results with causes: each finding is at the failed check that it fits best, or nowhere.
 
-    A check gets a finding whose name, nearest name or place occurs in its result. Better matches are assigned first, and no
-    finding is used twice. If no finding matches and no program died, the failed check with the most points gets the worst
-    error. Marks do not depend on findings.
+    A check has at most one cause. Marks do not depend on findings.
     """
     if not evidence or all(result.status != FAILED for result in results):
         return results
     kept = _with_last_line(results, evidence)
-    has_died = any(map(_is_death, kept))
-    found = _findings(evidence, has_died)
+    found = _findings(evidence, any(map(_is_death, kept)))
     findings = [finding for finding in found if not any(_is_reported(finding, result) for result in kept)]
-    for is_about in (_has_both, _is_named, _is_near_in_node, _is_near, _is_there):  # the best fit comes first
-        for position, result in enumerate(kept):
-            if result.status != FAILED or result.cause is not None:
-                continue
-            cause = next((finding for finding in findings if is_about(finding, result)), None)
-            if cause is not None:
-                findings.remove(cause)
-                kept[position] = replace(result, cause=cause)
-    is_explained = has_died or len(findings) < len(found) or any(result.cause for result in kept)
-    return kept if is_explained else _with_worst(kept, findings)
+    fitting = [(finding, *_fitting(finding, kept)) for finding in findings]
+    for finding, _, positions in sorted(fitting, key=lambda each: each[1]):  # the best fit comes first
+        free = next((position for position in positions if kept[position].cause is None), None)
+        if free is not None:
+            kept[free] = replace(kept[free], cause=finding)
+    return kept
+
+
+def _fitting(finding: Finding, results: Sequence[CheckResult]) -> tuple[int, list[int]]:
+    """Return the positions of the failed checks that a finding fits best, after the rank of this fit, which is 0 for the best.
+    The finding explains no other check.
+    """
+    fits = (_has_both, _is_named, _is_near_in_node, _is_near, _is_there, _is_part)
+    for rank, is_about in enumerate(fits):
+        found = [at for at, result in enumerate(results) if result.status == FAILED and is_about(finding, result)]
+        if found:
+            return rank, found
+    return len(fits), []
 
 
 def _findings(evidence: Evidence, death_is_covered: bool) -> list[Finding]:
@@ -239,7 +244,13 @@ def _findings(evidence: Evidence, death_is_covered: bool) -> list[Finding]:
     except Exception:  # if a rule raises an error, the causes are missing, but the mark does not change
         return []
     covered = COVERED_BY_CHECKS if death_is_covered else tuple(rule for rule in COVERED_BY_CHECKS if rule != 'programs.died')
-    return [finding for finding in found if finding.rule not in covered]
+    kept = [finding for finding in found if finding.rule not in covered and not _is_of_the_grader(finding)]
+    return list({(each.rule, each.name, each.file, each.line): each for each in reversed(kept)}.values())[::-1]
+
+
+def _is_of_the_grader(finding: Finding) -> bool:
+    """Return whether a finding is about the node that the grader adds to a run."""
+    return f'/{VISITOR}' in (finding.name, finding.facts.get('node'), finding.facts.get('other'))
 
 
 def _is_death(result: CheckResult) -> bool:
@@ -273,12 +284,12 @@ def _with_last_line(results: Sequence[CheckResult], evidence: Evidence) -> list[
 
 
 def _is_reported(finding: Finding, result: CheckResult) -> bool:
-    """Return whether a failed check itself reports the missing parameter file of a finding, with an action that fits its
-    package.
-    """
-    return (
-        finding.rule == 'launch.parameter-file-absent' and result.status == FAILED and str(finding.facts['path']) in result.reason
-    )
+    """Return whether a failed check itself reports that the thing of the finding does not exist."""
+    if result.status != FAILED:
+        return False
+    if finding.rule == 'launch.parameter-file-absent':  # the check has an action that fits the package
+        return str(finding.facts['path']) in result.reason
+    return finding.facts.get('near') is None and result.reason == f'the {finding.kind} {finding.name} is missing'
 
 
 def _has_both(finding: Finding, result: CheckResult) -> bool:
@@ -307,18 +318,24 @@ def _is_near(finding: Finding, result: CheckResult) -> bool:
 
 
 def _is_there(finding: Finding, result: CheckResult) -> bool:
-    return result.where is not None and finding.file is not None and tuple(result.where) == (finding.file, finding.line)
+    """Return whether a check is about the line of the finding, and about the same kind of thing."""
+    is_line = result.where is not None and finding.file is not None and tuple(result.where) == (finding.file, finding.line)
+    return is_line and re.search(rf'\b{finding.kind}s?\b', _words_of(result)) is not None
+
+
+def _is_part(finding: Finding, result: CheckResult) -> bool:
+    """Return whether a check names the turtle of a topic, the frame from which a lookup starts, or the joints of a robot."""
+    topics = [str(topic) for topic in (finding.name, finding.facts.get('near')) if str(topic).endswith(('/cmd_vel', '/pose'))]
+    turtles = [topic.rpartition('/')[0].strip('/') for topic in topics]
+    is_its = any(result.reason.lstrip('/').startswith(f'{turtle} ') for turtle in turtles)
+    has_joint = 'joints' in finding.facts and 'joint' in _words_of(result)
+    return is_its or has_joint or _has_name(result, finding.facts.get('target'))
 
 
 def _has_name(result: CheckResult, name: object) -> bool:
-    texts = ' '.join(filter(None, (result.sentence, result.reason, result.expected, result.seen)))
     is_name = isinstance(name, str) and len(name) >= SHORTEST_NAME
-    return is_name and re.search(rf'(?<![\w/]){re.escape(str(name))}(?![\w/])', texts) is not None
+    return is_name and re.search(rf'(?<![\w/]){re.escape(str(name))}(?![\w/])', _words_of(result)) is not None
 
 
-def _with_worst(results: Sequence[CheckResult], findings: Sequence[Finding]) -> list[CheckResult]:
-    from edulaunch.advice.rule import rule_named
-
-    worst = next((finding for finding in findings if rule_named(finding.rule).level == 'error'), None)
-    weightiest = max((result for result in results if result.status == FAILED), key=lambda result: result.points)
-    return [replace(result, cause=worst) if result is weightiest else result for result in results]
+def _words_of(result: CheckResult) -> str:
+    return ' '.join(filter(None, (result.sentence, result.reason, result.expected, result.seen)))

@@ -119,7 +119,7 @@ def is_personal(options: argparse.Namespace) -> bool:
     """
     if options.personal and not options.course_secret_file:
         raise UnusableInput(
-            '--personal needs the secret with which the exercises were made', help='give --course-secret-file FILE'
+            '--personal needs the secret with which the exercises were made', help='add --course-secret-file FILE'
         )
     return bool(options.personal)
 

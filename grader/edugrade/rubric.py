@@ -119,8 +119,8 @@ class Rubric:
             from edulaunch.engine.nearest import nearest
 
             close = nearest(name, known)
-            hint = f'did you mean {close}? ' if close else ''
-            raise NoSuchCheck(f'the rubric has no check {name}', help=f'{hint}It has: {", ".join(known)}')
+            hint = f'write {close}, or ' if close else ''
+            raise NoSuchCheck(f'the rubric has no check {name}', help=f'{hint}use one of its checks: {", ".join(known)}')
         wanted = {name}
         for check in reversed(self.checks):  # a check comes after the checks that it needs
             if check.name in wanted:

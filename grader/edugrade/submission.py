@@ -150,7 +150,7 @@ def _read(path: str) -> bytes:
     if len(data) > LARGEST_BYTES:
         raise UnusableInput(
             f'{path} is larger than {LARGEST_BYTES:,} bytes, which is too large for a launch file',
-            help='give the path of the launch file',
+            help='type the path of the launch file',
         )
     return data
 
@@ -186,8 +186,8 @@ def _nearest_to(path: str) -> str:
         return f'did you mean {os.path.join(folder, close)}?'
     shown = f'the folder {folder}' if folder else 'the current folder'
     if not names:
-        return f'type the path of a launch file, because {shown} has none'
-    return f'type the path of one of the launch files in {shown}: {", ".join(names)}'
+        return f'type the path of a launch file ({shown} has none), or a command that `edugrade --help` lists'
+    return f'type the path of a launch file or package in {shown}: {", ".join(names)}'
 
 
 MANIFEST = 'package.xml'

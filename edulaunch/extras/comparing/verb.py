@@ -36,7 +36,9 @@ def compare_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments for the launch files, the duration, and the form of the output."""
     parser.epilog = EXAMPLES
     parser.add_argument('target', metavar='PACKAGE | PATH', help='package of the launch file, its path, or a folder of them')
-    parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name, launch arguments; or more paths')
+    parser.add_argument(
+        'rest', nargs='*', default=[], metavar='FILE | name:=value', help='launch file name, launch arguments; or more paths'
+    )
     parser.add_argument(
         '--for',
         dest='seconds',

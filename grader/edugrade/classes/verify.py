@@ -198,7 +198,7 @@ def _known_variant(claimed: Variant, report: dict[str, Any], options: argparse.N
     found = variant_for(str(report['rubric']['name']), str(report.get('student') or claimed.student), secret)
     if found is None and secret is None:
         words = 'the report is of a personal exercise, and nothing here says whose values are whose'
-        raise UnusableInput(words, help='give --course-secret-file FILE')
+        raise UnusableInput(words, help='add --course-secret-file FILE')
     return found
 
 
@@ -210,7 +210,7 @@ def _of_the_seed(report: dict[str, Any], options: argparse.Namespace, submission
     """
     if options.course_secret_file is None:
         if report['receipt'].get('secret') is not None and options.seed is None:
-            raise UnusableInput('a course secret has chosen the runs of this report', help='give --course-secret-file FILE')
+            raise UnusableInput('a course secret has chosen the runs of this report', help='add --course-secret-file FILE')
         if report['receipt'].get('seed') != (submission.seed if options.seed is None else options.seed):
             yield 'seed: it does not follow from the text, so the grader of this report chose it (--seed N accepts it)'
         return
@@ -253,7 +253,7 @@ def find_submission(report: dict[str, Any], path: str) -> str:
         except UnusableInput:
             continue
     raise UnusableInput(
-        f'{file}, which the report names, is missing or has changed since it was graded', help='give --submission PATH'
+        f'{file}, which the report names, is missing or has changed since it was graded', help='add --submission PATH'
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from math import asin, atan2, cos, hypot, sin
 from re import sub
 from typing import TYPE_CHECKING, NamedTuple
@@ -64,7 +64,17 @@ def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: 
         sent = transforms(run, scenario).get(child)
         if sent is None:
             frames = frames_at_end(run, scenario)
-            known = ', '.join(f'{name} in {frame.parent}' for name, frame in frames.items()) or 'no frames'
+            known = ', '.join(f'{name} (parent {frame.parent})' for name, frame in frames.items()) or 'no frames'
+            if any(frame.parent == child for frame in frames.values()):
+                raise Failure(
+                    f'the frame {child} has no parent',
+                    expected=f'the frame {child} with the parent {parent}',
+                    seen='\n'.join(filter(None, (known, hint_seen))),
+                    where=run.source.place,
+                    try_=try_,
+                    name=child,
+                    among=_misspelt(child, frames),
+                )
             raise Missing(
                 f'the frame {child}',
                 name=child,
@@ -72,7 +82,7 @@ def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: 
                 where=run.source.place,
                 try_=try_,
                 seen='\n'.join(filter(None, (known, hint_seen))),
-                expected=f'the frame {child} in the frame {parent}',
+                expected=f'the frame {child} with the parent {parent}',
             )
         words = run.scenario(scenario).words
         elsewhere = next((item for item in sent if item.frame.parent != parent), None)
@@ -80,10 +90,12 @@ def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: 
             now_and_then = any(item.frame.parent == parent for item in sent)
             raise Failure(
                 f'the parent of the frame {child} is not {parent} in the run with {words}',
-                expected=parent,
-                seen=elsewhere.frame.parent + (f' at {elsewhere.time_s:.2f} s' if now_and_then else ''),
+                expected=f'the parent {parent}',
+                seen=f'the parent {elsewhere.frame.parent}' + (f' at {elsewhere.time_s:.2f} s' if now_and_then else ''),
                 where=run.source.place,
                 try_=try_,
+                name=parent,
+                among=_misspelt(parent, {elsewhere.frame.parent} - set(frames_at_end(run, scenario))),
             )
         _require_all_the_time(run, scenario, child, sent, try_)
         if parent == 'world':
@@ -129,7 +141,7 @@ def _require_all_the_time(run: Evidence, scenario: str, child: str, sent: Sequen
         )
 
 
-def _misspelt(child: str, frames: Frames) -> list[str]:
+def _misspelt(child: str, frames: Iterable[str]) -> list[str]:
     """Return the frames whose names may be misspellings of `child`. For example, turtle1 is not a misspelling of turtle2."""
     return [name for name in frames if sub(r'\d+$', '', name) != sub(r'\d+$', '', child)]
 

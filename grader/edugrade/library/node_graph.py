@@ -114,6 +114,9 @@ def require_listener(
         seen = f'subscribers of {topic}: {", ".join(found.subscriptions) or "none"}'
         if node in found.subscriptions:
             seen += f'\nthis {node} is not a program of {package}'
+        heard = [name for name, _ in nodes[0][1].subscriptions if name not in ALWAYS_THERE] if nodes else []
+        if heard:
+            seen = f'{node} subscribes to {", ".join(heard)}'
         process = process_of(run[scenario], nodes[0][1], nodes[0][0]) if nodes else None
         raise Failure(
             f'{node} does not subscribe to {topic}',
@@ -121,6 +124,8 @@ def require_listener(
             seen=seen,
             where=run.source.own(process.origin if process else None),
             try_=try_,
+            name=topic,
+            among=heard,
         )
 
 

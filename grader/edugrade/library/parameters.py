@@ -121,13 +121,13 @@ def require_parameter(
     where = where or run.source.own(process.origin, 'IncludeLaunchDescription[(]')
     if given and name not in given:
         raise Missing(f'the parameter {name} of the Node', name=name, among=given, try_=try_, where=where)
-    raise Mismatch(
-        f'the parameter {name} of {executable}',
-        _by_run(run, {key: str(value) for key, value in wanted.items()}),
-        _by_run(run, {key: value_and_origin(seen) for key, seen in found.items()}),
-        where=where,
-        try_=try_,
-    )
+    thing, asked = f'the parameter {name} of {executable}', {key: str(value) for key, value in wanted.items()}
+    seen = _by_run(run, {key: value_and_origin(each) for key, each in found.items()})
+    if len(set(asked.values())) == 1:
+        raise Mismatch(thing, _by_run(run, asked), seen, where=where, try_=try_)
+    bad = next(key for key, each in found.items() if each is None or each.value != wanted[key])
+    words = f'{thing} should be {wanted[bad]} in the run with {run.scenario(bad).words}'
+    raise Failure(words, expected=_by_run(run, asked), seen=seen, where=where, try_=try_)
 
 
 class MissingParameterFile(Failure):

@@ -41,6 +41,21 @@ def remapping_to(run: Evidence, topic: str) -> str:
     )
 
 
+def argument_as_namespace(run: Evidence, argument: str, program: str) -> str:
+    """Return advice to use a launch argument as the namespace of a program."""
+    value = written(
+        run, f"namespace=LaunchConfiguration('{argument}')", f'namespace="$(var {argument})"', f'namespace: "$(var {argument})"'
+    )
+    return f'write {value} in the Node of {program}'
+
+
+def name_of_node(run: Evidence, namespace: str, name: str, program: str) -> str:
+    """Return advice to give the node of a program its namespace and its name. One of the two may be ''."""
+    parts = {key: value for key, value in (('namespace', namespace), ('name', name)) if value}
+    words = [written(run, f"{key}='{value}'", f'{key}="{value}"', f'{key}: "{value}"') for key, value in parts.items()]
+    return f'write {" and ".join(words)} in the Node of {program}' if words else f'add a Node of {program}'
+
+
 def parameter_of_node(run: Evidence, name: str) -> str:
     """Return advice to set a parameter of a node."""
     return written(

@@ -147,9 +147,9 @@ def sandbox_line(reports: Sequence[Report]) -> str:
         return 'sandbox: off. The submission could read, write and send everything that you can.' if states else ''
     missing = {layer: reason for state in states for layer, reason in state.items() if reason != 'held'}
     held = [layer for state in states[:1] for layer in state if layer not in missing]
-    words = f'sandbox: the run was confined by these layers: {", ".join(held) or "none"}.'
     if not missing:
-        return words
+        return 'sandbox: the submission had no access to the network, to other programs, or to files that it does not need.'
+    words = f'sandbox: these layers restricted the submission: {", ".join(held) or "none"}.'
     return f'{words} These layers were MISSING: {", ".join(f"{layer} ({reason})" for layer, reason in missing.items())}.'
 
 

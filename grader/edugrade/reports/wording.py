@@ -41,7 +41,6 @@ KINDS = {
     'check the conditions of the actions': ('condition',),
     'check the command that the launch file starts': ('ExecuteProcess', 'ros2 topic pub'),
     'check the names of the frames': ('view_frames',),
-    'check the position and the rotation of the frame': ('the rotation of the frame',),
     'check the name, the parent and the position of the frame': ('the frame ',),
     'check the parameters and the remappings of the broadcaster': ('broadcaster',),
     'check the links and the joints of the robot description': ('the joint ', 'a joint '),
@@ -78,8 +77,9 @@ _INSIDE = (
     (re.compile(r'(?<=[\w=])\[[^()\[\]{}]*\]'), '\1'),
     (re.compile(r'(?<=[\w=(\[ ])\{[^()\[\]{}]*\}'), '\3'),
     (re.compile(r'(?<=\w=)"[^"\n]*"'), '\4'),
+    (re.compile(r"(?<=\w=)'[^'\n]*'"), '\5'),
 )
-_ABBREVIATED = {'\0': '(...)', '\1': '[...]', '\2': '()', '\3': '{...}', '\4': '"..."'}
+_ABBREVIATED = {'\0': '(...)', '\1': '[...]', '\2': '()', '\3': '{...}', '\4': '"..."', '\5': "'...'"}
 _DEEPEST = 6
 LAUNCHED = ' in the run with '
 _CORRECTED = re.compile(r'^write "[^"\n]*" instead of "[^"\n]*", or ')

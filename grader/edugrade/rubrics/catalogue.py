@@ -82,10 +82,10 @@ def find_rubric(
     from edulaunch.engine.nearest import nearest
 
     close = nearest(name, list(known))
-    hint = f'did you mean {close}? ' if close else ''
+    hint = f'write {close}, or ' if close else ''
     raise UnusableInput(
         f'there is no rubric named "{name}". Available rubrics: {", ".join(sorted(known)) or "none"}',
-        help=f'{hint}Name the file after its exercise (circle.launch.py), or give --rubric NAME or FILE',
+        help=f'{hint}use one of these names in the name of the file or after --rubric, or the path of a rubric file',
     )
 
 

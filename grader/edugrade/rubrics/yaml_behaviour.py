@@ -64,7 +64,7 @@ def prints(run: Evidence, wanted: Wanted) -> None:
         rows = rows_of(one.recording, 'output', wanted['package'], wanted['executable'])
         lines = [one.recording.output[row].text for row in rows]
         if not _fits(wanted, (line for text in lines for line in text.splitlines())):
-            thing = f'{wanted["executable"]} does not print the expected line in the run with {one.words}'
+            thing = f'the program {wanted["executable"]} does not print the expected line in the run with {one.words}'
             asked = wanted['example'] or readable(str(wanted['pattern']))
             raise Failure(thing, expected=asked, seen=last_lines(lines) or 'no output', **one.advice)
 
@@ -93,7 +93,9 @@ def counts(run: Evidence, wanted: Wanted) -> None:
         thing = f'the count that {wanted["executable"]} prints in the run with {one.words}'
         if not seen:
             asked = readable(str(wanted['pattern']))
-            raise Failure(f'{wanted["executable"]} prints no count', expected=asked, seen=_last_lines(one), **one.advice)
+            raise Failure(
+                f'the program {wanted["executable"]} prints no count', expected=asked, seen=_last_lines(one), **one.advice
+            )
         for time_s, number in seen:
             low, high = bisect_right(times, time_s - SENT_WITH_S), bisect_right(times, time_s + SENT_WITH_S)
             if not (low + 1 if high > low else low) <= number <= high:
@@ -119,7 +121,7 @@ def counts_up(run: Evidence, wanted: Wanted) -> None:
             newest = number
         if not newest >= one.number('at_least'):
             asked = readable(str(wanted['pattern']))
-            thing = f'{program} does not count to {one.number("at_least"):g} in the run with {one.words}'
+            thing = f'the program {program} does not count to {one.number("at_least"):g} in the run with {one.words}'
             raise Failure(thing, expected=asked, seen=_last_lines(one), **one.advice)
 
 
@@ -130,7 +132,7 @@ def repeats(run: Evidence, wanted: Wanted) -> None:
         topic, lines, program = one.text('topic'), _lines(one), wanted['executable']
         if not lines:
             asked = wanted['example'] or readable(str(wanted['pattern']))
-            thing = f'{program} does not print the expected line in the run with {one.words}'
+            thing = f'the program {program} does not print the expected line in the run with {one.words}'
             raise Failure(thing, expected=asked, seen=_last_lines(one), **one.advice)
         hidden = one.run.scenario(one.scenario).sent.get(topic, (0.0, ''))
         sent = [(time_s, str(getattr(message, 'data', ''))) for time_s, message in one.recording.messages(topic)]
@@ -146,7 +148,7 @@ def repeats(run: Evidence, wanted: Wanted) -> None:
         first_s, last_s = lines[0][0], one.recording.duration_s - HEARD_AFTER_S
         missed = next((each for each in unprinted if first_s < each[0] < last_s or each == hidden), None)
         if missed is not None:
-            thing = f'{program} does not print the message of {missed[0]:.2f} s in the run with {one.words}'
+            thing = f'the program {program} does not print the message of {missed[0]:.2f} s in the run with {one.words}'
             raise Failure(thing, expected=missed[1], seen=_last_lines(one), **one.advice)
 
 
@@ -164,7 +166,7 @@ def tells_place(run: Evidence, wanted: Wanted) -> None:
         if len(lines) < LEAST_LINES:
             asked = wanted['example'] or readable(str(wanted['pattern']))
             raise Failure(
-                f'{wanted["executable"]} prints {len(lines)} lines of the expected form in the run with {one.words}',
+                f'the program {wanted["executable"]} prints {len(lines)} lines of the expected form in the run with {one.words}',
                 expected=f'at least {LEAST_LINES} lines such as\n{asked}',
                 seen=_last_lines(one),
                 **one.advice,

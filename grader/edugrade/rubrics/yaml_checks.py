@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from math import inf, isfinite, tau
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -12,14 +12,15 @@ from ..library.circle_fit import fit_circle
 from ..library.deaths import refuse_dead, refuse_gone
 from ..library.following import driven_track, require_driver, require_near, require_pursuit
 from ..library.frames import numbers, require_frame, tilt, transforms, yaw
+from ..library.identity import nodes_of
 from ..library.launched import refuse_strangers, require_process
 from ..library.movement import Track, length, odometry_track, since, turtle_track
 from ..library.node_graph import require_ended, require_listener, require_node, require_nodes, require_started, require_topic
 from ..library.parameters import named_origin, refuse_missing_file, require_parameter, value_and_origin
 from ..library.parameters import node_parameter as read_parameter
-from ..library.written import parameter_of_node, remapping_to
+from ..library.written import argument_as_namespace, name_of_node, parameter_of_node, remapping_to
 from ..shortened import shortened
-from .yaml_wanted import OfRun, Wanted
+from .yaml_wanted import ARGUMENT, OfRun, Wanted
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording.records import Parameter
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 Function = Callable[[Evidence, Wanted], None]
 LAST_LOOK_S = 0.5
 LONGEST_VALUE = 1000
+STANDS_M = 0.005  # a shorter path would be shown as 0.00 m
 MEASURE = 'tolerance near share'
 PROGRAM = 'package executable'
 
@@ -93,9 +95,18 @@ def node(run: Evidence, wanted: Wanted) -> None:
                 asked = f'no node {name} in the run with {one.words}'
                 raise Failure(f'{name} starts in the run with {one.words}', expected=asked, seen=name, **one.advice)
             continue
-        both = 'this namespace and name' if name.strip('/').count('/') else 'this name'
-        advice = wanted.try_ or f'write {both} in the Node of {package}'
+        advice = wanted.try_ or _name_advice(one)
         require_node(one.alone, name, package, advice, wanted['executable'] or None)
+
+
+def _name_advice(one: OfRun, key: str = 'name') -> str:
+    """Return advice to give a node its namespace and its name. Parts that depend on launch arguments are named by these."""
+    namespace, _, name = str(one.wanted[key]).strip('/').rpartition('/')
+    program = one.wanted['executable'] or one.wanted['package']
+    argument = ARGUMENT.fullmatch(namespace)
+    if argument is not None:
+        return argument_as_namespace(one.run, argument[1], program)
+    return name_of_node(one.run, one.filled(namespace), '' if name == program else one.filled(name), program)
 
 
 @kind('Only these nodes run: {are}', 'are', 'package')
@@ -149,16 +160,18 @@ def _happens(run: Evidence, wanted: Wanted, what: str, require: Callable[..., fl
     for one in wanted.of_each(run):
         if _waits_in_vain(one):
             continue
-        time_s = require(run, one.scenario, one.text('node'), wanted.try_, *one.program())
+        time_s = require(run, one.scenario, one.text('node'), _start_advice(one), *one.program())
         since_s, words = _moment(one)
         if words and time_s < since_s - one.tolerance(0.3) and one.number('at') >= 0.0:
             raise Mismatch(
-                f'the {what} of {one.text("node")}', words.strip(), f'{since_s - time_s:.2f} s before it', **one.advice
+                f'the {what} of {one.text("node")}', words.strip(), f'{since_s - time_s:.2f} s before that', **one.advice
             )
         one.require_close(f'the {what} of {one.text("node")}{words} (in s)', time_s - since_s, one.number('at'), 0.3)
         other, *program = one.other('after')
         if other and _place(one, other, *program) > _place(one, one.text('node'), *one.program()):
-            raise Mismatch(f'the {what} of {one.text("node")}', f'after the start of {other}', 'before it', **one.advice)
+            raise Mismatch(
+                f'the {what} of {one.text("node")}', f'after the start of {other}', f'before the start of {other}', **one.advice
+            )
 
 
 def _waits_in_vain(one: OfRun) -> bool:
@@ -171,8 +184,20 @@ def _waits_in_vain(one: OfRun) -> bool:
         return False
     if not _has_node(one, one.text('node'), *one.program()):
         return True
-    thing = f'the start of {one.text("node")} in the run with {one.words}'
-    raise Mismatch(thing, f'only after the start of {other}', f'without {other}', **one.advice)
+    node = one.text('node')
+    raise Failure(
+        f'{node} starts without {other} in the run with {one.words}',
+        expected=f'{node} starts only after the start of {other}',
+        seen=f'{node} starts, although {other} does not start',
+        **one.advice,
+    )
+
+
+def _start_advice(one: OfRun) -> str | None:
+    """Return the advice of the rubric, or advice to correct the name of the node if its program starts."""
+    package, executable = one.program()
+    is_there = package is not None and executable is not None and nodes_of(one.recording, package, executable)
+    return _name_advice(one, 'node') if is_there else one.wanted.try_
 
 
 def _has_node(one: OfRun, node: str, package: str | None = None, executable: str | None = None) -> bool:
@@ -300,14 +325,13 @@ def place(run: Evidence, wanted: Wanted) -> None:
                 one.require_close(thing, worst[axis], asked, 0.05)
 
 
-@kind('tf knows the frame {child} in the frame {parent}', 'child parent', f'x y z yaw by {MEASURE}')
+@kind('The frame {child} has the parent {parent}', 'child parent', f'x y z yaw by {MEASURE}')
 def frame(run: Evidence, wanted: Wanted) -> None:
     """Require a frame with its parent and, optionally, its position, its yaw and the package that broadcasts it. A frame with a
     yaw must have no roll and no pitch.
     """
     child, advice = wanted['child'], wanted.try_ or 'check the tree of frames with ros2 run tf2_tools view_frames'
     require_frame(run, child, wanted['parent'], advice)
-    place_advice = wanted.try_ or f'check the position and the rotation of the frame {child}'
     for one in wanted.of_each(run):
         for topic in ('/tf', '/tf_static') if wanted['by'] else ():
             refuse_strangers(one.recording, topic, wanted['by'])
@@ -315,13 +339,26 @@ def frame(run: Evidence, wanted: Wanted) -> None:
             place = sent.frame.translation
             for axis, key in enumerate(('x', 'y', 'z')):
                 if key in wanted:
-                    thing = f'{key} of {child} in {sent.frame.parent} (its position is {numbers(place)})'
-                    one.require_close(thing, place[axis], one.number(key), 0.01, place_advice)
+                    thing = f'the {key} of {child} relative to {sent.frame.parent}'
+                    one.require_close(
+                        thing, place[axis], one.number(key), 0.01, _place_advice(one, key), f'the position {numbers(place)}'
+                    )
             if 'yaw' in wanted:
                 asked = one.number('yaw')
                 turns = round((asked - yaw(sent.frame)) / tau)  # half a turn is the same to the left and to the right
-                one.require_close(f'the yaw of {child}', yaw(sent.frame) + turns * tau, asked, 0.01, place_advice)
-                one.require_close(f'the tilt of {child} by roll and pitch', tilt(sent.frame), 0.0, 0.01, place_advice)
+                one.require_close(f'the yaw of {child}', yaw(sent.frame) + turns * tau, asked, 0.01, _place_advice(one, 'yaw'))
+                one.require_close(
+                    f'the tilt of {child} by roll and pitch', tilt(sent.frame), 0.0, 0.01, _place_advice(one, 'yaw')
+                )
+
+
+def _place_advice(one: OfRun, key: str) -> str | Sequence[str]:
+    """Return the rubric's advice, or advice to change one number of a transform."""
+    argument, child = ARGUMENT.fullmatch(str(one.wanted[key])), one.wanted['child']
+    value = f'the launch argument {argument[1]}' if argument else f'{one.number(key):g}'
+    what = 'check the rotation of the frame' if key == 'yaw' else 'check the position of the frame'
+    steps = (what, f'check the {key} of the frame {child}', f'set the {key} of the frame {child} to {value}')
+    return one.wanted.try_ or steps
 
 
 @kind('{turtle} drives at least {at_least} m', 'at_least', 'turtle odometry share driver')
@@ -350,7 +387,9 @@ def circle(run: Evidence, wanted: Wanted) -> None:
             raise Failure(
                 f'{who} does not drive a circle in the run with {one.words}',
                 expected=f'a circle with a radius of {radius:g} m',
-                seen=f'a distance of {length(track):.2f} m, but no circle',
+                seen=f'a path of {length(track):.2f} m that is not a circle'
+                if length(track) > STANDS_M
+                else f'{who} does not move',
                 **one.advice,
             )
         one.require_close(f'the radius of the circle of {who}', found.radius, radius, 0.02 * radius)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import operator
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from copy import copy
 from math import isfinite
 from typing import TYPE_CHECKING, Any
@@ -175,15 +175,18 @@ class OfRun:
         """Return the tolerance of the rubric, or `usual` if the rubric has none."""
         return float(self.wanted['tolerance']) if 'tolerance' in self.wanted else usual
 
-    def require_close(self, thing: str, seen: float, asked: float, usual: float, try_: str | None = None) -> None:
+    def require_close(
+        self, thing: str, seen: float, asked: float, usual: float, try_: str | Sequence[str] | None = None, beside: str = ''
+    ) -> None:
         """Require a number within the tolerance of the rubric (default: `usual`). Within `near`, the check gives a share of its
         points.
 
+        :param beside: a remark about the number that was found.
         :raises Mismatch: with both numbers.
         """
         near, share = float(self.wanted['near'] or 0.0), float(self.wanted['share'] or 0.5)
         advice = try_ or self.wanted.try_
-        require_close(self.run, self.scenario, thing, seen, asked, self.tolerance(usual), near, share, try_=advice)
+        require_close(self.run, self.scenario, thing, seen, asked, self.tolerance(usual), near, share, try_=advice, beside=beside)
 
 
 def calculated(text: str) -> float:

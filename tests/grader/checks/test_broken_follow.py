@@ -94,7 +94,7 @@ def test_a_broadcaster_that_hears_nobody_is_pointed_at() -> None:
         )
 
     result = graded('broken_follow', silent)['turtle2_is_on_tf']
-    assert result.seen == 'turtle1 in world\n/b2 subscribes to /turtle_2/pose, which has no publisher'
+    assert result.seen == 'turtle1 (parent world)\n/b2 subscribes to /turtle_2/pose, which has no publisher'
     assert result.where == (FILE, 22)
     assert 'did you mean' not in result.try_
 

@@ -54,7 +54,9 @@ def _ring_error(ring: list[Include]) -> RecursionError:
             for step, inner in zip(steps, ring[1:], strict=True)
         )
     )
-    return with_facts(error, 'launch.include-ring', ring=[_shown(include) for include in ring])
+    names = [_shown(include) for include in ring]
+    itself = names[0] if len(set(names)) == 1 else None
+    return with_facts(error, 'launch.include-ring', ring=names, itself=itself)
 
 
 def _shown(include: Include) -> str:

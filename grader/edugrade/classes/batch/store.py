@@ -57,7 +57,8 @@ class Store:
             lock = os.open(os.path.join(self.folder, LOCK), os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
         except OSError as error:
             raise UnusableInput(
-                f'results cannot be written to {self.folder}: {error.strerror}', help='give --out FOLDER'
+                f'results cannot be written to {self.folder}: {error.strerror}',
+                help='add --out FOLDER with a folder that you may write to',
             ) from None
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -128,7 +129,9 @@ class Store:
             folders[:] = sorted(name for name in folders if name != UNPACKED)
             found += [result for name in names if name.endswith('.json') and (result := _read(os.path.join(place, name)))]
         if not found:
-            raise UnusableInput(f'there are no results in {self.folder}', help='give the folder that edugrade batch has written')
+            raise UnusableInput(
+                f'there are no results in {self.folder}', help='name the folder that `edugrade batch` has written'
+            )
         return sorted(found, key=lambda result: str(result['path']))
 
 

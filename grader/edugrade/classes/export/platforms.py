@@ -43,7 +43,7 @@ def marks_of(results: Sequence[dict[str, Any]], exercise: str | None = None) -> 
     if exercise is None and len(known) == 1:
         exercise = known[0]
     if exercise is None or exercise not in known:
-        raise UnusableInput(f'the results have the exercises {", ".join(known) or "(none)"}', help='give --exercise NAME')
+        raise UnusableInput(f'the results have the exercises {", ".join(known) or "(none)"}', help='add --exercise NAME')
     possible = max(result['points']['possible'] for result in results if result.get('rubric', {}).get('name') == exercise)
     best: dict[tuple[str, str], Mark] = {}
     for result in results:
