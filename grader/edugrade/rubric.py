@@ -62,7 +62,7 @@ LONGEST_S = 3600.0
 
 
 class RubricMistake(Exception):
-    """A rubric has a mistake. The message begins with the file and the line of the mistake, and the rubric grades nothing."""
+    """A rubric has a mistake. The message begins with the file and the line of the mistake. Nothing is graded with the rubric."""
 
 
 class Rubric:

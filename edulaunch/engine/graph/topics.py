@@ -85,16 +85,12 @@ class Publisher(Endpoint):
         return [sample for sample in self.history or () if self.is_current(sample[1])]
 
     def is_current(self, published_ns: int) -> bool:
-        """Return whether a message is younger than the lifespan that this publisher sets.
-
-        :param published_ns: the simulated time at which the message was published, in nanoseconds.
-        """
+        """Return whether a message that was published at `published_ns` (simulated time) is younger than the lifespan."""
         return not self.qos.lifespan_ns or self._sim.now_ns < published_ns + self.qos.lifespan_ns
 
     def destroy(self) -> None:
-        """Remove the publisher from the topic; a second call has no effect.
-
-        Messages that an ending program publishes afterwards are not recorded.
+        """Remove the publisher from the topic; a second call has no effect. Messages that an ending program publishes
+        afterwards are not recorded.
         """
         self.record = _forget
         for subscription in list(self.matched):
@@ -103,11 +99,7 @@ class Publisher(Endpoint):
 
 
 class WatchedPublisher(Publisher):
-    """A publisher that offers a deadline or a lease duration.
-
-    :ivar on_publish: the functions to call for each message.
-    :ivar on_life: the functions to call for each message, and whenever the publisher reports that it is alive.
-    """
+    """A publisher with a deadline or a lease. It calls `on_publish` for each message, and `on_life` for each sign of life."""
 
     def __init__(self, graph: Members, node: NodeEntry, topic_name: str, cls: Any, qos: QoS) -> None:
         super().__init__(graph, node, topic_name, cls, qos)
@@ -174,10 +166,7 @@ class Subscription(Endpoint):
 
 
 def connect(publisher: Publisher, subscription: Subscription) -> None:
-    """Match a publisher and a subscription of one topic.
-
-    If they are incompatible, record the policy instead, and report it to both endpoints.
-    """
+    """Match a publisher and a subscription of one topic. If they are incompatible, report the policy to both instead."""
     policy = 'TYPE' if publisher.type_name != subscription.type_name else incompatible_policy(publisher.qos, subscription.qos)
     if policy is not None:
         publisher.graph.tracer.incompatible(publisher, subscription, policy)

@@ -63,8 +63,7 @@ class Index:
 
     The search begins with the workspaces in the given order, continues with the prefixes, and ends with the built-in
     underlay. Paths are strings. A package of a source workspace is presented as if it were installed, in a generated prefix
-    of links. Use
-    :meth:`source_path` to get the student's own file.
+    of links. Use :meth:`source_path` to get the student's own file.
 
     :param prefixes: install prefixes, or colcon `install/` folders of either layout.
     :param workspaces: folders with source packages.

@@ -1,6 +1,4 @@
-"""Finds the packages of a source workspace, as colcon does, and defines the result of reading a package: programs, files,
-problems.
-"""
+"""Finds the packages of a source workspace, as colcon does, and defines the result of reading a package."""
 
 from __future__ import annotations
 
@@ -87,9 +85,7 @@ _NAME = re.compile(r'[a-zA-Z0-9][a-zA-Z0-9_-]*')
 
 
 class Manifest(NamedTuple):
-    """The content of a source package's package.xml: name and build type ('ament_python', 'ament_cmake', ...), with its
-    folder.
-    """
+    """A source package: its name and build type ('ament_python', 'ament_cmake', ...) from package.xml, and its folder."""
 
     name: str
     build_type: str
@@ -97,19 +93,14 @@ class Manifest(NamedTuple):
 
 
 class SourceReader(Protocol):
-    """A function that reads the build file of a source package without running it.
-
-    `edulaunch.ros.sources` has one for setup.py and CMake.
-    """
+    """A function that reads a package's build file without running it, such as the one in `edulaunch.ros.sources`."""
 
     def __call__(self, manifest: Manifest, /) -> Contents:
         """Return the files and programs that the package installs. Its warnings include everything that a build would reject."""
 
 
 def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | None:
-    """Read `folder`/package.xml, and add its problems to `warnings`. Return None if the file is invalid or has no package
-    name.
-    """
+    """Read `folder`/package.xml, and add its problems to `warnings`. Return None for an invalid file or one without a name."""
     from xml.etree import ElementTree
 
     file = os.path.join(folder, 'package.xml')
@@ -144,10 +135,7 @@ def _what_colcon_does(folder: str) -> str:
 
 
 def _guess_build_type(folder: str) -> str:
-    """Return the build type of a package without <build_type>.
-
-    The build type is ament_python for a package with setup.py and no CMakeLists.txt, otherwise ament_cmake.
-    """
+    """Return ament_python for a package with setup.py and no CMakeLists.txt, otherwise ament_cmake."""
     has_cmake = os.path.isfile(os.path.join(folder, 'CMakeLists.txt'))
     return 'ament_python' if not has_cmake and os.path.isfile(os.path.join(folder, 'setup.py')) else 'ament_cmake'
 
@@ -193,9 +181,8 @@ def find_packages(workspace: str, warnings: list[PackageWarning], most: int = _M
 
 
 def _list(folder: str) -> tuple[frozenset[str], list[str]]:
-    """Return the names of the files in a folder, and of the folders to search.
-
-    Real folders come before links. So a folder that can be reached in both ways gets its real path.
+    """Return the names of the files in a folder, and of the folders to search. Real folders come before links, so that a folder
+    that can be reached in both ways gets its real path.
     """
     files: list[str] = []
     folders: list[str] = []

@@ -60,10 +60,8 @@ class BlockedProgram(RunawayProgram):
 
 
 class Turn(NamedTuple):
-    """One observation of the watchdog.
-
-    It consists of the running task, the start of its turn, and the variables of the innermost function of the student's code.
-    While that function waits for a library, `state` has the value None.
+    """One observation: the running task, the start of its turn, and the variables of the innermost function of the student's
+    code. While that function waits for a library, `state` has the value None.
     """
 
     task: Task

@@ -17,10 +17,8 @@ if TYPE_CHECKING:
 
 
 class Messages:
-    """The part of a recording with messages and their types.
-
-    A recording file is first read as plain data. When the messages of a topic or the service calls are first used, they are
-    checked against their types.
+    """The part of a recording with messages and their types. A recording file is first read as plain data. The messages of
+    a topic and the service calls are checked against their types on first use.
     """
 
     def __init__(self, content: dict[str, Any]) -> None:
@@ -46,18 +44,12 @@ class Messages:
         return dict(sorted(found.items()))
 
     def rows(self, part: str) -> list[Any]:
-        """Return the rows of a `part` ('topics', 'calls', 'logs', 'output', 'parameters') as plain data with times.
-
-        Do not change the returned rows.
-        """
+        """Return the rows of a `part` ('topics', 'calls', 'logs', 'output', 'parameters') as plain data. Do not change them."""
         found: list[Any] = self._content[part]
         return found
 
     def offered(self, topic: str) -> list[QoS]:
-        """Return the QoS policies of each publisher of a topic during the run.
-
-        :param topic: the full name of the topic.
-        """
+        """Return the QoS policies of each publisher that a `topic` (its full name) had during the run."""
         from edulaunch.engine.graph.qos import QoS
 
         return [QoS(*row[6]) for row in self._content['endpoints'] if row[0] == 'publisher' and row[1] == topic]
@@ -66,7 +58,6 @@ class Messages:
         """Return all messages of a `topic` (its full name) as (time in seconds, message), in order of publication.
 
         For an unknown topic, return an empty list.
-
         :raises KeyError: when code reads an item of the empty list; the message names the nearest topic.
         """
         if topic not in self.topics:
@@ -79,23 +70,13 @@ class Messages:
         return [(time / 1e9, message) for time, message in rows]
 
     def wires(self, topic: str, type_name: str) -> list[tuple[int, Any]]:
-        """Return the messages of one type on a topic as (time in ns, wire), in order of publication.
-
-        :param topic: the full name of the topic.
-        :param type_name: the message type, such as 'turtlesim/msg/Pose'.
-        """
+        """Return the messages of type `type_name` ('turtlesim/msg/Pose') on a `topic`, in order, as (time in ns, wire)."""
         columns = [column for column in self._columns(topic) if column['type'] == type_name]
         rows = (row for column in columns for row in zip(column['times'], column['messages'], strict=True))
         return sorted(rows, key=_time_of)
 
     def published(self, topic: str, type_name: str) -> list[tuple[int, str, Any]]:
-        """Return the messages of one type on a topic as (time in ns, node, wire), in order of publication.
-
-        `node` is the name of the publishing node.
-
-        :param topic: the full name of the topic.
-        :param type_name: the message type, such as 'turtlesim/msg/Pose'.
-        """
+        """Return the messages of type `type_name` on a `topic`, in order, as (time in ns, name of the publishing node, wire)."""
         nodes = {row[4]: row[0] for row in self._content['nodes']}
         owner = {row[4]: nodes.get(row[3], '') for row in self._content['endpoints'] if row[0] == 'publisher'}
         rows = (
@@ -109,7 +90,6 @@ class Messages:
     def series(self, topic: str, *fields: str) -> list[tuple[float, ...]]:
         """Return numbers of a `topic` over time: rows of (time in seconds, field, field ...).
 
-        :param topic: the full name of the topic.
         :param fields: paths such as 'pose.pose.position.x' or 'ranges[0]'; the numbers have the units of the message.
         :raises NotRecorded: if the messages have no such field; the message names the nearest one.
         :raises ValueError: if `fields` is empty.
@@ -145,10 +125,7 @@ class Messages:
         return RecordedTypes(self._content.get('interfaces') or {}, current_registry())
 
     def _class(self, type_name: str) -> Any:
-        """Return the class of a type.
-
-        :raises RecordingError: if the type is unknown here, or its definition in the file is invalid.
-        """
+        """Return the class of a type. Raise RecordingError if the type is unknown here, or its definition is invalid."""
         try:
             return self._registry.get(type_name)
         except InterfaceError as error:
@@ -165,10 +142,7 @@ class Messages:
         return columns
 
     def _check(self, type_name: str, wires: list[Any]) -> None:
-        """Check messages from a file before their first use.
-
-        :raises RecordingError: if a message does not fit the type.
-        """
+        """Raise RecordingError if messages from a file do not fit their type."""
         self._class(type_name)
         try:
             fit = self._registry.checks.check(type_name)
@@ -195,7 +169,6 @@ class Messages:
     def to_pandas(self, topic: str, *fields: str) -> Any:
         """Return the messages of a `topic` as a pandas DataFrame, with the time in seconds as its index.
 
-        :param topic: the full name of the topic.
         :param fields: the columns (default: every field that is not a list).
         :raises UnusableInput: if pandas is not installed.
         """

@@ -19,10 +19,7 @@ PARAMETER_SERVICES = (
 
 
 class DeclaredArgument(NamedTuple):
-    """A launch argument that a launch file declares.
-
-    `default` has the form that `ros2 launch -s` prints. A required argument has the default None.
-    """
+    """A launch argument that a launch file declares. `default` is as in `ros2 launch -s`, or None for a required argument."""
 
     name: str
     default: str | None
@@ -33,10 +30,9 @@ class DeclaredArgument(NamedTuple):
 
 
 class UnreadArgument(NamedTuple):
-    """A launch argument that was passed, although no launch file declares or reads it.
+    """A launch argument that was passed, although no launch file declares or reads it. `declared` has the declared names.
 
-    `declared` lists the declared names. If an include at `file` and `line` passed the argument on, `included` is the included
-    launch file.
+    If an include at `file` and `line` passed the argument on, `included` is the included launch file.
     """
 
     name: str
@@ -47,10 +43,7 @@ class UnreadArgument(NamedTuple):
 
 
 class LaunchRecord(NamedTuple):
-    """A launch and its result.
-
-    `error` is launch's own message. `error_type`, `error_cause` and `error_facts` describe the cause of the error as data.
-    """
+    """A launch and its result: `error` is launch's message, and `error_type`, `error_cause` and `error_facts` are its cause."""
 
     file: str = ''
     arguments: dict[str, str] = {}
@@ -78,10 +71,8 @@ class LaunchRecord(NamedTuple):
 
 
 class ProcessRecord(NamedTuple):
-    """A launched program.
-
-    `returncode` has the value None while the program runs, and is negative for a signal. `exception` is the exception that
-    ended the program, as a dict with type, message, file and line, or None.
+    """A launched program. While it runs, `returncode` has the value None. A signal gives a negative `returncode`. `exception` is
+    the exception that ended the program, as a dict with type, message, file and line, or None.
     """
 
     name: str
@@ -173,11 +164,7 @@ class Note(NamedTuple):
 
 
 class Fact(NamedTuple):
-    """An unusual fact about a program as plain data: its kind, its number of occurrences, and the time of the first and the last
-    one.
-
-    `Process.fact` describes `data`.
-    """
+    """An unusual fact about a program: its kind, its data (see `Process.fact`), and the number and times of its occurrences."""
 
     time_s: float
     process: str | None
@@ -188,11 +175,7 @@ class Fact(NamedTuple):
 
 
 class ServiceCall(NamedTuple):
-    """A request and its reply.
-
-    `served` states whether a server existed. `replied_s` is the time of the reply. Without a reply, `replied_s` and `response`
-    have the value None.
-    """
+    """A request, and its reply or None. `served` states whether a server existed; `replied_s` is the time of the reply."""
 
     time_s: float
     service: str
@@ -205,9 +188,7 @@ class ServiceCall(NamedTuple):
 
 
 class Frame(NamedTuple):
-    """A tf frame relative to its parent: translation in metres, rotation as (x, y, z, w), and the stamp of the transform in
-    seconds.
-    """
+    """A tf frame in its parent: translation in metres, rotation as (x, y, z, w), stamp of the transform in seconds."""
 
     parent: str
     translation: tuple[float, float, float]

@@ -141,16 +141,12 @@ class TransformBuffer:
         return self._try(problem(self._frames, target, source), target, source, time_ns)
 
     def can_transform_full(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> tuple[bool, str]:
-        """Return whether `lookup_full(target, target_ns, source, source_ns, fixed)` would succeed, and the reason if it would
-        not.
-        """
+        """Return whether `lookup_full(target, target_ns, source, source_ns, fixed)` would succeed, and the reason if not."""
         possible, reason = self._try(problem(self._frames, target, source, fixed), target, fixed, target_ns)
         return self._try('', fixed, source, source_ns) if possible else (False, reason)
 
     def latest_common_time(self, target: str, source: str) -> int:
-        """Return the latest time in ns at which the transform from `source` to `target` is known.
-
-        Return 0 if all transforms on the path are static.
+        """Return the latest time in ns of the transform from `source` to `target`, or 0 if the whole path is static.
 
         :raises TransformFailure: for an unknown name, or a missing connection.
         """
@@ -159,10 +155,7 @@ class TransformBuffer:
         return latest_common_time(self._frames, target, source)
 
     def chain(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> list[str]:
-        """Return the frames on the path of `lookup_full(target, target_ns, source, source_ns, fixed)`.
-
-        :raises TransformFailure: as in :meth:`lookup_full`.
-        """
+        """Return the frames on the path of `lookup_full(target, target_ns, source, source_ns, fixed)`, or raise its error."""
         check_names(self._frames, target, source, fixed)
         below = chain(self._frames, fixed, source, source_ns)
         return below + chain(self._frames, target, fixed, target_ns)[1:]

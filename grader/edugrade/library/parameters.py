@@ -68,7 +68,7 @@ def node_parameter(recording: Recording, node: str, package: str, name: str, wan
 def named_origin(run: Evidence, parameter: Parameter, node: str, name: str) -> str:
     """Return the origin of a parameter. If it is a parameter file, the package must contain this file with this value.
 
-    Otherwise, a launch file could write a file with the same name during the run.
+    Without this rule, a launch file could write a file with the same name during the run.
     """
     file = parameter.origin.split(' ')[0]
     texts = run.source.texts()

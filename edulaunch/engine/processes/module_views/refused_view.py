@@ -38,8 +38,8 @@ def _refused(name: str, kind: type[Exception], text: str, about: str) -> Any:
 
 
 def make_multiprocessing(view: ModuleType, process: Process) -> ModuleType:
-    """Reject everything that would start another process or share data with it. `cpu_count` returns that of the simulated
-    machine.
+    """Reject everything that would start another process or share data with it. `cpu_count` returns the number of
+    processors of the simulated machine.
     """
     import multiprocessing as real
 
