@@ -111,9 +111,7 @@ def strip(notebook: str) -> None:
 
 
 def without_outputs(raw: dict[str, Any]) -> dict[str, Any]:
-    """Remove outputs and execution counts from a notebook's content in place. Of the metadata, keep only the kernel and the
-    tags.
-    """
+    """Remove outputs and execution counts from a notebook in place. Keep only the kernel and the tags of the metadata."""
     for cell in _code(raw):
         cell['outputs'], cell['execution_count'] = [], None
     for cell in raw['cells']:

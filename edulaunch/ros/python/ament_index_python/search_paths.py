@@ -9,8 +9,8 @@ from .constants import AMENT_PREFIX_PATH_ENV_VAR
 def get_search_paths() -> list[str]:
     """Return the prefixes of the search, overlays first and the built-in underlay last.
 
-    In ROS, these come from AMENT_PREFIX_PATH alone. Here, a simulation has its own list (the workspaces and prefixes of the
-    session) until the program changes the variable.
+    In ROS, the prefixes come from AMENT_PREFIX_PATH alone. Here, a simulation has its own list (the workspaces and prefixes of
+    the session) until the program changes the variable.
 
     :raises EnvironmentError: when the variable is empty.
     """
