@@ -91,9 +91,7 @@ class LaunchService:
 
     context: ReadOnly[LaunchContext] = ReadOnly('The launch context.')
 
-    event_loop: ReadOnly[asyncio.AbstractEventLoop | None] = ReadOnly(
-        'The loop while the service runs; otherwise None.', '__loop'
-    )
+    event_loop: ReadOnly[asyncio.AbstractEventLoop | None] = ReadOnly('The loop of the running service, or None.', '__loop')
 
     task: ReadOnly[asyncio.Task[Any] | None] = ReadOnly('The task that runs the service, or None.')
 

@@ -261,9 +261,7 @@ def export_parser() -> argparse.ArgumentParser:
         help="the platform's own file, to be filled in: Moodle's offline grading worksheet, or the gradebook of Canvas",
     )
     parser.add_argument('--title', metavar='TEXT', help='name of the column (default: the exercise)')
-    parser.add_argument(
-        '--separator', choices=(',', ';'), metavar='CHARACTER', default=',', help='a comma or a semicolon (default: a comma)'
-    )
+    parser.add_argument('--separator', choices=(',', ';'), metavar='CHARACTER', default=',', help='comma (default) or semicolon')
     parser.add_argument('--due', metavar='TIME', help='the due date, such as 2026-11-20T23:59; each later day costs points')
     parser.add_argument('--late-per-day', type=float, default=10.0, metavar='PERCENT', help='for each late day (default: 10)')
     parser.add_argument('--submitted', metavar='FILE', help='a table with the times of submission: student,submitted')

@@ -104,9 +104,7 @@ class ExecuteLocal(Action):
         """Whether the program is started again when it ends. Before execution, this may be substitutions. (edulaunch only.)"""
         return self.__options.respawn
 
-    respawn_delay: ReadOnly[Any] = ReadOnly(
-        'Seconds before a restart; None means no delay. (edulaunch only.)', '__options.respawn_delay'
-    )
+    respawn_delay: ReadOnly[Any] = ReadOnly('Seconds before a restart, or None. (edulaunch only.)', '__options.respawn_delay')
 
     @property
     def respawn_limit(self) -> int:

@@ -53,7 +53,5 @@ class ChangeState(Event):
         self.__lifecycle_node_matcher = lifecycle_node_matcher
         self.__transition_id = transition_id
 
-    lifecycle_node_matcher: ReadOnly[Callable[[LifecycleNode], bool]] = ReadOnly(
-        'The function that decides for which nodes the request is.'
-    )
+    lifecycle_node_matcher: ReadOnly[Callable[[LifecycleNode], bool]] = ReadOnly('The function that selects the nodes.')
     transition_id: ReadOnly[int] = ReadOnly('The requested transition.')
