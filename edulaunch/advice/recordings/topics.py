@@ -222,9 +222,10 @@ def nobody_publishes(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def too_early(recording: Recording) -> Iterator[Finding]:
-    """Report a topic whose last message was sent before its first subscription existed, unless both are transient local.
+    """Report a topic whose last message was sent before its first subscription existed.
 
-    If publisher and subscription were created at the same time, the program that started first counts as earlier.
+    Skip a publisher and a subscription that are both transient local. If publisher and subscription were created at the same
+    time, the program that started first counts as earlier.
     """
     last: dict[str, float] = {}
     for row in recording.rows('topics'):

@@ -143,7 +143,7 @@ class Follower:
     def _send(self, frame: bytes) -> None:
         """Send as many bytes as the machine accepts, and keep the rest for later.
 
-        A signal handler may call this during another call.
+        A signal handler may call this method during another call.
         """
         self._unsent += frame
         if self._is_sending:
