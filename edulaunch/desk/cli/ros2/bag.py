@@ -38,7 +38,7 @@ def set_level(logger: Any, word: str) -> None:
 
 
 def folder_of(path: str) -> str:
-    """Return the absolute path of a bag, relative to the folder in which the command runs."""
+    """Return the absolute path of a bag. The given path is relative to the folder in which the command runs."""
     return os.path.abspath(os.path.join(current_process().cwd or '', path))
 
 
