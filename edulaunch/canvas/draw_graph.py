@@ -1,4 +1,4 @@
-"""Draw the node graph and the tf tree: boxes and arrows at the positions of `layout`.
+"""Draw the node graph and the tf tree, with boxes and arrows at the positions of `layout`.
 
 Nodes are ovals, topics are boxes, and services have a double border. A dashed box lacks a publisher, subscription or server.
 """
@@ -26,20 +26,20 @@ LOOKS: dict[str, tuple[Colour, Colour, float]] = {
     'topic': (style.SAND_TINT, style.SAND, 3.0),
     'service': (style.GREEN_TINT, style.GREEN, 3.0),
 }
-"""Fill colour, edge colour, and radius of the corners."""
+"""The fill colour, the edge colour, and the radius of the corners of each kind of box."""
 LEGEND = 'oval: node   box: topic'
 FRAME_LOOKS: dict[str, tuple[Colour, Colour]] = {
     'root': (style.PAPER, style.INK),
     'static': (style.GREEN_TINT, style.GREEN),
     'dynamic': (style.BLUE_TINT, style.BLUE),
 }
-"""Fill and edge colour of a box; the word in it gives the same information, and a static one is dashed."""
+"""The fill and edge colours of a frame's box, whose word gives the same information. The box of a static frame is dashed."""
 
 
 def draw_box(
     ax: Axes, left: float, top: float, width: float, height: float, radius: float, fill: Colour | None, edge: Colour, **look: Any
 ) -> None:
-    """Draw a box with rounded corners; with a large radius it is an oval."""
+    """Draw a box with rounded corners. With a large radius, the box is an oval."""
     corners = f'round,pad=0,rounding_size={min(radius, width / 2, height / 2)}'
     ground = 'none' if fill is None else rgb(fill)
     ax.add_patch(FancyBboxPatch((left, top), width, height, boxstyle=corners, facecolor=ground, edgecolor=rgb(edge), **look))
@@ -51,7 +51,7 @@ def write(ax: Axes, x: float, y: float, text: str, size: float, colour: Colour) 
 
 
 def draw_route(ax: Axes, places: list[Point], direction: str, colour: Colour = style.MUTED, **look: Any) -> None:
-    """Draw straight lines and S-curves in turn, ending in an arrowhead. Points have y down, as in layouts."""
+    """Draw an arrow of alternating straight lines and S-curves, which ends in an arrowhead. As in layouts, y points down."""
     (x, y), (bx, by) = places[-1], places[-2]
     dx, dy = _direction(places, direction)
     path = [places[0]]
@@ -65,7 +65,7 @@ def draw_route(ax: Axes, places: list[Point], direction: str, colour: Colour = s
 
 
 def _direction(points: list[Point], direction: str) -> Point:
-    """Return the direction of the arrowhead: along the layers, or back."""
+    """Return the direction of the arrowhead, which is the direction of the layers or its opposite."""
     forward = points[-1] > points[0] if direction == 'right' else points[-1][1] > points[0][1]
     sign = 1.0 if forward else -1.0
     return (sign, 0.0) if direction == 'right' else (0.0, sign)
@@ -88,7 +88,7 @@ def _bent(start: Point, end: Point, direction: str) -> list[Point]:
 
 
 def graph_sheet(scene: GraphScene) -> Sheet:
-    """Return a sheet as large as the graph, with the legend below."""
+    """Return a sheet of the size of the graph, with space for the legend below."""
     width, height = _size(scene)
     return Sheet(width, height, [Box(0, 0, width, height)])
 
@@ -127,12 +127,12 @@ def _draw_box(ax: Axes, box: Item, pixel: float) -> None:
 
 
 def tree_sheet(scene: TreeScene) -> Sheet:
-    """Return a sheet as large as the tree."""
+    """Return a sheet of the size of the tree."""
     return Sheet(scene.width, scene.height, [Box(0, 0, scene.width, scene.height)])
 
 
 def draw_tree(scene: TreeScene, axes: Sequence[Axes]) -> None:
-    """Draw an arrow from each parent to its children."""
+    """Draw the tf tree, with an arrow from each parent to its children."""
     (ax,) = axes
     pixel = layout(ax, scene.width, scene.height)
     for (_, child), route in zip(scene.links, scene.routes, strict=True):
@@ -152,4 +152,4 @@ def _draw_frame_box(ax: Axes, box: FrameBox, pixel: float) -> None:
 
 
 DRAWINGS: dict[type, tuple[Any, Any]] = {GraphScene: (graph_sheet, draw_graph), TreeScene: (tree_sheet, draw_tree)}
-"""For each kind of scene, the function for its sheet, and the function that draws it on that sheet's axes."""
+"""The function for the sheet of each kind of scene, and the function that draws the scene on that sheet's axes."""

@@ -88,4 +88,4 @@ def _stretches(points: list[tuple[float, float]]) -> list[list[tuple[float, floa
 
 
 DRAWINGS: dict[type, tuple[Any, Any]] = {SeriesScene: (series_sheet, draw_series), DistanceScene: (distance_sheet, draw_distance)}
-"""For each kind of scene, the function for its sheet, and the function that draws it on that sheet's axes."""
+"""The function for the sheet of each kind of scene, and the function that draws the scene on that sheet's axes."""

@@ -1,7 +1,7 @@
-"""A planned or recorded system as an image, and two systems side by side.
+"""Draw a planned or recorded system, or two systems side by side.
 
-Nodes are ovals, topics are boxes, services have a double border, and frames have a thick one. A dashed box has unknown parts. A
-sign before the name marks a difference: + and - exist only in this system, and ~ has changed.
+Nodes are ovals, topics are boxes, services have a double border, and frames have a thick border. A dashed box has unknown parts.
+A sign before the name marks a difference: + and - exist only in this system, and ~ has changed.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from edulaunch.canvas.system_scene import ADDED, CHANGED, GONE, SAME, Panel, Sys
 
 ABOVE, BELOW, BETWEEN = 24.0, 20.0, 16.0
 WIDEST_PAIR = 640.0
-"""The largest width of panels that are side by side; wider panels are one above the other."""
+"""The largest width of two panels side by side. Wider panels are one above the other."""
 SIGNS: dict[str, Colour] = {ADDED: style.BLUE, GONE: style.ORANGE, CHANGED: style.INK, SAME: style.MUTED}
-"""Blue and orange differ for colour-blind people, too. Red means an error only."""
+"""The colours of the signs. People with colour blindness can distinguish blue and orange, too. Red is only for errors."""
 KINDS = {'node': 'oval: node', 'topic': 'box: topic', 'service': 'double border: service', 'frame': 'thick border: frame'}
 WORDS = {ADDED: '+ only in this one', GONE: '- only in this one', CHANGED: '~ changed'}
 
@@ -30,7 +30,7 @@ def _size(scene: SystemScene) -> tuple[float, float]:
 
 
 def system_sheet(scene: SystemScene) -> Sheet:
-    """Return a sheet with room for each panel, its title above and its legend below."""
+    """Return a sheet with space for each panel, the title above it and the legend below it."""
     width, height = _size(scene)
     if len(scene.panels) == 1:
         return Sheet(width, height, [Box(0, 0, width, height)])
@@ -42,7 +42,7 @@ def system_sheet(scene: SystemScene) -> Sheet:
 
 
 def draw_system(scene: SystemScene, axes: Sequence[Axes]) -> None:
-    """Draw each panel on its axes."""
+    """Draw each panel on the axes of that panel."""
     for ax, panel in zip(axes, scene.panels, strict=True):
         pixel = layout(ax, *_size(scene))
         ax.set_ylim(scene.height + BELOW, -ABOVE)
@@ -85,4 +85,4 @@ def _draw_box(ax: Axes, box: SystemBox, pixel: float) -> None:
 
 
 DRAWINGS: dict[type, tuple[object, object]] = {SystemScene: (system_sheet, draw_system)}
-"""For each kind of scene, the function for its sheet, and the function that draws it on that sheet's axes."""
+"""The function for the sheet of each kind of scene, and the function that draws the scene on that sheet's axes."""

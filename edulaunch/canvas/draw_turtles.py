@@ -32,24 +32,24 @@ SIDE, LEFT, BETWEEN, BELOW, ABOVE = 320, 30, 22, 24, 40
 DASHES = ('-', '--', '-.', ':')
 """Markers on coloured trails identify them without colour, too."""
 TURTLESIM_PX = 500
-"""The size of a real turtlesim window; pen widths refer to it."""
+"""The size of a real turtlesim window in pixels, to which the widths of pens refer."""
 ALONE, BESIDE, VIEW_LEFT, VIEW_BELOW = 420, 340, 34, 40
 AXIS = 30.0
 X_COLOUR: Colour = (204, 36, 29)
 Y_COLOUR: Colour = (46, 140, 48)
 Z_COLOUR: Colour = (38, 92, 178)
 LEAST = 0.05
-"""An axis that points towards the viewer is not drawn."""
+"""The shortest projection of an axis that is drawn. An axis that points towards the viewer is shorter."""
 LEGEND = 'thick: x axis   thin: y axis   dotted: z axis   arrow: to the parent frame (dashed: static)   [m]'
 
 
 def turtles_sheet(scene: TurtleScene) -> Sheet:
-    """Return a sheet with windows side by side, at most three in a row."""
+    """Return a sheet with the windows side by side, at most three in a row."""
     return rows_of(len(scene.windows), 3, SIDE, LEFT, BETWEEN, ABOVE, BELOW)
 
 
 def draw_turtles(scene: TurtleScene, axes: Sequence[Axes]) -> None:
-    """Draw each window in its own axes, with the time above the first one."""
+    """Draw each window in separate axes, with the time above the first window."""
     for ax, window in zip(axes, scene.windows, strict=True):
         draw_window(ax, window)
         ax.set_title(window.title, family='DejaVu Sans Mono', y=1.0)
@@ -57,7 +57,7 @@ def draw_turtles(scene: TurtleScene, axes: Sequence[Axes]) -> None:
 
 
 def draw_window(ax: Axes, window: Window, names: bool = True) -> None:
-    """Draw ground, trails, bodies and, on request, their names."""
+    """Draw the ground, the trails and the bodies, and the names of the bodies if requested."""
     world(ax, window.limits, window.background, grid=window.kind == 'robot')
     pixel = side_of(ax) / TURTLESIM_PX
     for trail in window.trails:
@@ -80,7 +80,7 @@ def draw_window(ax: Axes, window: Window, names: bool = True) -> None:
 
 
 def _draw_body(ax: Axes, body: Body, parts: Sequence[Part], size: float) -> None:
-    """Draw a turtle or robot; its parts are in units of `size` metres."""
+    """Draw a turtle or a robot. The coordinates of its parts are in units of `size` metres."""
     c, s = math.cos(body.theta) * size, math.sin(body.theta) * size
     shell = SHELLS[body.number % len(SHELLS)]
     for kind, corners in parts:
@@ -102,18 +102,18 @@ def _draw_names(ax: Axes, bodies: list[Body], size: float) -> None:
 
 
 def _write(ax: Axes, text: str, place: Point, away: Point, size: float, **look: Any) -> None:
-    """Write a label centred on a point `away` layout pixels from a place in the world."""
+    """Write a label. Its centre is `away` layout pixels from a place in the world."""
     ax.annotate(text, place, away, textcoords='offset points', ha='center', va='center', fontsize=size, **look)
 
 
 def frames_sheet(scene: FramesScene) -> Sheet:
-    """Return a sheet with trees side by side, at most two in a row."""
+    """Return a sheet with the trees side by side, at most two in a row."""
     count = len(scene.views)
     return rows_of(count, 2, ALONE if count == 1 else BESIDE, VIEW_LEFT, BETWEEN, ABOVE, VIEW_BELOW)
 
 
 def draw_frames(scene: FramesScene, axes: Sequence[Axes]) -> None:
-    """Draw each tree in its own axes, with the time above the first one."""
+    """Draw each tree in separate axes, with the time above the first tree."""
     for ax, view in zip(axes, scene.views, strict=True):
         _draw_view(ax, view, scene.side)
     axes[0].set_title(f't = {scene.time_s:.2f} s\n', loc='left', color=rgb(MUTED), y=1.0)
@@ -159,7 +159,7 @@ def draw_axes(ax: Axes, mark: FrameMark) -> None:
 
 
 def draw_names(ax: Axes, frames: list[FrameMark], pixels: dict[str, tuple[float, float]], side: str) -> None:
-    """Write names that do not cover axes or each other; from above, a label also gives the height above the ground."""
+    """Write names that cover neither axes nor each other. If seen from above, a label also gives the height above the ground."""
     texts = [mark.name + (f' (z={mark.z:.2f})' if side == 'xy' and abs(mark.z) >= 0.005 else '') for mark in frames]
     anchors = [pixels[mark.name] for mark in frames]
     reach = AXIS + 11
@@ -177,4 +177,4 @@ def draw_names(ax: Axes, frames: list[FrameMark], pixels: dict[str, tuple[float,
 
 
 DRAWINGS: dict[type, tuple[Any, Any]] = {TurtleScene: (turtles_sheet, draw_turtles), FramesScene: (frames_sheet, draw_frames)}
-"""For each kind of scene, the function for its sheet, and the function that draws it on that sheet's axes."""
+"""The function for the sheet of each kind of scene, and the function that draws the scene on that sheet's axes."""

@@ -1,6 +1,6 @@
 """A run as a strip of small pictures, which replaces the replay where scripts do not run.
 
-It is an SVG without matplotlib, because notebooks store it: its bytes must not depend on matplotlib's version.
+Notebooks store the strip, so its bytes must not depend on matplotlib's version. It is therefore an SVG without matplotlib.
 """
 
 from __future__ import annotations
@@ -16,20 +16,20 @@ from edulaunch.canvas.worlds import World
 GAP, LINE = 8, 16
 NAME_LOOK = 'fill="#ffffff" stroke="#1f2933" stroke-width="2.5" paint-order="stroke"'
 WINDOW_PX = 500
-"""The size of a real turtlesim window; pen widths refer to it."""
+"""The size of a real turtlesim window in pixels, to which the widths of pens refer."""
 
 
 def strip_times(duration_s: float, worlds: int) -> list[float]:
-    """Return eight times for one world, six for several; the last one is the end of the run."""
+    """Return the times of the pictures: eight for one world, six for several worlds. The last time is the end of the run."""
     count = 8 if worlds == 1 else 6
     return [duration_s * number / (count - 1) for number in range(count)]
 
 
 def filmstrip(worlds: list[World], duration_s: float) -> str:
-    """Return an SVG: one world in two rows of four pictures, or several worlds in a row of six each.
+    """Return an SVG. One world has two rows of four pictures; each of several worlds has a row of six pictures.
 
     :param worlds: the turtlesim windows of a run.
-    :param duration_s: the simulated time of the last picture, in seconds since the start; the first one is at 0.
+    :param duration_s: the simulated time of the last picture, in seconds since the start. The first picture is at 0.
     """
     times = strip_times(duration_s, len(worlds))
     columns, side = (4, 176) if len(worlds) == 1 else (6, 116)
@@ -46,7 +46,7 @@ def filmstrip(worlds: list[World], duration_s: float) -> str:
 
 
 def still(worlds: list[World], time_s: float) -> tuple[str, str]:
-    """Return all windows at one time as an SVG, side by side with their names, and with a caption that describes them."""
+    """Return an SVG of all windows at one time, side by side with their names, and with a caption that describes them."""
     scene, side, parts = turtle_scene(worlds, time_s), 260, []
     for number, window in enumerate(scene.windows):
         x, y = GAP + number * (side + GAP), LINE
@@ -65,7 +65,7 @@ def still(worlds: list[World], time_s: float) -> tuple[str, str]:
 
 
 def _sheet(width: int, height: int, more: str, title: str, parts: list[str]) -> str:
-    """Return the whole SVG. It has its own paper, because its text must be readable on a dark page too."""
+    """Return the whole SVG. It has a background, because its text must be readable on a dark page, too."""
     look = f'xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" font-family="sans-serif" fill="{_hex(MUTED)}"'
     paper = f'<rect width="{width}" height="{height}" fill="{_hex(PAPER)}"/>'
     return f'<svg {look} {more}>{title}{paper}{"".join(parts)}</svg>'

@@ -1,4 +1,4 @@
-"""tf frames at any time as plain data: in the root frame of their tree, from above or from a side."""
+"""The tf frames at any time as plain data, in the root frame of their tree, from above or from a side."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ SIDES = {'xy': (0, 1, 2), 'xz': (0, 2, 1), 'yz': (1, 2, 0)}
 
 
 class Placed(NamedTuple):
-    """The pose of a frame in the root of its tree: metres, and the rotation as (x, y, z, w)."""
+    """The pose of a frame in the root of its tree: the position in metres, and the rotation as (x, y, z, w)."""
 
     root: str
     position: Vector
@@ -30,9 +30,9 @@ class Placed(NamedTuple):
 
 
 def placed(frames: dict[str, Frame]) -> dict[str, Placed]:
-    """Return every frame, parents included, in its root frame; roots first, in the order of their appearance.
+    """Return the pose of every frame in its root frame, parents included. Roots come first, in order of appearance.
 
-    A loop of parents has no root, so its first frame is used as one.
+    A loop of parents has no root, so its first frame is used as the root.
     """
     found: dict[str, Placed] = {}
     for name in dict.fromkeys([*(frame.parent for frame in frames.values()), *frames]):
@@ -57,9 +57,10 @@ def _place(name: str, frames: dict[str, Frame], found: dict[str, Placed], way: l
 
 
 def seen_from(fixed: Placed, place: Placed) -> Placed:
-    """Return the pose of the frame `place`, in metres and as a unit quaternion, in axes of the frame `fixed`.
+    """Return the pose of the frame `place` relative to the frame `fixed`, in metres and as a unit quaternion.
 
-    :param fixed, place: poses in the same root frame.
+    :param fixed: the pose of the frame to which the result refers.
+    :param place: the pose to convert, in the same root frame as `fixed`.
     """
     back = conjugate(fixed.turn)
     a, b = place.position, fixed.position
@@ -77,9 +78,10 @@ def _add(a: Vector, b: Vector) -> Vector:
 
 
 class FrameMark(NamedTuple):
-    """A frame in its root: position in metres, parent or '', and the directions of its axes (1 long) on the sheet.
+    """A frame in its root frame: the position in metres, the parent or '', and the directions of its axes on the sheet.
 
-    `x` and `y` point right and up on the sheet, `z` towards the viewer: from above these are the root's x, y and z.
+    `x` and `y` point right and up on the sheet, and `z` points towards the viewer. Each axis is 1 long. From above, these are the
+    root's x, y and z.
     """
 
     name: str
@@ -94,7 +96,7 @@ class FrameMark(NamedTuple):
 
 
 class View(NamedTuple):
-    """A tree of frames: its root, its frames (root first), and (left, right, bottom, top) in metres."""
+    """A tree of frames: its root, its frames (root first), and its limits (left, right, bottom, top) in metres."""
 
     root: str
     frames: list[FrameMark]
@@ -102,7 +104,7 @@ class View(NamedTuple):
 
 
 class FramesScene(NamedTuple):
-    """All trees at one time; `side` names the axes of the root that point right and up."""
+    """All trees at one time. `side` names the axes of the root that point right and up."""
 
     time_s: float
     views: list[View]
@@ -120,10 +122,10 @@ class FramesScene(NamedTuple):
 
 
 def frames_scene(recording: Recording, time_s: float, side: str = 'xy') -> FramesScene:
-    """Return the frames that were known at a time.
+    """Return the scene of all frames that were known at a time.
 
     :param side: the axes that point right and up: 'xy' from above, 'xz' or 'yz' from a side.
-    :raises ValueError: when there was no frame (the message names the broadcasters), or for another side.
+    :raises ValueError: for another side, or when there was no frame. The message then names the broadcasters.
     """
     if side not in SIDES:
         raise NothingToDraw(f'unknown side {side!r}', help=did_you_mean(side, SIDES) or f'choose one of {", ".join(SIDES)}')
@@ -146,7 +148,7 @@ def _who(recording: Recording) -> str:
 
 
 def mark_of(name: str, place: Placed, frame: Frame | None, side: str = 'xy') -> FrameMark:
-    """Return a frame as seen from a side."""
+    """Return a frame as it appears from a side."""
     across, up, towards = SIDES[side]
     turned = (rotate(place.turn, axis) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)))
     x_axis, y_axis, z_axis = ((axis[across], axis[up]) for axis in turned)
@@ -160,7 +162,9 @@ def _root_first(root: str, marks: list[FrameMark]) -> list[FrameMark]:
 
 
 def limits_of(marks: list[FrameMark]) -> tuple[float, float, float, float]:
-    """Return a square around all frames with a margin, on a grid of half metres so that it rarely changes."""
+    """Return a square around all frames with a margin. Its edges are multiples of half a metre, so that the square rarely
+    changes.
+    """
     xs, ys = [mark.x for mark in marks], [mark.y for mark in marks]
     side = max(max(xs) - min(xs), max(ys) - min(ys), 1.0) * 1.5
     x, y = (round((max(values) + min(values)) * 2) / 4 for values in (xs, ys))
@@ -170,7 +174,7 @@ def limits_of(marks: list[FrameMark]) -> tuple[float, float, float, float]:
 class FrameTracks:
     """All transforms of a recording by child frame, in order of publication.
 
-    As in tf2, a static transform replaces earlier ones. Among dynamic transforms, the newest one counts.
+    As in tf2, a static transform replaces earlier transforms. Among dynamic transforms, the newest one is used.
     """
 
     def __init__(self, recording: Recording) -> None:
@@ -190,5 +194,5 @@ class FrameTracks:
         return found
 
     def placed_at(self, time_s: float) -> dict[str, Placed]:
-        """Return every frame in its root at a time."""
+        """Return the pose of every frame in its root frame at a time."""
         return placed(self.frames_at(time_s))

@@ -1,4 +1,4 @@
-"""The node graph and the tf tree of a run, laid out on a sheet, as plain data."""
+"""The node graph and the tf tree of a run, arranged on a sheet, as plain data."""
 
 from __future__ import annotations
 
@@ -24,7 +24,9 @@ LINE = 14.0
 
 
 class Box(NamedTuple):
-    """A node, topic or service with the upper left corner and size of its box in pixels. `mark` names a problem, or is ''."""
+    """A node, topic or service, with the upper left corner and the size of its box in pixels. `mark` names a problem, or is
+    ''.
+    """
 
     kind: str
     name: str
@@ -36,7 +38,9 @@ class Box(NamedTuple):
 
 
 class GraphScene(NamedTuple):
-    """Boxes, arrows between their positions in the list, and the path of each arrow (see `edulaunch.canvas.layout.Route`)."""
+    """The boxes, the arrows as pairs of indices into the boxes, and the path of each arrow (see
+    `edulaunch.canvas.layout.Route`).
+    """
 
     width: float
     height: float
@@ -57,9 +61,10 @@ class GraphScene(NamedTuple):
 def graph_scene(recording: Recording, *, unused: bool = False, services: bool = False) -> GraphScene:
     """Return the graph at the end of a run.
 
-    `unused` adds topics without subscriptions, and `services` adds services with clients.
+    As in `rqt_graph`, nodes that have ended are missing. If all nodes have ended, the graph shows all of them.
 
-    Nodes that have ended are missing, as in `rqt_graph`; if all nodes have ended, the graph shows all of them.
+    :param unused: whether to show topics without subscriptions.
+    :param services: whether to show services with clients.
     """
     nodes = _shown(recording)
     edges, marks = _topics(recording, nodes, unused)
@@ -79,7 +84,9 @@ def graph_scene(recording: Recording, *, unused: bool = False, services: bool = 
 
 
 def _shown(recording: Recording) -> dict[Key, NodeRecord]:
-    """Return the nodes at the end or, if all have ended, all nodes; two nodes with one name at the same time are two."""
+    """Return the nodes that exist at the end or, if all nodes have ended, all nodes. Nodes with equal names that exist at the
+    same time stay separate.
+    """
     nodes = [node for node in recording.nodes if not node.name.rpartition('/')[2].startswith('_')]
     alive = [node for node in nodes if node.ended_s is None]
     if not alive:  # if a node was started again, the graph contains only its last life
@@ -99,7 +106,7 @@ def _ended(node: NodeRecord) -> float:
 
 
 def _topics(recording: Recording, nodes: Mapping[Key, NodeRecord], unused: bool) -> tuple[list[tuple[Key, Key]], dict[Key, str]]:
-    """Return arrows from publishers to topics to subscriptions, and the problems of topics."""
+    """Return the arrows from publishers to topics and from topics to subscriptions, and the problems of topics."""
     edges: list[tuple[Key, Key]] = []
     marks: dict[Key, str] = {}
     mismatches = {mismatch.topic: mismatch.why.lower() for mismatch in recording.mismatches}
@@ -122,7 +129,7 @@ def _topics(recording: Recording, nodes: Mapping[Key, NodeRecord], unused: bool)
 
 
 def _services(nodes: Mapping[Key, NodeRecord]) -> tuple[list[tuple[Key, Key]], dict[Key, str]]:
-    """Return arrows from clients to services to servers, and the services without a server."""
+    """Return the arrows from clients to services and from services to servers, and the services without a server."""
     servers = {name: key for key, node in nodes.items() for name, _ in node.services}
     edges: list[tuple[Key, Key]] = []
     marks: dict[Key, str] = {}
@@ -139,7 +146,9 @@ def _services(nodes: Mapping[Key, NodeRecord]) -> tuple[list[tuple[Key, Key]], d
 
 
 def label_lines(kind: str, name: str, mark: str) -> list[tuple[str, float, bool]]:
-    """Return the content of a box as (text, font size, whether it is the mark), with the namespace small above the name."""
+    """Return the content of a box as (text, font size, whether it is the mark). The namespace is above the name, in small
+    type.
+    """
     namespace, _, base = name.rpartition('/')
     lines = [(shortened(namespace + '/'), SMALL, False)] if namespace else []
     lines.append((shortened(base if namespace else name), TEXT, False))
@@ -155,7 +164,7 @@ def _size(kind: str, name: str, mark: str) -> tuple[float, float]:
 
 
 class FrameBox(NamedTuple):
-    """A frame with the upper left corner and size of its box in pixels.
+    """A frame, with the upper left corner and the size of its box in pixels.
 
     `kind` is 'root', 'static' or 'dynamic'. `lines` has the rate and the broadcaster. `mark` names a problem, or is ''.
     """
@@ -171,7 +180,9 @@ class FrameBox(NamedTuple):
 
 
 class TreeScene(NamedTuple):
-    """All trees side by side: frames, links (parent, child) between their positions in the list, and the path of each link."""
+    """All trees side by side: the frames, the links as pairs (parent, child) of indices into the frames, and the path of each
+    link.
+    """
 
     width: float
     height: float
@@ -191,7 +202,7 @@ class TreeScene(NamedTuple):
 
 
 def tree_scene(recording: Recording) -> TreeScene:
-    """Return the tree of the whole run.
+    """Return the tf tree of the whole run.
 
     :raises ValueError: when no frame was broadcast.
     """
@@ -220,7 +231,7 @@ def _kind(link: FrameLink | None) -> str:
 
 
 def _lines(link: FrameLink | None) -> tuple[list[str], str]:
-    """Return the text under a frame's name, and its problem."""
+    """Return the lines under a frame's name, and the problem of the frame."""
     if link is None:
         return ['root'], ''
     rate = link.rate_hz

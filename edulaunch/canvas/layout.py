@@ -1,7 +1,8 @@
-"""Arrange boxes of given sizes in layers on a sheet, and find paths for the arrows between them that cross no box.
+"""Functions that arrange boxes of given sizes in layers on a sheet, and find paths for arrows between them that cross no box.
 
-The method is Sugiyama's. It opens loops and gives each item the layer of its longest path. Arrows over several layers get a
-*joint* in each layer between. It then moves each box to the mean of its neighbours until the number of crossings stays the same.
+The method is Sugiyama's. It reverses edges that close a loop, and puts each item on the layer of its longest path. An arrow over
+several layers gets a *joint* in each layer between. Then each box moves to the mean of its neighbours until the number of
+crossings stays the same.
 """
 
 from __future__ import annotations
@@ -15,12 +16,13 @@ Size = tuple[float, float]
 MARGIN, BETWEEN_LAYERS, BETWEEN_BOXES, JOINT, PORT = 12.0, 44.0, 16.0, 10.0, 9.0
 SWEEPS = 12
 WIDEST = 900.0
-"""Layers go from left to right if that fits the width of a notebook's cell, otherwise from top to bottom."""
+"""The width of a notebook's cell in pixels. Layers go from left to right if they fit, and otherwise from top to bottom."""
 
 
 class Layers(NamedTuple):
-    """Items by layer, in order; numbers from `count` are joints. Each edge has its chain of items from first layer to last,
-    and whether the arrow points the other way.
+    """The items of each layer, in order. Items with numbers from `count` are joints.
+
+    Each edge has the chain of its items from the first layer to the last, and whether its arrow points the other way.
     """
 
     layers: list[list[int]]
@@ -29,9 +31,9 @@ class Layers(NamedTuple):
 
 
 def make_layers(count: int, edges: list[Edge]) -> Layers:
-    """Return the layers of items 0 to count-1. An item without edges is in the first layer.
+    """Return the layers of the items 0 to count-1. An item without edges is in the first layer.
 
-    :param edges: (from, to) for each arrow. They may form loops; the arrows that close a loop are turned.
+    :param edges: (from, to) for each arrow. The arrows may form loops; an arrow that closes a loop is reversed.
     """
     back = _back_edges(count, edges)
     forward = [(b, a) if number in back else (a, b) for number, (a, b) in enumerate(edges)]
@@ -51,7 +53,7 @@ def make_layers(count: int, edges: list[Edge]) -> Layers:
 
 
 def _back_edges(count: int, edges: list[Edge]) -> set[int]:
-    """Return the edges that close a loop, found in a depth-first walk that begins with items without incoming edges."""
+    """Return the edges that close a loop. A depth-first search finds them; it begins with the items without incoming edges."""
     following: list[list[tuple[int, int]]] = [[] for _ in range(count)]
     for number, (a, b) in enumerate(edges):
         following[a].append((number, b))
@@ -76,7 +78,9 @@ def _back_edges(count: int, edges: list[Edge]) -> set[int]:
 
 
 def _ranks(count: int, edges: list[Edge]) -> list[int]:
-    """Return the layer of each item (its longest path). An item without incoming edges is right before its targets."""
+    """Return the layer of each item, which is its longest path. An item without incoming edges is one layer before its
+    targets.
+    """
     rank = [0] * count
     before: list[list[int]] = [[] for _ in range(count)]
     after: list[list[int]] = [[] for _ in range(count)]
@@ -98,7 +102,7 @@ def _ranks(count: int, edges: list[Edge]) -> list[int]:
 
 
 def _ordered(layers: list[list[int]], chains: list[list[int]]) -> list[list[int]]:
-    """Return the layers with the order of their items that has the fewest crossing arrows."""
+    """Return the layers, with items in the order that has the fewest crossing arrows."""
     links = [(a, b) for chain in chains for a, b in zip(chain, chain[1:], strict=False)]
     before: dict[int, list[int]] = {}
     after: dict[int, list[int]] = {}
@@ -117,7 +121,7 @@ def _ordered(layers: list[list[int]], chains: list[list[int]]) -> list[list[int]
 
 
 def _swept(layers: list[list[int]], neighbours: dict[int, list[int]]) -> list[list[int]]:
-    """Sort each layer by the mean place of its items' neighbours in the layer before it."""
+    """Sort each layer by the mean position of its items' neighbours in the previous layer."""
     swept = [layers[0]]
     for layer in layers[1:]:
         place = {item: number for number, item in enumerate(swept[-1])}
@@ -130,10 +134,10 @@ def _swept(layers: list[list[int]], neighbours: dict[int, list[int]]) -> list[li
 
 
 def crossings(layers: list[list[int]], links: list[Edge]) -> int:
-    """Return how many pairs of links between neighbouring layers cross.
+    """Return the number of pairs of links that cross between neighbouring layers.
 
     :param layers: the items of each layer in order.
-    :param links: (a, b) with b in the layer after a.
+    :param links: pairs (a, b), where b is in the layer after a.
     """
     place = {item: number for layer in layers for number, item in enumerate(layer)}
     layer_of = {item: number for number, layer in enumerate(layers) for item in layer}
@@ -145,8 +149,10 @@ def crossings(layers: list[list[int]], links: list[Edge]) -> int:
 
 
 class Route(NamedTuple):
-    """The path of an arrow: points from its tail to its head. Every second segment, beginning with the first, is straight; the
-    others are S-curves whose ends follow the direction of the layers.
+    """The path of an arrow: points from its tail to its head.
+
+    The first, third, fifth segment and so on are straight. The segments between them are S-curves whose ends follow the direction
+    of the layers.
     """
 
     points: list[Point]
@@ -166,9 +172,9 @@ class Layout(NamedTuple):
 
 
 def lay_out(sizes: list[Size], edges: list[Edge], direction: str | None = None) -> Layout:
-    """Return places for boxes with these (width, height), and paths for the arrows between them.
+    """Return positions for boxes with the given sizes (width, height), and paths for the arrows between them.
 
-    :param direction: 'right' or 'down' (default: to the right if that fits).
+    :param direction: 'right' or 'down'; None means to the right if that fits.
     """
     if direction is not None:
         return _sheet(sizes, edges, direction)
@@ -178,7 +184,7 @@ def lay_out(sizes: list[Size], edges: list[Edge], direction: str | None = None) 
 
 
 def _sheet(sizes: list[Size], edges: list[Edge], direction: str) -> Layout:
-    """Lay out each connected group on its own; groups follow one another across the layers."""
+    """Arrange each connected group separately. The groups follow one another across the direction of the layers."""
     right = direction == 'right'
     corners: list[Point] = [(0.0, 0.0)] * len(sizes)
     routes = [Route([])] * len(edges)
@@ -202,7 +208,7 @@ def _turned(along: float, across: float, right: bool) -> Point:
 
 
 def _groups(count: int, edges: list[Edge]) -> list[tuple[list[int], list[int]]]:
-    """Return connected items and the numbers of their edges, largest groups first."""
+    """Return the connected groups, largest first: the items of each group and the numbers of its edges."""
     group = list(range(count))
     for a, b in edges:
         low, high = sorted((group[a], group[b]))
@@ -218,7 +224,7 @@ def _groups(count: int, edges: list[Edge]) -> list[tuple[list[int], list[int]]]:
 
 
 class _Group:
-    """Lay out one connected group. Sizes and corners are (along, across) the direction of the layers."""
+    """The layout of one connected group. Sizes and corners are (along, across) the direction of the layers."""
 
     def __init__(self, sizes: list[Size], edges: list[Edge]) -> None:
         self.layers: Layers = make_layers(len(sizes), edges)
@@ -243,7 +249,7 @@ class _Group:
 
     @property
     def corners(self) -> list[Point]:
-        """Return the corners of the boxes, each in the middle of its layer's depth."""
+        """Return the corners of the boxes. Each box is in the middle of its layer's depth."""
         found = []
         for item in range(self.count):
             (along, across), layer = self.sizes[item], self.layer_of[item]
@@ -251,7 +257,7 @@ class _Group:
         return found
 
     def routes(self) -> list[list[Point]]:
-        """Return the path of each arrow, tail first."""
+        """Return the path of each arrow, beginning at its tail."""
         out, into = self._ports(0), self._ports(-1)
         found = []
         for number, (chain, turned) in enumerate(zip(self.layers.chains, self.layers.turned, strict=True)):
@@ -269,7 +275,9 @@ class _Group:
         return found
 
     def _ports(self, side: int) -> list[float]:
-        """Return where each arrow meets its box, spread to avoid crossings. Side 0 has outgoing arrows, side -1 incoming ones."""
+        """Return where each arrow meets its box, spread to avoid crossings. Side 0 has the outgoing arrows, side -1 the incoming
+        arrows.
+        """
         chains = self.layers.chains
         ports = [0.0] * len(chains)
         for item in range(self.count):
@@ -282,12 +290,14 @@ class _Group:
 
 
 def mean(numbers: list[float]) -> float:
-    """Return the mean of at least one number."""
+    """Return the mean of a non-empty sequence of numbers."""
     return sum(numbers) / len(numbers)
 
 
 def _centres(layers: Layers, breadths: list[float], count: int) -> list[float]:
-    """Return the middle of each item across the layers: near its neighbours' mean, at a distance from the items beside it."""
+    """Return the centre of each item across the layers, near the mean of its neighbours, and far enough from the items beside
+    it.
+    """
     near: list[list[int]] = [[] for _ in breadths]
     for chain in layers.chains:
         for a, b in zip(chain, chain[1:], strict=False):
@@ -306,9 +316,9 @@ def _centres(layers: Layers, breadths: list[float], count: int) -> list[float]:
 
 
 def _spread_out(wanted_places: list[float], layer: list[int], breadths: list[float], count: int) -> list[float]:
-    """Return the positions nearest to the desired ones (least squares) that keep the order and the distances.
+    """Return the positions nearest to the desired positions (least squares) that keep the order and the minimum distances.
 
-    Without the distances, the problem is to find rising numbers: neighbours in the wrong order get their common mean.
+    Without the distances, the task is to find increasing numbers: neighbours in the wrong order get their common mean.
     """
     offsets = [0.0]
     for a, b in zip(layer, layer[1:], strict=False):

@@ -1,4 +1,6 @@
-"""The outline of a robot from above, from its URDF or its footprint, as polygons in metres around its base, facing along +x."""
+"""The outline of a robot from above, as polygons in metres around its base, facing along +x. It comes from a URDF or a
+footprint.
+"""
 
 from __future__ import annotations
 
@@ -13,22 +15,22 @@ Vector = tuple[float, float, float]
 Matrix = tuple[Vector, Vector, Vector]
 
 FOOTPRINTS = ('footprint', 'robot_radius')
-"""Parameters of navigation that describe the footprint of a robot."""
+"""The parameters of navigation that describe the footprint of a robot."""
 ROUND = 16
 """The number of corners of a circle."""
 DEEPEST = 200
-"""The maximum number of links in a chain, which stops at loops in a description."""
+"""The maximum number of links in a chain. It prevents an endless loop if a description contains a loop."""
 
 
 class Part(NamedTuple):
-    """One shape: 'body', 'wheel' (a horizontal cylinder) or 'nose', and the corners of its outline."""
+    """One shape of an outline: its kind, which is 'body', 'wheel' (a horizontal cylinder) or 'nose', and its corners."""
 
     kind: str
     corners: list[Point]
 
 
 class _Pose(NamedTuple):
-    """The pose of a link in the root link: metres, and the rows of the rotation matrix."""
+    """The pose of a link in the root link: the position in metres, and the rows of the rotation matrix."""
 
     place: Vector
     turn: Matrix
@@ -47,10 +49,10 @@ _HERE = _Pose((0.0, 0.0, 0.0), ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0
 
 
 def outline_of(description: str) -> list[Part]:
-    """Return the shapes of a URDF from above, the lowest first, with every joint at 0; [] for an invalid URDF.
+    """Return the shapes of a URDF from above, the lowest first, with every joint at 0. Return [] for an invalid URDF.
 
-    For each link, the collision shapes count, or the visual shapes if it has no collision shapes. Boxes, cylinders and spheres
-    are supported, meshes are not. The last part is an arrow in the robot's forward direction.
+    Each link has its collision shapes or, if it has none, its visual shapes. Boxes, cylinders and spheres are supported, meshes
+    are not. The last part is an arrow in the robot's forward direction.
     """
     if '<!DOCTYPE' in description or '<!ENTITY' in description:
         return []  # no robot needs entities, and they can expand without limit
@@ -66,8 +68,9 @@ def outline_of(description: str) -> list[Part]:
 
 
 def outline_of_footprint(text: str) -> list[Part]:
-    """Return the polygon of a navigation parameter: '[[0.2, 0.1], [-0.2, 0.1], ...]' or a radius, in metres. Return [] for
-    another value.
+    """Return the polygon of a footprint parameter of navigation, in metres. Return [] for an invalid value.
+
+    The value is a list of corners '[[0.2, 0.1], [-0.2, 0.1], ...]' or a radius.
     """
     try:
         given = json.loads(text)
@@ -78,7 +81,7 @@ def outline_of_footprint(text: str) -> list[Part]:
 
 
 def _with_nose(parts: list[Part]) -> list[Part]:
-    """Return the parts, and an arrow over the front half."""
+    """Return the parts, with an additional arrow over the front half."""
     if not parts:
         return []
     xs, ys = zip(*(corner for part in parts for corner in part.corners), strict=True)
@@ -119,9 +122,9 @@ def _origin(element: ElementTree.Element) -> _Pose:
 
 
 def _three(text: str) -> Vector:
-    """Return three finite numbers.
+    """Return the three finite numbers in a string.
 
-    :raises ValueError: for anything else.
+    :raises ValueError: when the string is anything else.
     """
     x, y, z = map(float, text.split())
     if not math.isfinite(x + y + z):
@@ -130,7 +133,7 @@ def _three(text: str) -> Vector:
 
 
 def _shapes(link: ElementTree.Element, pose: _Pose) -> Iterable[tuple[float, str, list[Point]] | None]:
-    """Yield (height, kind, corners) of the shapes of a link."""
+    """Yield (height, kind, corners) for each shape of a link."""
     for name in ('collision', 'visual'):
         found = [_shape(element, pose.then(_origin(element))) for element in link.findall(name)]
         if any(found):
@@ -180,7 +183,7 @@ def _hull(points: list[Point]) -> list[Point]:
 
 
 def _rounded(points: Iterable[Point]) -> list[Point]:
-    """Round to a tenth of a millimetre, as everything on the page."""
+    """Round to a tenth of a millimetre, like all other lengths on the page."""
     return [(round(x, 4) + 0.0, round(y, 4) + 0.0) for x, y in points]
 
 

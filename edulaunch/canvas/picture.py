@@ -1,4 +1,4 @@
-"""A picture: the output of a notebook, with a line of text that describes it."""
+"""The class Picture: the output of a notebook, with a line of text that describes it."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ SCENE_TYPE = 'application/vnd.edulaunch.scene+json'
 class Picture:
     """A drawing of a scene. A notebook shows the image; `repr()` is one line that describes it.
 
-    The output also has a digest of the scene (positions to a micrometre, no pixels), in a format that no front end shows. It is
-    equal on all machines, so a notebook test (nbval) notices when a picture would look different.
+    The output also has a digest of the scene (positions rounded to a micrometre, no pixels), in a format that no front end shows.
+    The digest is equal on all machines, so a notebook test (nbval) fails when a picture would look different.
     """
 
     def __init__(self, draw: Callable[[], bytes], caption: str, scene: Any) -> None:
@@ -38,15 +38,15 @@ class Picture:
         return self.caption
 
     def png(self) -> bytes:
-        """Return the image as PNG, drawn once."""
+        """Return the image as PNG. It is drawn only once."""
         if self._png is None:
             self._png = self._draw()
         return self._png
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> tuple[dict[str, Any], dict[str, Any]]:
-        """Return the image, and its caption as plain text and as alternative text for readers who cannot see it.
+        """Return the image, and its caption as plain text and as alternative text for readers who cannot see the image.
 
-        It includes HTML, because JupyterLab gives an image/png no alternative text.
+        The output includes HTML, because JupyterLab gives an image/png no alternative text.
         """
         about = png_metadata(self.png(), self.caption)
         look = f'alt="{html.escape(self.caption)}" width="{about["width"]}" height="{about["height"]}"'
@@ -57,17 +57,17 @@ class Picture:
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the image as a PNG file.
 
-        :param path: path of the file.
+        :param path: the path of the file.
         """
         with open(path, 'wb') as file:
             file.write(self.png())
 
 
 def shown(scene: Any, drawing: str, ax: Any) -> Any:
-    """Return a scene as a Picture, or draw it on the axes of the caller and return these.
+    """Return a scene as a Picture, or draw it on the axes of the caller and return these axes.
 
-    :param drawing: the module of this package that draws it.
-    :raises ValueError: for another number of axes than the scene needs.
+    :param drawing: the name of the module of this package that draws the scene.
+    :raises ValueError: when the number of axes is not the number that the scene needs.
     """
 
     def draw_picture() -> bytes:
@@ -93,19 +93,19 @@ def shown(scene: Any, drawing: str, ax: Any) -> Any:
 
 
 def _drawing(module: str, scene: Any) -> tuple[Any, Any]:
-    """Return the sheet that a scene needs, and the function that draws it on that sheet's axes; loads matplotlib."""
+    """Return the sheet that a scene needs, and the function that draws the scene on the sheet's axes. Load matplotlib."""
     sheet_of, draw = import_module(f'edulaunch.canvas.{module}').DRAWINGS[type(scene)]
     return sheet_of(scene), draw
 
 
 def png_metadata(png: bytes, alternative: str, scale: float = SCALE) -> dict[str, Any]:
-    """Return the metadata of an image for a notebook: its size on the screen, and its description."""
+    """Return the metadata of an image for a notebook: the size on the screen, and the description."""
     width, height = struct.unpack('>II', png[16:24])
     return {'width': round(width / scale), 'height': round(height / scale), 'alt': alternative}
 
 
 def scene_data(scene: Any) -> dict[str, Any]:
-    """Return the output for tests: a digest of the content, with a type that no front end displays."""
+    """Return the output for tests: a digest of the content, with a media type that no front end displays."""
     return {SCENE_TYPE: {'digest': digest(scene)}}
 
 
@@ -115,7 +115,9 @@ def digest(scene: Any) -> str:
 
 
 def rounded(value: Any) -> Any:
-    """Return the same data with numbers to six decimals and without negative zeros, so that it prints alike everywhere."""
+    """Return the same data with numbers rounded to six decimals and without negative zeros, so that equal data print equally on
+    every machine.
+    """
     if isinstance(value, float):
         return round(value, 6) + 0.0
     if isinstance(value, (list, tuple)):

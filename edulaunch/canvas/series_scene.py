@@ -1,4 +1,4 @@
-"""Numbers of a topic, and the distance between two objects, over time as plain data, and lines with fewer points."""
+"""Plain data of lines over time: the numbers of a topic, and the distance between two objects. Lines can be simplified."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording.recording import Recording
 
 Place = tuple[float, float, float]
-"""Time in seconds, x and y in metres."""
+"""A position: the time in seconds, and x and y in metres."""
 Point = tuple[float, float]
 
 
 class SeriesScene(NamedTuple):
-    """Lines by their field: points of (time in seconds, value)."""
+    """Lines by field name. A line is a list of points (time in seconds, value)."""
 
     topic: str
     duration_s: float
@@ -34,9 +34,9 @@ class SeriesScene(NamedTuple):
 
 
 def series_scene(recording: Recording, topic: str, fields: tuple[str, ...]) -> SeriesScene:
-    """Return the fields of a topic over time.
+    """Return the scene with fields of a topic over time.
 
-    :raises NotRecorded: for an unknown topic or field; the message names the nearest one.
+    :raises NotRecorded: for an unknown topic or field; the message contains the most similar name.
     :raises NothingToDraw: when the topic has no messages, or a field is not a number.
     """
     if topic not in recording.topics:
@@ -52,7 +52,10 @@ def series_scene(recording: Recording, topic: str, fields: tuple[str, ...]) -> S
 
 
 class DistanceScene(NamedTuple):
-    """Points of (time, distance), the limit for close (metres), and since when it stayed close until the end (or None)."""
+    """Points (time, distance), the largest distance that counts as close, in metres, and `close_since_s`.
+
+    `close_since_s` is the time since which the distance has stayed close until the end; None if it is not close at the end.
+    """
 
     first: str
     second: str
@@ -73,10 +76,10 @@ class DistanceScene(NamedTuple):
 
 
 def distance_scene(recording: Recording, first: str, second: str, close_m: float) -> DistanceScene:
-    """Return the distance at each movement of the first object, while both existed.
+    """Return the scene with the distance at each movement of the first object, while both objects existed.
 
     :raises KeyError: when a name is not a turtle, a robot or a tf frame of the recording.
-    :raises ValueError: when the two did not exist at the same time.
+    :raises ValueError: when the two objects did not exist at the same time.
     """
     others = places_of(recording, second)
     points = []
@@ -97,11 +100,11 @@ def _close_since(points: list[tuple[float, float]], close_m: float) -> float | N
 
 
 def places_of(recording: Recording, name: str) -> list[Place]:
-    """Return (time in s, x in m, y in m) of a thing that moved, in order of time.
+    """Return (time in s, x in m, y in m) for each position of an object that moved, in order of time.
 
     :param name: a turtle or a robot, whose positions are in its world. Otherwise a tf frame, whose positions are in its root
         frame, twenty times a second.
-    :raises NotRecorded: when nothing of this name moved; the error has the nearest name.
+    :raises NotRecorded: when no object of this name moved. The error contains the most similar name.
     """
     things = moving_things(recording)
     if name in things or '/' + name in things or name.removeprefix('/') in things:
@@ -114,7 +117,7 @@ def places_of(recording: Recording, name: str) -> list[Place]:
 
 
 def _frame_places(recording: Recording, name: str) -> list[Place]:
-    """Return the positions of the frame in its root, twenty times a second."""
+    """Return the positions of a frame in its root frame, twenty times a second."""
     tracks = FrameTracks(recording)
     times = [number / 20 for number in range(math.floor(recording.duration_s * 20 + 1e-9) + 1)]
     found = [(time_s, tracks.placed_at(time_s).get(name)) for time_s in times]
@@ -122,10 +125,10 @@ def _frame_places(recording: Recording, name: str) -> list[Place]:
 
 
 def thinned(points: list[Point], tolerance_m: float = 0.002) -> list[Point]:
-    """Return the line with fewer points: no removed point is further than the tolerance from the remaining line.
+    """Return a line with fewer points. No removed point is further than the tolerance from the remaining line.
 
-    From the last kept point, each further point allows a cone of directions. A line can continue while its cones share a
-    direction and it does not turn back.
+    Seen from the last remaining point, each further point allows a cone of directions. A segment can continue while its cones
+    share a direction and the line does not turn back.
     """
     kept = [points[0]]
     (x0, y0), low, high, reach, axis = points[0], -math.inf, math.inf, 0.0, 0.0

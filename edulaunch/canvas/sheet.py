@@ -1,6 +1,6 @@
-"""Figures and axes of matplotlib for our pictures: the places of axes, their style, the PNG, and labels that do not overlap.
+"""Figures and axes of matplotlib for all pictures: the places of axes, their style, the PNG, and labels that do not overlap.
 
-A layout pixel is a point (1/72 inch), so sizes of fonts and lines are in layout pixels, too.
+A layout pixel is a point (1/72 inch), so the sizes of fonts and lines are in layout pixels, too.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from matplotlib.ticker import MaxNLocator
 from edulaunch.canvas.style import GRID, INK, MUTED, PAPER, SCALE, SMALL, TEXT, Colour
 
 COVERING = 300.0
-"""The extra cost of covering anything: more than the distance to the furthest place."""
+"""The additional cost of covering something, which is higher than the cost of the furthest position."""
 DIRECTIONS = ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (-1, 1), (1, -1), (-1, -1))
 PER_INCH = 72
 HALO = [withStroke(linewidth=2.6, foreground='white')]
@@ -47,13 +47,13 @@ class Box(NamedTuple):
     top: float
 
     def overlap(self, other: Box) -> float:
-        """Return the area of the intersection."""
+        """Return the area of the intersection with another box, in square pixels."""
         width = min(self.right, other.right) - max(self.left, other.left)
         height = min(self.top, other.top) - max(self.bottom, other.bottom)
         return width * height if width > 0 and height > 0 else 0.0
 
     def outside(self, bounds: Box) -> float:
-        """Return the part of its area that is outside `bounds`."""
+        """Return the area of the part of this box that is outside `bounds`, in square pixels."""
         return (self.right - self.left) * (self.top - self.bottom) - self.overlap(bounds)
 
 
@@ -66,7 +66,7 @@ def place_labels(
 ) -> list[Box]:
     """Return a box for each label: near its anchor, inside `bounds`, without covering other labels or `taken`.
 
-    Labels are placed in order. A place that covers something is used only if no free one exists inside.
+    Labels are placed in order. A position that covers something is used only if there is no free position inside `bounds`.
     """
     placed = list(taken)
     first = len(placed)
@@ -84,7 +84,7 @@ def place_labels(
 
 
 def _places(x: float, y: float, width: float, height: float, distance: float) -> list[tuple[float, Box]]:
-    """Return boxes around a point in rings of growing distance, as (cost of the distance, box)."""
+    """Return boxes around a point in rings of increasing distance, as (cost of the distance, box)."""
     places: list[tuple[float, Box]] = []
     for ring in range(4):
         reach = distance + ring * (height / 2 + 1)
@@ -96,7 +96,7 @@ def _places(x: float, y: float, width: float, height: float, distance: float) ->
 
 
 def leader(anchor: tuple[float, float], box: Box) -> tuple[float, float] | None:
-    """Return the end of a line from the anchor to its label, if the label is far enough away to need one."""
+    """Return the end of a line from the anchor to its label, or None if the label is near enough without a line."""
     x, y = min(max(anchor[0], box.left), box.right), min(max(anchor[1], box.bottom), box.top)
     return (x, y) if (x - anchor[0]) ** 2 + (y - anchor[1]) ** 2 > 12**2 else None
 
@@ -109,7 +109,8 @@ def _cost(box: Box, placed: Sequence[Box], bounds: Box) -> float:
 def along(start: tuple[float, float], end: tuple[float, float], half: float = 3.0) -> list[Box]:
     """Return small boxes that together cover a line, so that labels avoid it.
 
-    :param start, end: the ends of the line, in pixels.
+    :param start: the first end of the line, in pixels.
+    :param end: the second end of the line, in pixels.
     :param half: half of the width and height of each box, in pixels.
     """
     steps = max(1, round(max(abs(end[0] - start[0]), abs(end[1] - start[1])) / (2 * half)))
@@ -121,7 +122,7 @@ def along(start: tuple[float, float], end: tuple[float, float], half: float = 3.
 
 
 class Sheet(NamedTuple):
-    """The size of a picture, and the box of each of its axes, in layout pixels with y up."""
+    """The size of a picture and the box of each of its axes, in layout pixels with y up."""
 
     width: float
     height: float
@@ -134,7 +135,10 @@ def rows_of(count: int, most: int, side: float, left: float, between: float, abo
     :param count: the number of squares, at least 1.
     :param most: the maximum number of squares in a row.
     :param side: the side of a square.
-    :param left, between, above, below: free space on the left, the right, the upper and the lower side of each square.
+    :param left: the free space on the left of each square.
+    :param between: the free space on the right of each square.
+    :param above: the free space above each square.
+    :param below: the free space below each square.
     """
     columns = min(most, count)
     rows = math.ceil(count / columns)
@@ -144,9 +148,9 @@ def rows_of(count: int, most: int, side: float, left: float, between: float, abo
 
 
 def png_of(sheet: Sheet, draw: Callable[[Sequence[Axes]], None], scale: float = SCALE) -> bytes:
-    """Return the picture as PNG, without date and version: the bytes depend only on matplotlib's version.
+    """Return the picture as PNG, without date and version. The bytes then depend only on matplotlib's version.
 
-    :param scale: image pixels for each layout pixel.
+    :param scale: the number of image pixels for each layout pixel.
     """
     with our_style():
         figure = Figure(figsize=(sheet.width / PER_INCH, sheet.height / PER_INCH), dpi=PER_INCH * scale)
@@ -167,7 +171,9 @@ def _part(box: Box, sheet: Sheet) -> tuple[float, float, float, float]:
 
 @contextmanager
 def our_style() -> Iterator[None]:
-    """Use matplotlib's default style with our sizes, whatever the user has set, and draw a box for missing letters silently."""
+    """Use matplotlib's default style with the sizes of this package, and ignore the user's settings. Draw a box for a missing
+    letter without a warning.
+    """
     with matplotlib.style.context(['default', STYLE]), warnings.catch_warnings():
         warnings.filterwarnings('ignore', message='Glyph .* missing from', category=UserWarning)
         yield
@@ -179,7 +185,7 @@ def side_of(ax: Axes) -> float:
 
 
 def points_of(ax: Axes, places: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Convert points in the axes' world to layout pixels on the sheet."""
+    """Return points of the axes' world in layout pixels on the sheet."""
     return [(float(x), float(y)) for x, y in ax.transData.transform(list(places)) * PER_INCH / _dpi(ax)]
 
 
@@ -194,7 +200,7 @@ def _dpi(ax: Axes) -> float:
 
 
 def rgb(colour: Colour) -> tuple[float, float, float]:
-    """Return the colour in the form of matplotlib."""
+    """Return a colour in the form of matplotlib."""
     red, green, blue = colour
     return (red / 255, green / 255, blue / 255)
 
@@ -223,7 +229,7 @@ def world(
 
 
 def layout(ax: Axes, width: float, height: float) -> float:
-    """Make the axes show a drawing in pixels with y down; return the size of its pixel in layout pixels."""
+    """Make the axes show a drawing in pixels with y down. Return the size of one of these pixels in layout pixels."""
     ax.set_xlim(0, width)
     ax.set_ylim(height, 0)
     ax.set_aspect('equal')

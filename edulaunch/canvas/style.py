@@ -1,6 +1,6 @@
-"""Sizes, colours and fonts of all pictures, and the shapes of the turtle and the robot.
+"""The sizes, colours and fonts of all pictures, and the shapes of the turtle and the robot.
 
-A word, a shape or a line style repeats the information of each colour.
+Wherever a colour has a meaning, a word, a shape or a line style has the same meaning.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ RED: Colour = (192, 40, 32)
 RED_TINT: Colour = (255, 240, 238)
 
 SCALE = 2
-"""Image pixels per layout pixel: pictures stay sharp on fine screens."""
+"""The number of image pixels for each layout pixel, with which pictures are sharp on high-resolution screens."""
 
 TEXT = 11.0
 SMALL = 9.5
@@ -32,9 +32,9 @@ MONO_ADVANCE = 0.602
 """The width of any character of the monospaced font, relative to the font size; the layout of ROS names uses it."""
 Part = tuple[str, list[tuple[float, float]]]
 SHELLS: tuple[Colour, ...] = ((112, 173, 88), (236, 152, 70), (204, 74, 62), (158, 126, 190), (64, 176, 172), (240, 206, 72))
-"""The colours of the first turtle of a window, the second ...; names beside the turtles give the same information."""
+"""The colours of the turtles of a window, in order. Names beside the turtles give the same information."""
 LOOKS: dict[str, Colour] = {'skin': (243, 233, 208), 'eye': (31, 41, 51), 'wheel': (31, 41, 51), 'body': (76, 106, 146)}
-"""Fill colours of the parts that are the same on all bodies; a shell has its number's colour, plates are a shade darker."""
+"""The fill colours of parts that are equal on all bodies. A shell's colour depends on its number, and plates are darker."""
 
 
 def mono_width(text: str, size: float = TEXT) -> float:
@@ -43,17 +43,19 @@ def mono_width(text: str, size: float = TEXT) -> float:
 
 
 def shortened(text: str, most: int = 28) -> str:
-    """Return the string, shortened at its end to at most `most` characters."""
+    """Return a string, shortened at its end to at most `most` characters."""
     return text if len(text) <= most else text[: most - 1] + '…'
 
 
 def oval(x: float, y: float, rx: float, ry: float, turn: float = 0.0, steps: int = 16) -> list[tuple[float, float]]:
     """Return the corners of an ellipse, counter-clockwise and rounded to 0.001.
 
-    :param x, y: the centre.
-    :param rx, ry: half of its length along x and along y, before it is rotated.
-    :param turn: the angle, in radians, by which it is rotated counter-clockwise about its centre.
-    :param steps: the number of corners; the first one is at the end of `rx`.
+    :param x: the x coordinate of the centre.
+    :param y: the y coordinate of the centre.
+    :param rx: half of the length of the ellipse along x, before its rotation.
+    :param ry: half of the length of the ellipse along y, before its rotation.
+    :param turn: the angle of the rotation, in radians, counter-clockwise about the centre.
+    :param steps: the number of corners. The first corner is at the end of `rx`.
     """
     angles = [math.tau * step / steps for step in range(steps)]
     c, s = math.cos(turn), math.sin(turn)
@@ -64,7 +66,9 @@ def oval(x: float, y: float, rx: float, ry: float, turn: float = 0.0, steps: int
 
 
 def turtle() -> list[Part]:
-    """Return the shape of a turtle: flippers, tail, head with eyes, and a shell with six plates around one."""
+    """Return the shape of a turtle: flippers, a tail, a head with eyes, and a shell with one central plate and six plates around
+    it.
+    """
     parts: list[Part] = [('skin', oval(0.27, side * 0.33, 0.21, 0.085, side * 0.95, 12)) for side in (1, -1)]
     parts += [('skin', oval(-0.28, side * 0.29, 0.16, 0.075, -side * 0.85, 12)) for side in (1, -1)]
     parts += [('skin', [(-0.36, 0.06), (-0.54, 0.0), (-0.36, -0.06)]), ('skin', oval(0.46, 0.0, 0.155, 0.12))]

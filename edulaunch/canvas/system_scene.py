@@ -1,7 +1,7 @@
-"""A planned or recorded system of nodes, topics and frames as a scene; two systems side by side with their differences marked.
+"""A planned or recorded system of nodes, topics and frames as a scene, or two systems side by side with their differences marked.
 
-A system is a `System` of `edulaunch.advice.explaining.systems`, or anything with the same `title`, `nodes` and `frames`.
-Two systems share one layout, so that equal boxes have equal places.
+A system is a `System` of `edulaunch.advice.explaining.systems`, or any object with the attributes `title`, `nodes` and
+`frames`. Two systems share one layout, so that equal boxes have equal places.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ HIDDEN = ('/rosout', '/parameter_events')
 class SystemBox(NamedTuple):
     """A box with its upper left corner and size in pixels.
 
-    :ivar notes: the lines below its name.
-    :ivar unknown: whether some of it is not known.
-    :ivar sign: how it differs from the other system: '+', '-', '~', or ''.
+    :ivar notes: the lines below the name.
+    :ivar unknown: whether a part of the box is not known.
+    :ivar sign: the difference from the second system: '+', '-', '~', or ''.
     """
 
     kind: str
@@ -40,7 +40,9 @@ class SystemBox(NamedTuple):
 
 
 class Panel(NamedTuple):
-    """One system: its title, boxes, arrows between their positions in the list, and each arrow's way and sign."""
+    """One system: its title, its boxes, its arrows as pairs of indices into the boxes, and the path and the sign of each
+    arrow.
+    """
 
     title: str
     boxes: list[SystemBox]
@@ -58,7 +60,7 @@ class SystemScene(NamedTuple):
     panels: list[Panel]
 
     def caption(self) -> str:
-        """Return what the picture shows, in words."""
+        """Return a description of the picture."""
         return '; '.join(_panel_words(panel) for panel in self.panels)
 
 
@@ -71,7 +73,7 @@ def _panel_words(panel: Panel) -> str:
 
 
 class _Parts(NamedTuple):
-    """What one system shows: boxes with their notes and whether these are unknown things, and arrows."""
+    """The parts of one system: its boxes, each with its notes and whether it is unknown, and its arrows."""
 
     boxes: dict[Key, tuple[list[str], bool]]
     arrows: list[tuple[Key, Key]]
@@ -80,10 +82,10 @@ class _Parts(NamedTuple):
 def system_scene(
     system: Any, other: Any = None, changed: Mapping[str, list[str]] | None = None, *, services: bool = False
 ) -> SystemScene:
-    """Return one system, or two with the same layout.
+    """Return a scene with one system, or with two systems in the same layout.
 
-    :param changed: for each node that is in both systems, the names of the parameters whose values differ.
-    :param services: show services that a node calls, too.
+    :param changed: for each node in both systems, the names of the parameters whose values differ.
+    :param services: whether to show services that a node calls.
     """
     systems = [system] if other is None else [system, other]
     parts = [_parts(one, services, changed or {}) for one in systems]
@@ -151,7 +153,7 @@ def _parts(system: Any, services: bool, changed: Mapping[str, list[str]]) -> _Pa
 
 
 def lines_of(kind: str, name: str, notes: list[str]) -> list[tuple[str, float, bool]]:
-    """Return the lines of a box, as (text, font size, whether it is a note): the namespace small above the name."""
+    """Return the lines of a box, as (text, font size, whether it is a note). The namespace is above the name, in small type."""
     namespace, _, base = name.rpartition('/')
     lines = [(shortened(namespace + '/'), SMALL, False)] if namespace else []
     lines.append((shortened(base if namespace else name), TEXT, False))

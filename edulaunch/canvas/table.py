@@ -1,4 +1,4 @@
-"""Parameters with their origins, messages and log lines as tables for people."""
+"""Tables of parameters with their origins, of messages and of log lines, for people."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ if TYPE_CHECKING:
 
 HEADS = ('node', 'parameter', 'value', 'origin')
 ALIKE_EVERYWHERE = ('use_sim_time', 'start_type_description_service')
-"""Parameters that each node has; shown only if something has set them."""
+"""The parameters that every node has. A table shows them only if something has set them."""
 MOST_ROWS = 40
 LEVELS = {10: 'DEBUG', 20: 'INFO', 30: 'WARN', 40: 'ERROR', 50: 'FATAL'}
 
 
 class Row(NamedTuple):
-    """One parameter; `value` has the form of YAML."""
+    """One parameter. `value` has the form of YAML."""
 
     node: str
     parameter: str
@@ -30,7 +30,7 @@ class Row(NamedTuple):
 
 
 class Table:
-    """Rows for people. A notebook shows a table, and `print()` shows text; `repr()` is one line."""
+    """Rows of parameters, for people. A notebook shows a table, `print()` shows text, and `repr()` is one line."""
 
     def __init__(self, rows: list[Row]) -> None:
         self.rows = rows
@@ -51,7 +51,7 @@ class Table:
         return {'text/plain': f'{self}\n{self!r}', 'text/html': self.html(), **scene_data(self.rows)}
 
     def html(self) -> str:
-        """Return the rows as an HTML table. A value that was set is bold."""
+        """Return the rows as an HTML table. A value that is not the default is bold."""
         head = ''.join(f'<th scope="col" style="text-align:left">{name}</th>' for name in HEADS)
         return (
             f'<table><caption style="text-align:left">{html.escape(repr(self))}</caption><thead><tr>{head}</tr></thead>'
@@ -67,7 +67,7 @@ def _html_row(row: Row) -> str:
 
 
 def table_rows(recording: Recording, node: str | None, every: bool) -> list[Row]:
-    """Return the rows of one node or of all; `every` adds the parameters that each node has anyway."""
+    """Return the rows of one node, or of all nodes. With `every`, include the parameters that every node has."""
     names = list(dict.fromkeys(record.name for record in recording.nodes)) if node is None else [node]
     return [
         Row(name, parameter, yaml_text(value), origin)
@@ -87,7 +87,9 @@ def yaml_text(value: Any) -> str:
 
 
 class TextTable:
-    """Rows of strings under headings, as a table in a notebook and as text in `print()`. They show both ends of long tables."""
+    """Rows of strings under headings. A notebook shows a table, and `print()` shows text. A long table shows only its first and
+    last rows.
+    """
 
     def __init__(self, title: str, heads: tuple[str, ...], rows: list[tuple[str, ...]]) -> None:
         self.title = title
@@ -123,7 +125,9 @@ class TextTable:
 
 
 def message_table(recording: Recording, topic: str, fields: tuple[str, ...]) -> TextTable:
-    """Return the messages of a topic, with a column for each field (default: every field that is not a list).
+    """Return the messages of a topic as a table with a column for each field.
+
+    If no fields are given, the columns are all fields that are not lists.
 
     :raises NotRecorded: for an unknown topic or field.
     """
@@ -139,9 +143,9 @@ def message_table(recording: Recording, topic: str, fields: tuple[str, ...]) -> 
 def log_table(recording: Recording, process: str | None, level: str, word: str) -> TextTable:
     """Return the log lines of a run as a table, in order of time.
 
-    :param process: the name of one process, such as 'talker-1'; None for all.
-    :param level: the lowest level: 'debug', 'info', 'warn', 'error' or 'fatal', in any case.
-    :param word: a part of the messages, in any case; '' for all messages.
+    :param process: the name of one process, such as 'talker-1'; None means all processes.
+    :param level: the lowest level: 'debug', 'info', 'warn', 'error' or 'fatal', in upper or lower case.
+    :param word: a part of the messages, in upper or lower case; '' means all messages.
     :raises ValueError: for an unknown level.
     """
     least = next((number for number, name in LEVELS.items() if name == level.upper()), None)

@@ -16,11 +16,11 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording.records import Frame
 
 FINENESS = 5000
-"""Trails are exact to this fraction of the window's width, well below an image pixel."""
+"""The tolerance of trails, as a fraction of the window's width. It is well below an image pixel."""
 
 
 class Trail(NamedTuple):
-    """A line of a pen: colour, width in pixels of a turtlesim window, points in metres."""
+    """A line that a pen has drawn: its colour, its width in pixels of a turtlesim window, and its points in metres."""
 
     colour: Colour
     width: int
@@ -75,10 +75,11 @@ def turtle_scene(
     frames: Mapping[str, Frame] | None = None,
     only: Sequence[str] | None = None,
 ) -> TurtleScene:
-    """Return the worlds at one time.
+    """Return the scene with all worlds at one time.
 
-    :param colours: draw each trail in a colour of its own, unless a program has set the pen.
-    :param frames: tf frames to draw on top; `only` limits them to these names.
+    :param colours: whether to draw each trail in a separate colour, unless a program has set the pen.
+    :param frames: the tf frames to draw on top, if any.
+    :param only: the names of the frames to draw; None means all frames.
     :raises NotRecorded: for an unknown frame.
     """
     windows = [_window(world, time_s, colours and len(world.tracks) > 1) for world in worlds]
@@ -92,7 +93,7 @@ def turtle_scene(
 
 
 def _marks(world: World, frames: Mapping[str, Frame], only: Sequence[str] | None) -> list[FrameMark]:
-    """Return the frames that are connected to a world, relative to its frame."""
+    """Return the frames that are connected to a world, relative to the world's frame."""
     places = placed(dict(frames))
     fixed = world.frame or 'world'
     own = {track.name for track in world.tracks}
@@ -122,7 +123,7 @@ def _window(world: World, time_s: float, colours: bool) -> Window:
 
 
 def trails_of(track: Track, from_s: float, until_s: float, tolerance_m: float) -> list[Trail]:
-    """Return the line of a track between two times, split where the pen changed or the turtle did not exist."""
+    """Return the lines of a track between two times. A new line begins where the pen changed or the turtle did not exist."""
     trails: list[Trail] = []
     ends = [*(pen.from_s for pen in track.pens[1:]), float('inf')]
     for pen, end_s in zip(track.pens, ends, strict=True):
@@ -133,7 +134,7 @@ def trails_of(track: Track, from_s: float, until_s: float, tolerance_m: float) -
 
 
 def _stretches(rows: list[Row]) -> list[list[Row]]:
-    """Split the rows where the time has a gap."""
+    """Split the rows wherever there is a gap in time."""
     cuts = [0, *(number for number in range(1, len(rows)) if rows[number][0] - rows[number - 1][0] > GAP_S), len(rows)]
     return [rows[start:end] for start, end in zip(cuts, cuts[1:], strict=False) if end > start]
 

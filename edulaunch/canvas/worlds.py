@@ -1,4 +1,4 @@
-"""The moving objects of a recording: turtle windows and robots, with their poses, pens and wiped canvases over time."""
+"""The moving objects of a recording: turtle windows and robots, with their poses, their pens and the times of clearing."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ Row = tuple[float, ...]
 
 
 class Pen(NamedTuple):
-    """The pen of a turtle from a time: colour, width in pixels of a turtlesim window, and whether it draws."""
+    """The pen of a turtle from a time on: its colour, its width in pixels of a turtlesim window, and whether it draws."""
 
     from_s: float
     colour: Colour
@@ -39,9 +39,9 @@ class Pen(NamedTuple):
 
 
 class Track(NamedTuple):
-    """A turtle or robot: rows of (time in seconds, x, y in metres, heading in radians), and its pens in order of time.
+    """A turtle or robot: rows (time in seconds, x, y in metres, heading in radians), and its pens in order of time.
 
-    `outline` is the shape of a robot from above, if it publishes one; see :mod:`edulaunch.canvas.outlines`.
+    `outline` is the shape of a robot from above, if the robot publishes one; see :mod:`edulaunch.canvas.outlines`.
     """
 
     name: str
@@ -50,7 +50,9 @@ class Track(NamedTuple):
     outline: list[Part] = []
 
     def row_at(self, time_s: float) -> Row | None:
-        """Return the pose at a time, or None if it did not exist. The first pose also counts for the moment before it."""
+        """Return the pose at a time, or None if the object did not exist then. The first pose also counts for the moment before
+        it.
+        """
         position = bisect_right(self.rows, time_s, key=itemgetter(0))
         if not position and self.rows and self.rows[0][0] - time_s < START_S:
             return self.rows[0]
@@ -58,7 +60,8 @@ class Track(NamedTuple):
 
 
 class World(NamedTuple):
-    """One turtlesim window, or the field of the robots with a common odometry frame, or a common static ancestor of it.
+    """One turtlesim window, or the field of the robots that share an odometry frame or a static ancestor of their odometry
+    frames.
 
     `kind` is 'turtlesim' or 'robot'. `limits` is (left, right, bottom, top) in metres. `wipes` are the times when the canvas was
     cleared. `frame` is the tf frame of the field, or '' for turtles, whose messages have no frame.
@@ -76,7 +79,7 @@ class World(NamedTuple):
 def read_worlds(recording: Recording) -> list[World]:
     """Return the worlds of a recording, turtle windows first.
 
-    :raises ValueError: when there was no turtle and no robot.
+    :raises ValueError: when the recording contains no turtle and no robot.
     """
     things = moving_things(recording)
     if not things:
@@ -123,9 +126,9 @@ def _pens(recording: Recording, turtle: str) -> list[Pen]:
 
 
 def _robot_fields(recording: Recording, topics: list[str]) -> list[World]:
-    """Return a field for each robot, or one for all robots with a common static frame.
+    """Return the fields of the robots. Robots whose odometry frames have a common static ancestor share one field.
 
-    It always covers their whole path, so that pictures of different times can be compared.
+    A field always covers the whole path of its robots, so that pictures of different times can be compared.
     """
     if not topics:
         return []
@@ -140,7 +143,7 @@ def _robot_fields(recording: Recording, topics: list[str]) -> list[World]:
 
 
 def _field(recording: Recording, root: str, robots: list[tuple[str, str]], still: dict[str, Placed]) -> World:
-    """Return the field of one robot in its odometry frame, or of several in their root frame."""
+    """Return the field of one robot in its odometry frame, or of several robots in their root frame."""
     alone, tracks = len(robots) == 1, []
     for topic, frame in robots:
         namespace = topic.rpartition('/')[0]
@@ -158,7 +161,7 @@ def _field(recording: Recording, root: str, robots: list[tuple[str, str]], still
 
 
 def _moved(row: Row, place: Placed) -> Row:
-    """Return a pose in a frame, relative to the frame's root."""
+    """Convert a pose in a frame to a pose in the frame's root."""
     time, x, y, angle = row
     turn = heading(place.turn)
     c, s = math.cos(turn), math.sin(turn)
@@ -166,7 +169,9 @@ def _moved(row: Row, place: Placed) -> Row:
 
 
 def _outline(recording: Recording, namespace: str) -> list[Part]:
-    """Return the robot description of a namespace or its nearest parent, or the footprint of a node in the namespace."""
+    """Return the outline of a robot. It comes from the robot description of a namespace or its nearest parent, or else from the
+    footprint of a node in the namespace.
+    """
     named = {name.removesuffix('/robot_description'): name for name in recording.topics if name.endswith('/robot_description')}
     for above in sorted(named, key=len, reverse=True):
         texts = [getattr(message, 'data', '') for _, message in recording.messages(named[above])]

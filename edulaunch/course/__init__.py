@@ -3,13 +3,13 @@
 Lessons use them like this::
 
         from edulaunch.course import compare, explain, predict, progress, quiz
-        predict('square-end', (7.5, 5.5))      # before the run: kept in my_progress.toml
-        compare('square-end', (5.5, 5.5))      # after it: "You predicted ..., the result is ..."
+        predict('square-end', (7.5, 5.5))      # before the run: stored in my_progress.toml
+        compare('square-end', (5.5, 5.5))      # after the run: "You predicted ..., the result is ..."
         quiz('remapping', ...)                 # a question with choices; quiz('remapping', 'b') answers it
         explain('why-twice', ...)              # write a sentence in place of the dots to see the answer
         progress()                             # lessons, predictions, questions, exercises, and what to repeat
 
-Nothing leaves the computer: the answers are in a small readable file beside the notebook.
+The answers never leave the computer: they are in a small readable file beside the notebook.
 An import is inside a function only if most uses of the module do not need it.
 """
 

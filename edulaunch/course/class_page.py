@@ -1,6 +1,7 @@
 """``edulaunch course class FOLDER``: one page on a class, with each student's progress, difficult exercises and stuck students.
 
-It reads only the files `my_progress.toml` that students handed in. These files prove nothing.
+The command reads only the files `my_progress.toml` that students handed in. Students can edit these files, so the page proves
+nothing.
 """
 
 from __future__ import annotations
@@ -49,14 +50,14 @@ class Class(NamedTuple):
     refused: Sequence[Refused]
 
     def of(self, student: Standing, exercise: Exercise) -> Done:
-        """Return a student's record of an exercise."""
+        """Return the record of an exercise for one student."""
         return student.exercises.get(exercise.name, Done())
 
 
 def read_course_of(folder: str) -> tuple[list[Exercise], list[Question]]:
     """Return the exercises and questions of a course.
 
-    :raises UnusableInput: when it has no exercises, or they cannot be read.
+    :raises UnusableInput: when the course has no exercises, or its files cannot be read.
     """
     place = manifest(folder)
     if place is None:
@@ -66,7 +67,7 @@ def read_course_of(folder: str) -> tuple[list[Exercise], list[Question]]:
 
 
 def page_of_class(known: Class) -> str:
-    """Return the page as HTML."""
+    """Return the page on a class as HTML."""
     count = len(known.standings)
     return html_page(
         'A class at a glance',
@@ -87,12 +88,12 @@ def page_of_class(known: Class) -> str:
 
 
 def is_stuck(done: Done) -> bool:
-    """Return whether a student has tried an exercise often without solving it."""
+    """Return whether a student has tried an exercise many times without solving it."""
     return not done.done and done.attempts >= STUCK_TRIES
 
 
 def place_of(known: Class, student: Standing) -> str:
-    """Return the exercise that is next for a student, in the order of the course."""
+    """Return the name of the next exercise of a student, in the order of the course, or 'all done'."""
     places = [number for number, item in enumerate(known.exercises) if known.of(student, item).done]
     after = known.exercises[max(places) + 1 if places else 0 :]
     left = [item for item in (*after, *known.exercises) if not known.of(student, item).done]

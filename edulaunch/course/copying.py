@@ -1,4 +1,4 @@
-"""Copy, pack and create courses: a new course, the students' copy (or one student's variant), and how files are written.
+"""Functions that create a course, and that copy or pack a course for all students or for one student.
 
 Students get lessons without outputs, exercises and questions, but no solutions, rubrics or stored outputs.
 """
@@ -27,11 +27,11 @@ from .questions import SEALED, questions_file, seal
 from .stored import as_text, without_outputs
 
 STARTER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'starter')
-"""The course that a new course is copied from; it is kept as files, so that it is checked like every course."""
+"""The course from which a new course is copied. It consists of files, so that tests can check it like every course."""
 
 
 def new_course(folder: str) -> list[str]:
-    """Create a course. Return its files, relative to the folder.
+    """Create a course. Return the names of its files, relative to the folder.
 
     :raises UnusableInput: when the folder exists and is not empty, or cannot be created.
     """
@@ -46,15 +46,15 @@ def new_course(folder: str) -> list[str]:
 
 RUBRICS = 'rubrics'
 KEPT_BACK = ('solutions', RUBRICS, '__pycache__', 'my_progress.toml', 'my_progress.toml.bak')
-"""Never handed out, in any folder."""
+"""The names of files that students never get, in any folder."""
 BESIDE = (MANIFEST, 'README.md', 'LICENSE', 'requirements.txt')
-"""Files beside the folders of a course, handed out if the course has its own folder (with its manifest in it)."""
+"""The files beside the folders of a course. Students get them if the course has its own folder, which contains the manifest."""
 
 
 def student_files(course: str, *, rubrics: bool = False) -> dict[str, bytes]:
-    """Return the files that students get, by their path in the course with slashes, in alphabetical order.
+    """Return the content of the files that students get, by their path in the course with slashes, in alphabetical order.
 
-    :param rubrics: include the rubrics, so that students can check their work.
+    :param rubrics: whether to include the rubrics, so that students can check their work.
     :raises UnusableInput: when a notebook cannot be read, or a file is a link (which may lead to a solution).
     """
     found: dict[str, bytes] = {}
@@ -73,10 +73,10 @@ def student_files(course: str, *, rubrics: bool = False) -> dict[str, bytes]:
 
 
 def _is_handed_out(in_lessons: bool, name: str, inside: str) -> bool:
-    """Leave out hidden files (.outputs, .ipynb_checkpoints) and files that are kept back.
+    """Return whether students get a file. Hidden files (.outputs, .ipynb_checkpoints) and files for teachers are left out.
 
-    Beside the notebooks, this also leaves out the results of running them (my_launch, my_ws), the notes for teachers, and files
-    for our tests. An exercise may be named my_package, or notes.
+    In the folder of the notebooks, the results of running them (my_launch, my_ws) are left out, too. So are the notes for
+    teachers and the files for edulaunch's own tests. An exercise may still have the name my_package, or notes.
     """
     if in_lessons and not inside and (name.startswith('my_') or name in (NOTES, 'conftest.py', 'coverage.toml')):
         return False
@@ -99,7 +99,7 @@ LONGEST_NAME = 80
 
 
 def personal_files(files: Mapping[str, bytes], course: str, student: str, secret: CourseSecret) -> dict[str, bytes]:
-    """Return one student's copy: exercises in this student's variant, and the file by which the student is graded.
+    """Return the copy for one student: exercises in the student's variant, and the file that the grader uses.
 
     :param files: the files that all students get, by path.
     :raises UnusableInput: for an invalid name, or when no exercise of the course has variants.
@@ -133,24 +133,26 @@ def _made(data: bytes, personal: Callable[[str], str]) -> bytes:
 
 
 RECORD = '.edulaunch_course.json'
-"""A file beside the copy: a digest of each copied file, so that a later copy knows which files the student changed."""
+"""A file beside the copy, with a digest of each copied file. A later copy finds the files that the student changed with it."""
 MOST_NAMED = 8
 _NO_DATE = (1980, 1, 1, 0, 0, 0)
 
 
 class Copied(NamedTuple):
-    """The result of a copy: the written files, and files of the student that were kept although the course has newer ones."""
+    """The result of a copy: the files that were written, and the student's files that were not replaced by newer ones of the
+    course.
+    """
 
     written: list[str]
     left_alone: list[str]
 
 
 def copy_files(files: Mapping[str, bytes], target: str, *, update: bool = False) -> Copied:
-    """Write the files to a folder. An existing file that differs stays, unless it equals an earlier copy.
+    """Write the files to a folder. Replace an existing file only if it equals the file of an earlier copy.
 
-    :param update: keep the files that the student changed, and write the others; without it, reject the whole copy.
-    :raises UnusableInput: when the student changed files and `update` is not set; then nothing is written. Also when a file
-        cannot be read or written.
+    :param update: whether to write all other files if the student changed some. If False, reject the whole copy.
+    :raises UnusableInput: when the student changed files and `update` is False (nothing is then written), or when a file cannot
+        be read or written.
     """
     known = _record(target)
     wanted = [name for name, data in files.items() if _read(target, name) != data]
@@ -170,9 +172,9 @@ def copy_files(files: Mapping[str, bytes], target: str, *, update: bool = False)
 
 
 def write_zip(files: Mapping[str, bytes], path: str) -> None:
-    """Write a zip file; equal files give the same bytes.
+    """Write a zip file. Equal files always give the same bytes.
 
-    :raises UnusableInput: when it cannot be written.
+    :raises UnusableInput: when the zip file cannot be written.
     """
     from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
@@ -196,7 +198,9 @@ def _digest(data: bytes) -> str:
 
 
 def _record(target: str) -> dict[str, str]:
-    """Return the record of the previous copy. An unreadable record is empty, so every file that differs counts as changed."""
+    """Return the record of the previous copy. If it cannot be read, return an empty record, so that every file that differs
+    counts as changed.
+    """
     try:
         found = json.loads(_read(target, RECORD) or b'{}')
     except ValueError:
@@ -215,10 +219,10 @@ def _read(target: str, name: str) -> bytes | None:
 
 
 def write_file(target: str, name: str, data: bytes | str) -> None:
-    """Write a file to a folder, with the folders between.
+    """Write a file to a folder, and create the folders between.
 
-    :param name: its path there, with slashes.
-    :raises UnusableInput: when it cannot be written.
+    :param name: the path of the file in the folder, with slashes.
+    :raises UnusableInput: when the file cannot be written.
     """
     path = os.path.join(target, *name.split('/'))
     try:

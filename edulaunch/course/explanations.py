@@ -1,4 +1,4 @@
-"""``explain('name', ...)``: students first write an explanation in their own words, and then see the answer beside it."""
+"""``explain('name', ...)``: students first write an explanation in their own words, and then read the answer beside it."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from .questions import FILE, find_questions
 LONGEST = 2000
 """The maximum number of characters of a stored explanation."""
 FEWEST = 4
-"""The minimum number of words of an explanation; a shorter one does not open the answer."""
+"""The minimum number of words of an explanation. A shorter one does not open the answer."""
 
 
 def explain(name: str, text: str | EllipsisType = ...) -> Verdict:
     """Store an explanation in the progress file, and show the answer.
 
     :param name: the name of the explanation in `questions.toml`.
-    :param text: one or two sentences; ``...``, as in the lesson, shows how to write them.
+    :param text: one or two sentences. The placeholder ``...`` of the lesson shows how to write them.
     """
     known = find_questions().explanations
     if name not in known:

@@ -1,7 +1,7 @@
-"""Read the progress files of a class: untrusted files from a shared drive, home folders or clones.
+"""Read the progress files of a class, which are untrusted files from a shared drive, home folders or clones.
 
-No code of a student runs. Links are not followed. A file that is too large, or does not come from `check()`, is rejected with a
-fixed reason, and does not affect other students.
+No code of a student runs, and links are not followed. A file that is too large, or does not come from `check()`, is rejected with
+a fixed reason. It does not affect other students.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _MOODLE = re.compile(r'_\d+_assignsubmission_file_?$')
 
 
 class Done(NamedTuple):
-    """A student's record of one exercise."""
+    """The record of one exercise for one student."""
 
     done: bool = False
     attempts: int = 0
@@ -45,7 +45,7 @@ class Done(NamedTuple):
     best_points: float = 0.0
 
     def __or__(self, other: object) -> Done:
-        """Return the better record of each exercise, from two files of one student."""
+        """Return the better of two records of one exercise, which come from two files of one student."""
         if not isinstance(other, Done):
             return NotImplemented
         tries, hints = max(self.attempts, other.attempts), max(self.hints, other.hints)
@@ -53,7 +53,7 @@ class Done(NamedTuple):
 
 
 class Standing(NamedTuple):
-    """The content of one student's files.
+    """The content of the files of one student.
 
     :ivar answers: the chosen letters for each question, in order.
     """
@@ -64,28 +64,31 @@ class Standing(NamedTuple):
 
 
 class Refused(NamedTuple):
-    """A file that could not be read: its path in the folder, and the reason."""
+    """A progress file that was rejected: its path in the folder, and the reason."""
 
     path: str
     why: str
 
 
 def read_class(folder: str) -> tuple[list[Standing], list[Refused]]:
-    """Read every progress file below a folder; each entry of the folder is a student.
+    """Read every progress file below a folder. Each entry of the folder belongs to one student.
 
     :raises UnusableInput: when the folder cannot be listed, or has no progress file.
     """
     try:
         names = sorted(os.listdir(folder))
     except OSError as error:
-        raise UnusableInput(
-            f'cannot read {folder}: {error.strerror}', help='name a folder with one folder for each student'
-        ) from None
+        help = 'name a folder with one folder for each student'
+        if os.path.isfile(folder):
+            help += ', and unpack an archive before'
+        raise UnusableInput(f'cannot read {folder}: {error.strerror}', help=help) from None
     found: dict[str, Standing] = {}
     refused = [Refused(os.curdir, f'only the first {MOST_STUDENTS} entries are read')] if len(names) > MOST_STUDENTS else []
     for name in names[:MOST_STUDENTS]:
         for path in _files(folder, name):
             try:
+                if os.path.islink(os.path.join(folder, path)):
+                    raise ValueError('it is a link, and links are not followed')
                 exercises, answers = _read(os.path.join(folder, path))
             except (OSError, ValueError) as error:
                 refused.append(Refused(path, getattr(error, 'strerror', None) or str(error)))
@@ -108,7 +111,7 @@ def _student(name: str) -> str:
 
 
 def _files(folder: str, name: str) -> Iterator[str]:
-    """Return the progress files of one entry of a folder, by their paths in it."""
+    """Return the progress files in one entry of a folder, by their paths in the entry."""
     place = os.path.join(folder, name)
     if os.path.islink(place):
         return
@@ -129,7 +132,7 @@ def _files(folder: str, name: str) -> Iterator[str]:
 
 
 def _read(path: str) -> tuple[dict[str, Done], dict[str, list[str]]]:
-    """Return the content of a progress file. Raise OSError or ValueError, with fixed messages, for an invalid file."""
+    """Return the content of a progress file. For an invalid file, raise OSError or ValueError with a fixed message."""
     if sys.version_info >= (3, 11):
         import tomllib
     else:

@@ -1,4 +1,4 @@
-"""`edulaunch course lint`: check the common form of all lessons of a course, without running them."""
+"""`edulaunch course lint`: check the form that all lessons of a course share, without running them."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _ASKS = re.compile(r"^(quiz|explain)\('([\w-]+)'", re.MULTILINE)
 
 
 def lesson_problems(course: str) -> Iterator[str]:
-    """Yield the problems of a course's lessons, one line each; nothing for a course without lessons."""
+    """Yield one line for each problem of a course's lessons. Yield nothing for a course without lessons."""
     folder = os.path.join(course, LESSONS)
     if not os.path.isdir(folder):
         return

@@ -1,9 +1,9 @@
-"""A lesson as the parts of a page or a slide: text, code, pictures, predictions, questions.
+"""A lesson as the parts of a page or a slide: text, code, pictures, predictions and questions.
 
-A page cannot ask first and show later, so it folds away the answers to predictions. Only teachers see the right answers, and
+A page cannot wait for a prediction, so the answers are folded away. Only teachers see the right answers, and
 questions appear without answers.
 
-nbconvert's Markdown and colours convert the parts to HTML. It is loaded late, because it needs the notebook extra.
+nbconvert converts the parts to HTML, with Markdown and syntax colours. It is imported late, because it needs the notebook extra.
 """
 
 from __future__ import annotations
@@ -38,9 +38,9 @@ class Output(NamedTuple):
     """An output of a cell.
 
     :param kind: text, error, picture, html or replay.
-    :param text: its text; for a picture or a replay, the caption.
+    :param text: the text of the output; for a picture or a replay, the caption.
     :param data: the bytes of the picture, PNG or SVG; None if only the caption was stored.
-    :param page: for html and replay, the HTML.
+    :param page: the HTML of an html output or a replay.
     """
 
     kind: str
@@ -52,11 +52,11 @@ class Output(NamedTuple):
 class Part(NamedTuple):
     """One element of a page.
 
-    :param kind: text (Markdown), code, guess (place for a prediction), answer (to a prediction, for teachers) or quiz.
-    :param ident: the cell's id.
+    :param kind: text (Markdown), code, guess (the place for a prediction), answer (to a prediction, for teachers) or quiz.
+    :param ident: the ID of the cell.
     :param text: the Markdown, the code, the form of the prediction, or the answer.
     :param file: the name of the file to which the code is written.
-    :param folded: whether the outputs answer a prediction, so that they are opened only after it.
+    :param folded: whether the outputs answer a prediction, so that readers open them only after it.
     """
 
     kind: str
@@ -73,8 +73,8 @@ def lesson_parts(
 ) -> Iterator[Part]:
     """Return the parts of a notebook's cells in order.
 
-    :param outputs: the outputs of each code cell, by its id.
-    :param teacher: include the right answers to predictions.
+    :param outputs: the outputs of each code cell, by the ID of the cell.
+    :param teacher: whether to include the right answers to predictions.
     """
     asked = False
     for cell in cells:
@@ -101,8 +101,9 @@ def lesson_parts(
 
 
 def _code_parts(ident: str, source: str, gave: tuple[Output, ...], folded: bool) -> Iterator[Part]:
-    """Return the lines of a cell without calls of `predict`, `compare` or `quiz`, their outputs, and the place of the
-    prediction."""
+    """Return the parts of a code cell: its lines without calls of `predict`, `compare` or `quiz`, its outputs, and the place for
+    the prediction.
+    """
     predicts = _PREDICTS.search(source)
     if predicts:
         yield Part('guess', ident, predicts[2] or '')
@@ -138,7 +139,7 @@ def _plain(text: str | list[str]) -> str:
 
 
 def _shown(data: Mapping[str, Any]) -> Output:
-    """Return an output in its best form: a picture with its caption, a table, or text."""
+    """Return an output in the best available form: a picture with its caption, a table, or text."""
     text, page = _plain(data.get('text/plain', '')), ''.join(data.get('text/html', ''))
     if 'image/png' in data:
         return Output('picture', text, b64decode(''.join(data['image/png'])))
@@ -157,7 +158,7 @@ _LANGUAGES = {'.xml': 'xml', '.urdf': 'xml', '.xacro': 'xml', '.yaml': 'yaml', '
 
 
 def environment() -> Any:
-    """Return the templates, with the filters `markdown`, `code` and `picture`.
+    """Return the environment of the templates, with the filters `markdown`, `code` and `picture`.
 
     :raises UnusableInput: when nbconvert is not installed.
     """
@@ -180,10 +181,11 @@ def _safe(function: Callable[..., str]) -> Callable[..., Any]:
 
 
 def markdown(text: str, prefix: str = '', lower: int = 0, opened: bool = False) -> str:
-    """Convert Markdown to HTML: heading ids begin with `prefix`, formulas become drawings, table headings name their columns.
+    """Convert Markdown to HTML. Formulas become drawings, and table headings name their columns.
 
+    :param prefix: the beginning of each heading's ID.
     :param lower: the number of levels by which headings are lowered.
-    :param opened: open what the text folds away.
+    :param opened: whether to open the parts that the text folds away.
     """
     from nbconvert.filters.markdown_mistune import IPythonRenderer, MarkdownWithMath
 
@@ -204,7 +206,7 @@ def markdown(text: str, prefix: str = '', lower: int = 0, opened: bool = False) 
 
 
 def heading_id(prefix: str, html: str) -> str:
-    """Return the id of a heading from its text."""
+    """Return the ID of a heading for its text."""
     return prefix + re.sub(r'\W+', '-', re.sub(r'<[^>]*>|&\w+;', '', html)).strip('-').lower()
 
 
@@ -226,7 +228,7 @@ def _formula(latex: str) -> str:
 
 
 def _code(part: Part) -> Any:
-    """Return a part's code with syntax colours."""
+    """Return the code of a part with syntax colours, as HTML."""
     from markupsafe import Markup
     from nbconvert.filters import Highlight2HTML
 
@@ -236,6 +238,6 @@ def _code(part: Part) -> Any:
 
 
 def _picture(output: Output) -> str:
-    """Return the address of a picture: its bytes are in the page itself."""
+    """Return the address of a picture. The address itself contains the bytes."""
     kind = 'svg+xml' if output.kind == 'replay' else 'png'
     return f'data:image/{kind};base64,{b64encode(output.data).decode()}'

@@ -1,6 +1,7 @@
-"""Find a course (around the current folder, in a given folder, or the one of edulaunch), and read its lessons.
+"""Find a course and read its lessons.
 
-Notes for teachers are in ``lessons/notes/NN_name.md``; students never get them.
+A course is found around the current folder, in a given folder, or in edulaunch. Notes for teachers are in
+``lessons/notes/NN_name.md``; students never get them.
 """
 
 from __future__ import annotations
@@ -22,26 +23,28 @@ _HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 def our_course() -> str:
-    """Return the folder of the course that comes with edulaunch: in the installed package, or in the source tree."""
+    """Return the folder of the course that comes with edulaunch, which is in the installed package or in the source tree."""
     inside = os.path.join(_HERE, 'ours')
     return inside if os.path.isdir(inside) else os.path.dirname(os.path.dirname(_HERE))
 
 
 def manifest(folder: str) -> str | None:
-    """Return the course.toml of a course: in its folder, or in ``exercises`` there. Return None without one."""
+    """Return the course.toml of a course, in its folder or in the subfolder ``exercises``. Return None if there is no such
+    file.
+    """
     places = (os.path.join(folder, MANIFEST), os.path.join(folder, EXERCISES, MANIFEST))
     return next((place for place in places if os.path.isfile(place)), None)
 
 
 def has_manifest(folder: str) -> bool:
-    """Return whether the folder has a manifest, readable or not."""
+    """Return whether the folder has a manifest, even if it cannot be read."""
     return any(os.path.isfile(os.path.join(folder, *place)) for place in ((MANIFEST,), (EXERCISES, MANIFEST)))
 
 
 def given_course(folder: str) -> str:
-    """Return the folder if it has a course.
+    """Return the folder if it contains a course.
 
-    :raises UnusableInput: when it has no course.
+    :raises UnusableInput: when the folder contains no course.
     """
     if manifest(folder) is None:
         help = f'create a course with `edulaunch course new DIR`; its {MANIFEST} lists the exercises'
@@ -50,7 +53,7 @@ def given_course(folder: str) -> str:
 
 
 def course_around(folder: str) -> str:
-    """Return the course in this folder or a parent folder, otherwise the one of edulaunch."""
+    """Return the course in this folder or a parent folder, or else the course of edulaunch."""
     courses = (above for above in here_and_above(folder) if manifest(above) is not None and os.path.basename(above) != EXERCISES)
     return next(courses, None) or our_course()
 
@@ -59,11 +62,11 @@ _PREDICTS = re.compile(r"^predict\('([\w-]+)'", re.MULTILINE)
 
 
 class Lesson(NamedTuple):
-    """A notebook.
+    """A lesson, which is a notebook.
 
-    :param name: its file name without the ending.
-    :param title: its first heading.
-    :param predictions: the names of the predictions in it.
+    :param name: the file name without its ending.
+    :param title: the first heading.
+    :param predictions: the names of the predictions in the lesson.
     """
 
     name: str
@@ -72,7 +75,7 @@ class Lesson(NamedTuple):
 
 
 def lessons_folder() -> str | None:
-    """Return the folder with notebooks: this one, or ``lessons`` in it. Return None if neither has any."""
+    """Return the folder with notebooks: this folder, or the subfolder ``lessons``. Return None if neither contains notebooks."""
     for folder in (os.getcwd(), os.path.join(os.getcwd(), 'lessons')):
         if os.path.isdir(folder) and any(map(_is_lesson, os.listdir(folder))):
             return folder
@@ -80,12 +83,12 @@ def lessons_folder() -> str | None:
 
 
 def read_lessons(folder: str) -> list[Lesson]:
-    """Return the lessons of a folder in order. An unreadable notebook has only a name."""
+    """Return the lessons of a folder in order. A notebook that cannot be read becomes a lesson with only a name."""
     return [_lesson(folder, name) for name in sorted(filter(_is_lesson, os.listdir(folder)))]
 
 
 def the_one(given: str, known: Iterable[str], refusal: str) -> str:
-    """Return the full name of a lesson; its number or the beginning of its name is enough.
+    """Return the full name of a lesson for its number or the beginning of its name.
 
     :raises UnusableInput: with the message `refusal`, for no match or several matches.
     """
@@ -111,7 +114,7 @@ def _lesson(folder: str, file: str) -> Lesson:
 
 
 def contents(course: str) -> str:
-    """Return the lessons in order, each with its exercises; exercises without a lesson come last.
+    """Return the lessons in order, each with its exercises. Exercises without a lesson come last.
 
     :raises UnusableInput: when the manifest cannot be read.
     """
@@ -133,16 +136,16 @@ def _line(exercise: Exercise) -> str:
 
 FOLDER = 'notes'
 _NONE = (
-    'notes on the course of edulaunch are only in its source, not in the installed package;'
-    f' for your own course, write {LESSONS}/{FOLDER}/01_name.md on 01_name.ipynb'
+    "type the command in a clone of edulaunch, because the installed package has no teachers' notes;"
+    f' for your own course, write the notes of 01_name.ipynb into {LESSONS}/{FOLDER}/01_name.md'
 )
 _ROW = re.compile(r'^\| *(\d+) *\| *(.+?) *\|', re.MULTILINE)
 
 
 def read_notes(course: str) -> dict[str, str]:
-    """Return the notes of a course, as Markdown by the name of the lesson, in order.
+    """Return the notes of a course in order, as Markdown by the name of the lesson.
 
-    :raises UnusableInput: when one cannot be read.
+    :raises UnusableInput: when a file with notes cannot be read.
     """
     folder = os.path.join(course, LESSONS, FOLDER)
     found = {}
@@ -157,23 +160,27 @@ def read_notes(course: str) -> dict[str, str]:
 
 
 def time_plan(notes: str) -> list[tuple[int, str]]:
-    """Return the rows of a time plan: minutes, and the heading of the section. A row is ``| 5 | 1.1 Heading | what |``."""
+    """Return the rows of a time plan as pairs of minutes and section heading.
+
+    A row in the notes is ``| 5 | 1.1 Heading | what |``.
+
+    """
     return [(int(minutes), section) for minutes, section in _ROW.findall(notes)]
 
 
 def notes_of(course: str, name: str) -> str:
-    """Return the notes on one lesson; its number or the beginning of its name is enough.
+    """Return the notes on one lesson, for its number or the beginning of its name.
 
     :raises UnusableInput: when the lesson has no notes.
     """
     known = read_notes(course)
     if not known:
-        raise UnusableInput(f'there are no notes on {name}', help=_NONE)
-    return known[the_one(name, known, f'there are no notes on {name}')]
+        raise UnusableInput(f'there are no notes for the lesson {name}', help=_NONE)
+    return known[the_one(name, known, f'the course has no lesson {name} with notes')]
 
 
 def list_of_notes(course: str) -> str:
-    """Return one line for each lesson with notes: its minutes and the title of the notes."""
+    """Return one line for each lesson with notes: the minutes and the title of the notes."""
     known = read_notes(course)
     if not known:
         raise UnusableInput(f'{course} has no notes for teachers', help=_NONE)

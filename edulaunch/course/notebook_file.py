@@ -1,7 +1,7 @@
-"""The one reader of notebooks that come from outside: a lesson of a course author, or one that a student saved.
+"""The one reader of notebooks from other people: a lesson of a course author, or a notebook that a student saved.
 
-It checks what the course tools use of Jupyter's format, version 4: the keys `cells`, `cell_type`, `source`, `id`, `metadata` and
-`outputs`. Whatever is wrong becomes one sentence that names the file, the cell and the key.
+The reader checks the parts of Jupyter's format, version 4, that the course tools use: the keys `cells`, `cell_type`, `source`,
+`id`, `metadata` and `outputs`. Each error message is one sentence that names the file, the cell and the key.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from edulaunch.errors import UnusableInput
 
 KINDS = ('code', 'markdown', 'raw')
 LARGEST = 50 << 20
-"""The largest notebook in bytes that is read."""
+"""The size of the largest notebook that is read, in bytes."""
 _OUTPUTS = {
     'stream': ('text',),
     'error': ('ename', 'evalue', 'traceback'),
@@ -28,11 +28,11 @@ _OUTPUTS = {
 class Cell(NamedTuple):
     """A cell of a notebook.
 
-    :ivar ident: its id; empty in a notebook older than version 4.5.
+    :ivar ident: the ID of the cell; empty in a notebook older than version 4.5.
     :ivar kind: one of `KINDS`.
-    :ivar source: its text.
-    :ivar outputs: the outputs that are stored in it, in Jupyter's format; only code cells have outputs.
-    :ivar counted: whether it has an execution count.
+    :ivar source: the text of the cell.
+    :ivar outputs: the stored outputs in Jupyter's format; only code cells have outputs.
+    :ivar counted: whether the cell has an execution count.
     """
 
     ident: str
@@ -45,7 +45,7 @@ class Cell(NamedTuple):
 class Notebook(NamedTuple):
     """A notebook.
 
-    :ivar content: the content of the file as JSON has it, for tools that write it again.
+    :ivar content: the content of the file as JSON data, for tools that write the notebook again.
     """
 
     cells: tuple[Cell, ...]
@@ -53,7 +53,7 @@ class Notebook(NamedTuple):
 
 
 def read_notebook(path: str) -> Notebook:
-    """Read a notebook from a file.
+    """Return the notebook in a file.
 
     :raises UnusableInput: when the file cannot be read, is too large, or is not a notebook of version 4.
     """
@@ -66,10 +66,10 @@ def read_notebook(path: str) -> Notebook:
 
 
 def parse_notebook(data: bytes, path: str) -> Notebook:
-    """Read a notebook from the bytes of its file.
+    """Return the notebook in the bytes of a file.
 
-    :param path: how messages name the file.
-    :raises UnusableInput: when the bytes are too many, or are not a notebook of version 4.
+    :param path: the name of the file in messages.
+    :raises UnusableInput: when there are too many bytes, or they are not a notebook of version 4.
     """
     try:
         return _notebook(data)
@@ -110,10 +110,10 @@ def _cells(given: list[Any]) -> Iterator[Cell]:
 
 
 def read_outputs_file(path: str) -> dict[str, list[dict[str, Any]]]:
-    """Read the file in which a course stores the outputs of a lesson: lists of outputs by the id of their cell.
+    """Read the file in which a course stores the outputs of a lesson. Return lists of outputs by the ID of their cell.
 
     :raises OSError: when the file cannot be read.
-    :raises ValueError: when its content is something else.
+    :raises ValueError: when the file has any other content.
     """
     with open(path, 'rb') as file:
         data = file.read(LARGEST + 1)
@@ -171,7 +171,7 @@ def _output(output: Any) -> dict[str, Any]:
 
 
 def _joined(value: Any, key: str) -> str:
-    """Return a string that may be stored as a list of its lines."""
+    """Return a string that may be stored as a list of lines."""
     if isinstance(value, str):
         return value
     if not isinstance(value, list) or not _is_strings(value):

@@ -1,4 +1,6 @@
-"""Predictions are entered before the run, stored in the progress file of the current folder, and compared with the result."""
+"""Predictions, which students enter before a run and compare with the result. They are stored in the progress file of the
+folder.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +24,7 @@ BOX = 'border-left:4px solid #888;padding:.1em 1em;max-width:60em'
 
 
 class Verdict:
-    """A few sentences, as text and as HTML."""
+    """A message of a few sentences, as text and as HTML."""
 
     def __init__(self, *lines: str) -> None:
         self.lines = [line for line in lines if line]
@@ -38,7 +40,7 @@ def predict(name: str, guess: Any) -> Verdict:
     """Store your expectation before you see the result.
 
     :param name: the name of the prediction; `compare` uses the same name.
-    :param guess: a number, several numbers in parentheses, or a word. ``...``, as in the lesson, is not a prediction yet.
+    :param guess: a number, several numbers in parentheses, or a word. The placeholder ``...`` of the lesson is not a prediction.
     """
     if isinstance(guess, EllipsisType):
         return Verdict('No prediction yet: replace the three dots with your prediction, and run this cell again.')
@@ -47,7 +49,7 @@ def predict(name: str, guess: Any) -> Verdict:
 
 
 def compare(name: str, was: Any) -> Verdict:
-    """Show the result beside the prediction of this name.
+    """Show the result beside the prediction with this name.
 
     Two numbers, or points of the same dimension, are compared by their distance.
 
@@ -83,7 +85,7 @@ def _verdict(guessed: str, was: str) -> str:
 
 
 def _bare(text: str) -> str:
-    """Return words without unimportant differences: "No." is "no"."""
+    """Return a string without unimportant differences, so that "No." becomes "no"."""
     return ' '.join(text.casefold().strip(' .!?').replace(',', ' ').split())
 
 
@@ -98,7 +100,7 @@ def _numbers(text: str) -> list[float] | None:
 def keep(change: Callable[[ProgressFile], None]) -> str:
     """Change the progress file. Return a message for the student, usually an empty string.
 
-    A file that cannot be written does not lose the answer in the notebook.
+    If the file cannot be written, the answer stays in the notebook.
     """
     try:
         with ProgressFile.changing(os.getcwd()) as file:

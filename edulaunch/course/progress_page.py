@@ -20,7 +20,7 @@ MOST_REPEATED = 5
 
 
 class Row(NamedTuple):
-    """The progress in one lesson, each as "done of all"; empty if there is nothing to do."""
+    """The progress in one lesson. Each entry has the form "done of all". It is empty if there is nothing to do."""
 
     title: str
     predictions: str
@@ -38,7 +38,7 @@ class ProgressPage:
 
     @property
     def advice(self) -> str:
-        """Return one line with what to do next."""
+        """Return one line that says what to do next."""
         return f'To repeat: {"; ".join(self.repeat)}.' if self.repeat else 'Nothing to repeat.'
 
     def __repr__(self) -> str:
@@ -58,11 +58,13 @@ class ProgressPage:
 def progress() -> ProgressPage | Verdict:
     """Return the lessons with predictions, answers and solved exercises, from the file ``my_progress.toml``.
 
-    The file is in this folder or, if not, in the folder with the lessons.
+    The file is in this folder or else in the folder with the lessons.
     """
     folder = lessons_folder()
     if folder is None:
-        return Verdict('There are no lessons here. Open a notebook in the folder of the lessons, and call progress() there.')
+        return Verdict(
+            'There are no lessons here. Type `edulaunch course status` in the course folder, or call progress() in a lesson.'
+        )
     file = ProgressFile(os.getcwd() if os.path.isfile(NAME) else folder)
     questions = list(find_questions().questions.values())
     rows = [_row(lesson, file, questions) for lesson in read_lessons(folder)]
@@ -96,7 +98,7 @@ def _is_right(file: ProgressFile, question: Question) -> bool:
 
 
 def _to_repeat(file: ProgressFile, questions: list[Question]) -> list[str]:
-    """Return what was tried and is not right yet: first questions, then exercises."""
+    """Return what the student tried without success, first questions, then exercises."""
     asked = [f'quiz({item.name!r})' for item in questions if file.answers.get(item.name) and not _is_right(file, item)]
     tried = [f'check({name!r})' for name, item in file.exercises.items() if item.attempts and not item.done]
     return [*asked, *tried][:MOST_REPEATED]

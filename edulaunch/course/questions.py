@@ -1,4 +1,7 @@
-"""Questions and explanations of a course: ``solutions/questions.toml`` for authors, a file with hidden answers for students."""
+"""The questions and explanations of a course.
+
+Authors edit ``solutions/questions.toml``. Students get a file with hidden answers.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +22,7 @@ LETTERS = 'abcdef'
 
 
 class Choice(NamedTuple):
-    """One of the choices of a question, and the comment that a student who chose it reads."""
+    """One choice of a question, and the comment for students who select it."""
 
     text: str
     feedback: str
@@ -28,8 +31,8 @@ class Choice(NamedTuple):
 class Question(NamedTuple):
     """A question with choices.
 
-    :param name: the name for `quiz`, unique in the course.
-    :param lesson: the notebook, without its ending, that teaches it.
+    :param name: the name for `quiz`, which is unique in the course.
+    :param lesson: the name of the notebook that teaches the answer, without its ending.
     :param right: the letter of the right choice.
     """
 
@@ -41,9 +44,9 @@ class Question(NamedTuple):
 
 
 class Explanation(NamedTuple):
-    """What a lesson asks students to explain in their own words, and the answer that they compare theirs with.
+    """A question that students answer in their own words, and the answer with which they compare their explanation.
 
-    :param name: the name for `explain`, unique in the course.
+    :param name: the name for `explain`, which is unique in the course.
     """
 
     name: str
@@ -52,7 +55,7 @@ class Explanation(NamedTuple):
 
 
 class Questions(NamedTuple):
-    """The content of a questions file by name, in its order."""
+    """The content of a questions file by name, in the order of the file."""
 
     questions: dict[str, Question]
     explanations: dict[str, Explanation]
@@ -64,7 +67,9 @@ def seal(data: bytes) -> bytes:
 
 
 def questions_file(folder: str) -> str | None:
-    """Return the questions file for a folder of lessons, or None. The file of an update replaces an older readable file."""
+    """Return the questions file for a folder of lessons, or None. The file of an update takes precedence over an older readable
+    file.
+    """
     folder = os.path.abspath(folder)
     beside = os.path.join(os.path.dirname(folder), SOLUTIONS, FILE)
     places = (*(os.path.join(folder, name) for name in (SEALED, FILE)), beside)
@@ -72,9 +77,9 @@ def questions_file(folder: str) -> str | None:
 
 
 def read_questions(path: str | None) -> Questions:
-    """Return the questions and explanations of a file; none without a path.
+    """Return the questions and explanations in a file. For None, return no questions.
 
-    :raises UnusableInput: when the file cannot be read or a field is missing; names file and question.
+    :raises UnusableInput: when the file cannot be read or a field is missing. The message names the file and the question.
     """
     if path is None:
         return Questions({}, {})
@@ -90,7 +95,10 @@ def read_questions(path: str | None) -> Questions:
 
 
 def find_questions() -> Questions:
-    """Return the questions beside the notebook, or in the folder ``lessons`` here or in a parent; none without such a file."""
+    """Return the questions beside the notebook, or in the folder ``lessons`` of this folder or a parent folder.
+
+    If there is no such file, return no questions.
+    """
     for above in here_and_above(os.curdir):
         for folder in (above, os.path.join(above, 'lessons')):
             if (path := questions_file(folder)) is not None:

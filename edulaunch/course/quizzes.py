@@ -18,9 +18,9 @@ from .questions import FILE, LETTERS, Question, find_questions
 
 
 def find_question(name: str) -> Question:
-    """Return a question by its name.
+    """Return the question with this name.
 
-    :raises UnusableInput: for an unknown name; the message names the nearest one.
+    :raises UnusableInput: for an unknown name; the message contains the most similar name.
     """
     known = find_questions().questions
     if name in known:
@@ -33,13 +33,13 @@ def find_question(name: str) -> Question:
 
 
 _CHOICE = 'margin:.2em 0 .2em 1.5em'
-"""The letters are part of the text, because JupyterLab replaces them by its own numbers in a list."""
+"""The style of a choice. Its letter is part of the text, because JupyterLab replaces letters in a list by its own numbers."""
 
 
 class Asked:
-    """A question as a cell shows it, before or after the answer.
+    """A question in the form that a cell shows, before or after the answer.
 
-    :param chosen: the letter of the answer; empty before it.
+    :param chosen: the letter of the answer; empty before the answer.
     :param word: a message about the progress file, usually empty.
     """
 
@@ -85,8 +85,8 @@ def quiz(name: str, choice: str | EllipsisType = ...) -> Asked | Verdict:
     """Show a question of the course, or answer it. Each answer is stored in the progress file.
 
     :param name: the name of the question in `questions.toml`.
-    :param choice: the letter of an answer; ``...``, as in the lesson, shows the question.
-    :raises UnusableInput: for an unknown question; the message names the nearest one.
+    :param choice: the letter of an answer. The placeholder ``...`` of the lesson shows the question.
+    :raises UnusableInput: for an unknown question; the message contains the most similar name.
     """
     try:
         question = find_question(name)

@@ -1,4 +1,4 @@
-"""`edulaunch course reader`: write a course as accessible HTML pages that need no network and no Jupyter, and as PDF."""
+"""`edulaunch course reader`: write a course as accessible HTML pages that need neither a network nor Jupyter, and as PDF."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ _HEADING = {level: re.compile(rf'<h{level} id="[^"]*">(.*?)</h{level}>', re.DOTA
 
 
 class Page(NamedTuple):
-    """A lesson of a reader.
+    """One lesson as a page of a reader.
 
-    :param sections: id and HTML of each heading of the second level.
+    :param sections: the ID and the HTML of each heading of the second level.
     :param came: the parts whose outputs answer a prediction.
-    :param notes: Markdown for the teacher.
+    :param notes: the notes for the teacher, as Markdown.
     """
 
     name: str
@@ -48,10 +48,10 @@ class Page(NamedTuple):
 def write_reader(
     course: str, target: str, *, teacher: bool = False, kept: bool = False, pdf: bool = False, say: Say = lambda line: None
 ) -> tuple[list[str], str]:
-    """Write the pages of a course to a folder; return their names, and why there is no PDF if one was requested.
+    """Write the pages of a course to a folder. Return their names, and the reason if a requested PDF was not written.
 
-    :param teacher: include right answers, open all answers, and add the notes for teachers.
-    :param kept: use the outputs stored beside the lessons, which have no pictures; without it, run the lessons.
+    :param teacher: whether to include right answers, open all answers, and add the notes for teachers.
+    :param kept: whether to use the outputs stored beside the lessons, which have no pictures. If False, the lessons run.
     :param say: called with one line for each lesson that has run.
     :raises UnusableInput: when the folder has other files in it, a lesson cannot be read or run, or nbconvert is missing.
     """
@@ -91,7 +91,7 @@ def read_pages(
 ) -> Iterator[Page]:
     """Yield the lessons of a course as pages, in their order.
 
-    :param only: the name of one lesson.
+    :param only: the name of a single lesson; None means all lessons.
     :param say: called with one line for each lesson that has run.
     """
     folder = os.path.join(course, LESSONS)
@@ -110,7 +110,7 @@ def read_pages(
 
 
 def course_title(course: str) -> str:
-    """Return the title of a course: `title` in its course.toml, or the name of its folder."""
+    """Return the title of a course, which is `title` in its course.toml, or else the name of its folder."""
     path = manifest(course)
     try:
         return str(read_toml(path)['title']) if path else os.path.basename(os.path.abspath(course))
@@ -127,7 +127,7 @@ def _page(name: str, parts: tuple[Part, ...], notes: str) -> Page:
 
 
 def _write_replays(target: str, page: Page) -> dict[str, str]:
-    """Write the replays of a lesson as separate pages; return their addresses by their captions."""
+    """Write the replays of a lesson as separate pages. Return the address of each page, by the caption of the replay."""
     places: dict[str, str] = {}
     for output in (output for part in page.parts for output in part.outputs if output.kind == 'replay' and output.page):
         places[output.text] = f'{REPLAYS}/{page.name}-{len(places) + 1}.html'
@@ -138,7 +138,7 @@ def _write_replays(target: str, page: Page) -> dict[str, str]:
 def _make_room(target: str) -> None:
     """Create a folder for pages, or delete the pages of an older reader in it.
 
-    :raises UnusableInput: if the folder contains other files.
+    :raises UnusableInput: when the folder contains other files.
     """
     if os.path.isdir(target) and os.listdir(target):
         if not os.path.isfile(os.path.join(target, 'reader.css')):
@@ -165,7 +165,7 @@ WAIT_S = 300.0
 def write_pdf(page: str, pdf: str) -> str:
     """Print an HTML file to PDF, with its headings as an outline and its structure kept for screen readers.
 
-    Return an empty string, or why there is no PDF and what to do instead.
+    Return an empty string. If there is no PDF, return the reason and what to do instead.
     """
     browser = next(filter(None, map(which, BROWSERS)), None)
     instead = f'open {page} in a browser and print it to a file'

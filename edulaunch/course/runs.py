@@ -1,7 +1,7 @@
-"""Run the lessons of a course for pages and slides: several at once, and each only once until something changes.
+"""Run the lessons of a course for pages and slides. Several lessons run at the same time, and unchanged lessons do not run again.
 
-Each lesson runs in its own folder. The files that earlier lessons write with ``%%writefile`` are already there, as for a student
-who has done them. A lesson that needs more than these files fails in such a folder. Then all lessons run in one folder, in order.
+Each lesson runs in a separate folder with the files that earlier lessons write with ``%%writefile``, as for a student.
+A lesson that needs more files fails in such a folder. Then all lessons run in one folder, in order.
 """
 
 from __future__ import annotations
@@ -29,16 +29,16 @@ from .stored import run_notebook, without_place
 
 WRITES = '%%writefile '
 Outputs = dict[str, list[dict[str, Any]]]
-"""The outputs of each code cell of a lesson, by its id."""
+"""The outputs of each code cell of a lesson, by the ID of the cell."""
 Say = Callable[[str], None]
 
 
 def run_lessons(course: str, names: list[str], wanted: list[str], say: Say = lambda line: None) -> dict[str, Outputs]:
-    """Return the outputs of lessons that run as for a student, by the lesson's name.
+    """Return the outputs of lessons by the name of the lesson. The lessons run as for a student.
 
     :param names: all lessons up to the last wanted one, in their order.
     :param wanted: the lessons whose outputs are needed.
-    :param say: called with one line before the run, and one for each lesson that has run.
+    :param say: called with one line before the run, and one line for each lesson that has run.
     :raises UnusableInput: when a cell fails that is not tagged `raises-exception`.
     """
     files = student_files(course, rubrics=True)
@@ -60,7 +60,7 @@ def run_lessons(course: str, names: list[str], wanted: list[str], say: Say = lam
 
 
 def _run_separately(files: dict[str, bytes], names: list[str], missing: list[str], say: Say) -> Iterator[tuple[str, Outputs]]:
-    """Run each lesson in a folder with the files of the lessons before it, with one process for each processor."""
+    """Run each lesson in a folder with the files of the earlier lessons. Use one process for each processor."""
 
     def one(name: str) -> Outputs:
         with TemporaryDirectory(prefix='edulaunch-lesson-', ignore_cleanup_errors=True) as place:
@@ -84,13 +84,13 @@ def _in_order(files: dict[str, bytes], names: list[str], say: Say) -> Iterator[t
 
 def _outputs(place: str, name: str) -> Outputs:
     folder = os.path.join(place, LESSONS)
-    done = run_notebook(os.path.join(folder, f'{name}.ipynb'))
+    done = run_notebook(os.path.join(folder, f'{name}.ipynb'), called=f'{LESSONS}/{name}.ipynb')
     given = {cell['id']: cell['outputs'] for cell in done['cells'] if cell['cell_type'] == 'code'}
     return dict(without_place(given, folder))
 
 
 def _written(files: dict[str, bytes], names: list[str]) -> dict[str, bytes]:
-    """Return the files that lessons write with ``%%writefile``, as they are at the end of the last one."""
+    """Return the files that lessons write with ``%%writefile``, in their state after the last lesson."""
     written: dict[str, bytes] = {}
     for name in names:
         path = f'{LESSONS}/{name}.ipynb'
@@ -103,7 +103,9 @@ def _written(files: dict[str, bytes], names: list[str]) -> dict[str, bytes]:
 
 
 def _key(files: dict[str, bytes], names: list[str]) -> str:
-    """Return a digest of everything that influences the outputs: edulaunch, the course's files, the lessons up to this one."""
+    """Return a digest of everything that influences the outputs: edulaunch, the course's files, and the lessons up to this
+    one.
+    """
     digest = sha256(sys.version.encode())
     for root in (engine_folder(), os.path.dirname(os.path.abspath(edugrade.__file__)), rubrics_folder()):
         for name in files_below(root, lambda each, inside: each not in ('__pycache__', 'ours') and not each.endswith('.pyc')):
@@ -129,7 +131,7 @@ def _read(key: str) -> Outputs | None:
 
 
 def _store(key: str, outputs: Outputs) -> None:
-    """Store outputs for the next time; if the folder cannot be written, only time is lost."""
+    """Store outputs for the next call. If the folder cannot be written, store nothing: the lessons then run again."""
     try:
         os.makedirs(os.path.dirname(_place(key)), exist_ok=True)
         write_whole(_place(key), json.dumps(outputs))

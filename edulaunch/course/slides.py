@@ -1,7 +1,7 @@
 """`edulaunch course slides`: a lesson as slides, in one HTML file.
 
-The lesson alone decides the content of a slide. A heading begins a slide. The answer to a prediction is on the next slide. A
-slide shows the first sentence of a paragraph. The speaker's text below has the whole paragraph.
+The content of the slides depends only on the lesson. A heading begins a slide, and the answer to a prediction is on the next
+slide. A slide shows the first sentence of a paragraph. The speaker's text below it has the whole paragraph.
 """
 
 from __future__ import annotations
@@ -21,16 +21,16 @@ FULL = 16
 _WIDE = 80
 _KEPT_WHOLE = re.compile(r'#|\||[-*] |\d+\. |<|    |\*\*(Predict|Explain|Change|Write|Repair|Find|Fill|Add)')
 _LEADS = re.compile(r'(?!#)[^\n]*[^.!?\s]\n\n- ')
-"""One line without a final stop, such as "After this lesson you can": the list after it stays on its slide."""
+"""A line without a final stop, such as "After this lesson you can". The list after such a line is on the same slide."""
 _PIECES = re.compile(r'(?:^|\n\n)((?:```.*?```|<details>.*?</details>|(?<![.!?])\n\n(?=- )|(?!\n\n).)+)', re.DOTALL)
 
 
 class Slide(NamedTuple):
     """One slide.
 
-    :param under: the heading of its section, if the slide does not begin the section.
+    :param under: the heading of the section, if the slide does not begin the section.
     :param parts: the content of the slide.
-    :param sources: the Markdown of which the slide has only a part.
+    :param sources: the Markdown that the slide shows only in part.
     """
 
     under: str
@@ -41,11 +41,11 @@ class Slide(NamedTuple):
 def write_slides(
     course: str, lesson: str, out: str | None = None, *, kept: bool = False, say: Say = lambda line: None
 ) -> tuple[str, int]:
-    """Write the slides of a lesson; return the file and the number of slides.
+    """Write the slides of a lesson. Return the file and the number of slides.
 
-    :param lesson: its name, or the beginning of its name.
-    :param kept: use the stored outputs, which have no pictures; without it, run the lesson.
-    :param say: called with one line before the run, and one when the lesson has run.
+    :param lesson: the name of the lesson, or the beginning of the name.
+    :param kept: whether to use the stored outputs, which have no pictures. If False, the lesson runs.
+    :param say: called with one line before the run, and one line when the lesson has run.
     :raises UnusableInput: when there is no such lesson, or it cannot be run.
     """
     names = [found.name for found in read_lessons(os.path.join(course, LESSONS))]
@@ -65,7 +65,7 @@ def write_slides(
 
 
 def split(parts: tuple[Part, ...]) -> Iterator[Slide]:
-    """Return the slides for a lesson's parts."""
+    """Return the slides for the parts of a lesson."""
     slide, lines, asked = Slide('', [], []), 0, False
     for part in (piece for whole in parts for piece in _pieces(whole)):
         short = _short(part)
@@ -85,7 +85,7 @@ def split(parts: tuple[Part, ...]) -> Iterator[Slide]:
 
 
 def _pieces(part: Part) -> Iterator[Part]:
-    """Split Markdown into paragraphs, tables and lists; also separate code from its outputs if both are long."""
+    """Split Markdown into paragraphs, tables and lists. Also separate code from its outputs if both are long."""
     if part.kind == 'text':
         yield from (part._replace(text=found.strip('\n')) for found in _PIECES.findall(part.text) if found.strip())
     elif part.kind == 'code' and part.outputs:

@@ -1,4 +1,4 @@
-"""The outputs of a lesson's clean run, stored beside it: students get the notebook without them, and nbval compares them.
+"""The outputs of a lesson's run, stored beside the lesson. Students get the notebook without them, and nbval compares them.
 
 ``lessons/.outputs/01_first_launch.json`` has the outputs of each code cell of ``lessons/01_first_launch.ipynb``, in order.
 Pictures and HTML are not stored: nbval compares their captions and digests instead.
@@ -25,7 +25,7 @@ from .notebook_file import read_notebook, read_outputs_file
 
 FOLDER = '.outputs'
 NOT_KEPT = ('image/png', 'image/svg+xml', 'text/html', 'application/vnd.jupyter.widget-view+json')
-"""For these kinds of data, only their presence is stored."""
+"""The kinds of data of which only the presence is stored."""
 _folders: list[TemporaryDirectory[str]] = []
 _COLOURS = re.compile(r'\x1b\[[0-9;]*m')
 _IN_CELL = re.compile(r' \(line \d+ of cell \[\d+\]\)')
@@ -38,9 +38,9 @@ def outputs_file(notebook: str) -> str:
 
 
 def read_outputs(notebook: str) -> dict[str, list[dict[str, Any]]]:
-    """Return the stored outputs by the cell's id.
+    """Return the stored outputs by the ID of the cell.
 
-    :raises UnusableInput: when they are missing or cannot be read.
+    :raises UnusableInput: when the outputs are missing or cannot be read.
     """
     path = outputs_file(notebook)
     try:
@@ -51,7 +51,7 @@ def read_outputs(notebook: str) -> dict[str, list[dict[str, Any]]]:
 
 
 def store_outputs(notebook: str) -> None:
-    """Run a notebook, and store the outputs of its cells; the notebook itself keeps no outputs.
+    """Run a notebook, and store the outputs of its cells in a separate file. The notebook itself contains no outputs afterwards.
 
     :raises UnusableInput: when a cell fails that is not tagged `raises-exception`.
     """
@@ -60,22 +60,23 @@ def store_outputs(notebook: str) -> None:
     strip(notebook)
 
 
-def run_notebook(notebook: str, timeout_s: float = 120.0) -> Any:
-    """Return a notebook after a run in its folder, in a fresh kernel; the file does not change.
+def run_notebook(notebook: str, timeout_s: float = 120.0, called: str = '') -> Any:
+    """Run a notebook in its folder, in a fresh kernel, and return it with its outputs. The file does not change.
 
+    :param called: the name of the notebook in messages (default: its path).
     :raises UnusableInput: when a cell fails that is not tagged `raises-exception`.
     """
     import nbclient
     import nbformat
 
-    folder = os.path.dirname(os.path.abspath(notebook))
+    folder, called = os.path.dirname(os.path.abspath(notebook)), called or notebook
     read: Any = nbformat.read
     if not all(cell.ident for cell in read_notebook(notebook).cells):
-        raise UnusableInput(f'{notebook} has a cell without an id', help='open it in JupyterLab and save it again')
+        raise UnusableInput(f'{called} has a cell without an id', help='open it in JupyterLab and save it again')
     try:
         done = read(notebook, as_version=4)
     except Exception as error:  # Jupyter raises many kinds of errors for an invalid notebook
-        raise UnusableInput(f'cannot read {notebook} as a notebook: {str(error).splitlines()[0][:200]}') from None
+        raise UnusableInput(f'cannot read {called} as a notebook: {str(error).splitlines()[0][:200]}') from None
     client = nbclient.NotebookClient(
         done, timeout=timeout_s, record_timing=False, coalesce_streams=True, resources={'metadata': {'path': folder}}
     )
@@ -85,17 +86,17 @@ def run_notebook(notebook: str, timeout_s: float = 120.0) -> Any:
             # uses its own event loop, so it also works in a thread
             asyncio.run(client.async_execute(stderr=DEVNULL, env=environ))
     except nbclient.exceptions.CellTimeoutError:
-        raise UnusableInput(f'{notebook}: a cell takes more than {timeout_s:g} s', help='simulate less time in it') from None
+        raise UnusableInput(f'{called}: a cell takes more than {timeout_s:g} s', help='simulate less time in it') from None
     except nbclient.exceptions.DeadKernelError:
-        raise UnusableInput(f'{notebook}: the kernel died', help='run the cells one by one to find the cause') from None
+        raise UnusableInput(f'{called}: the kernel died', help='run the cells one by one to find the cause') from None
     except nbclient.exceptions.CellExecutionError as error:
         help = 'if the cell should fail, give it the tag raises-exception'
-        raise UnusableInput(f'{notebook}: {_failure(done) or error}', help=help) from None
+        raise UnusableInput(f'{called}: {_failure(done) or error}', help=help) from None
     return done
 
 
 def _failure(notebook: Any) -> str:
-    """Describe which cell of a notebook failed, and how, without colours and inner frames."""
+    """Return a description of the cell that failed and of its error, without colours and inner frames."""
     for cell in notebook['cells']:
         for output in cell.get('outputs', ()):
             if output['output_type'] == 'error' and 'raises-exception' not in cell['metadata'].get('tags', ()):
@@ -110,7 +111,9 @@ def strip(notebook: str) -> None:
 
 
 def without_outputs(raw: dict[str, Any]) -> dict[str, Any]:
-    """Change a notebook's content in place: remove outputs and counts, and keep only kernel and tags of the metadata."""
+    """Remove outputs and execution counts from a notebook's content in place. Of the metadata, keep only the kernel and the
+    tags.
+    """
     for cell in _code(raw):
         cell['outputs'], cell['execution_count'] = [], None
     for cell in raw['cells']:
@@ -120,7 +123,7 @@ def without_outputs(raw: dict[str, Any]) -> dict[str, Any]:
 
 
 def pytest_itemcollected(item: Any) -> None:
-    """Give nbval's cells their stored outputs; a hook of pytest for the ``conftest.py`` of a folder of lessons."""
+    """Add the stored outputs to nbval's cells. This is a pytest hook for the ``conftest.py`` of a folder of lessons."""
     cell = getattr(item, 'cell', None)
     if cell is None or item.path.suffix != '.ipynb':
         return
@@ -140,7 +143,7 @@ def pytest_itemcollected(item: Any) -> None:
 
 
 def _give_a_fresh_progress(notebook: Any) -> None:
-    """Give the kernel of a notebook its own progress file, so that nbval reads and records no attempts of a student."""
+    """Give the kernel of a notebook a separate progress file, so that nbval reads and records no attempts of a student."""
     start = notebook.setup
     if getattr(start, '__name__', '') == 'start_afresh':
         return
@@ -154,7 +157,7 @@ def _give_a_fresh_progress(notebook: Any) -> None:
 
 @contextmanager
 def fresh_progress() -> Iterator[None]:
-    """Make programs that start in this context keep their progress in an empty folder, which exists until this process ends."""
+    """Make programs that start in this context store their progress in an empty folder, which exists until this process ends."""
     folder = TemporaryDirectory(prefix='edulaunch-progress-', ignore_cleanup_errors=True)
     _folders.append(folder)
     before = os.environ.get(PROGRESS)
@@ -168,9 +171,9 @@ def fresh_progress() -> Iterator[None]:
 
 
 def without_place(outputs: Any, folder: str) -> Any:
-    """Return outputs without parts that depend on place and front end.
+    """Return outputs without parts that depend on the folder and the front end.
 
-    These are the path of the notebook's folder and of edulaunch, and line numbers in cells, which need a history of cells.
+    Such parts are the paths of the notebook's folder and of edulaunch, and line numbers in cells, which need a history of cells.
     """
     text = json.dumps(outputs)
     for place in (folder, os.path.dirname(engine_folder())):
@@ -183,7 +186,7 @@ def _code(notebook: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def _kept(cell: dict[str, Any], folder: str) -> Iterator[dict[str, Any]]:
-    """Return the stored form of a cell's outputs: without execution counts, bytes of pictures, and the path of the folder."""
+    """Return the stored form of a cell's outputs, without execution counts, the bytes of pictures, and the path of the folder."""
     for output in without_place(cell['outputs'], folder):
         if 'execution_count' in output:
             output['execution_count'] = None
@@ -200,5 +203,5 @@ def _write(path: str, content: object) -> None:
 
 
 def as_text(content: object) -> str:
-    """Return a notebook, or its outputs, in the form in which Jupyter writes them."""
+    """Return a notebook, or its outputs, as a string in the form in which Jupyter writes files."""
     return json.dumps(content, indent=1, ensure_ascii=False) + '\n'

@@ -1,4 +1,4 @@
-"""`edulaunch course template`: the files with which a platform opens, checks or grades a course."""
+"""`edulaunch course template`: write the files with which a platform opens, checks or grades a course."""
 
 from __future__ import annotations
 
@@ -34,11 +34,11 @@ NEXT = {
 }
 """The next step for each template."""
 WITH = {'jupyterhub': ('docker',)}
-"""Templates that another one builds on."""
+"""The templates on which another template builds."""
 
 
 def write_template(name: str, course: str) -> list[str]:
-    """Write the files of a template to a course. Return their paths relative to it, including a new requirements.txt.
+    """Write the files of a template to a course. Return their paths relative to the course, including a new requirements.txt.
 
     :raises UnusableInput: for an unknown template or course, or when a file exists with other content; then nothing
         is written.
@@ -79,13 +79,13 @@ def _files(name: str, course: str) -> dict[str, bytes]:
 
 
 def _exercises() -> list[tuple[str, str]]:
-    """Return name and path of each exercise of the course in the current folder."""
+    """Return the name and the path of each exercise of the course in the current folder."""
     place = manifest('.')
     return [(entry.name, f'{EXERCISES}/{entry.path}') for entry in (read_course(place) if place else ())]
 
 
 def _requirements(course: str) -> str:
-    """Return the requirements of the course, or this version of edulaunch with the notebook extra."""
+    """Return the requirements of the course. If it has none, return this version of edulaunch with the notebook extra."""
     path = os.path.join(course, REQUIREMENTS)
     return Path(path).read_text('utf-8') if os.path.exists(path) else f'edulaunch[notebook]=={__version__}\n'
 

@@ -13,7 +13,7 @@ from edulaunch.errors import MissingExtra, UnusableInput
 
 
 def add_verbs(verbs: Any) -> None:
-    """Add the sub-verbs for pages, slides and notes, each with its course."""
+    """Add the sub-verbs for pages, slides and notes, each with an argument for the course."""
     reader = verbs.add_parser('reader', help='write accessible HTML pages of all lessons, which need no Jupyter and no network')
     reader.add_argument('out', metavar='OUT', help='folder for the pages')
     reader.add_argument('--teacher', action='store_true', help='include right answers and the notes for teachers')
@@ -38,7 +38,7 @@ def add_verbs(verbs: Any) -> None:
 
 
 def _progress(line: str) -> None:
-    """Print one line of progress on standard error, so that standard output has only the result."""
+    """Print one line of progress to standard error, so that standard output contains only the result."""
     print(line, file=sys.stderr, flush=True)
 
 
@@ -155,7 +155,7 @@ def _class_arguments(of_class: argparse.ArgumentParser) -> None:
 
 
 def course_verb(arguments: argparse.Namespace) -> int:
-    """Run the sub-verb; return the exit code."""
+    """Run the sub-verb, and return the exit code."""
     code: int = globals()[f'_{arguments.what}'](arguments)
     return code
 

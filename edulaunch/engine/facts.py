@@ -1,7 +1,7 @@
-"""Facts about an error beyond its message, as plain data. `edulaunch.advice` turns them into sentences.
+"""Facts about an error in addition to its message, as plain data. `edulaunch.advice` turns these facts into sentences.
 
-The module belongs to no package of the engine, because processes, the graph and ROS's packages attach facts, and recordings store
-them.
+The module is in no package of the engine, because processes, the graph and the ROS packages attach facts, and recordings
+store facts.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ Error = TypeVar('Error', bound=BaseException)
 
 
 def with_facts(error: Error, about: str, **data: Any) -> Error:
-    """Attach facts to an error, which keeps its message, and return it.
+    """Attach facts to an error and return the error. Its message does not change.
 
-    :param about: the rule with the sentences for it, such as 'programs.after-shutdown'.
+    :param about: the name of the rule that explains this error, such as 'programs.after-shutdown'.
     :param data: the facts by name: strings, numbers, and lists of strings.
     """
     error.edulaunch_facts = {'about': about, **data}  # type: ignore[attr-defined]
@@ -22,17 +22,20 @@ def with_facts(error: Error, about: str, **data: Any) -> Error:
 
 
 def facts_of(error: BaseException | None) -> dict[str, Any]:
-    """Return the facts of an error; an empty dict if it has none."""
+    """Return the facts of an error, or an empty dict if the error has none."""
     found: dict[str, Any] = getattr(error, 'edulaunch_facts', {})
     return found
 
 
 def with_facts_of(error: Error, other: BaseException) -> Error:
-    """Attach the facts of another error to the error that replaces it, and return it."""
+    """Copy the facts of the error `other` to `error`, which replaces `other`, and return `error`."""
     found = facts_of(other)
     return with_facts(error, **found) if found else error
 
 
 def kind_of(value: object) -> str:
-    """Return the kind of a value for the facts: the name of its class, or 'None'."""
+    """Return the kind of a value for the facts of an error: the name of its class, or 'None'.
+
+    For a class, return 'the class ' and its name.
+    """
     return 'None' if value is None else f'the class {value.__name__}' if isinstance(value, type) else type(value).__name__

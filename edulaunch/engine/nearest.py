@@ -1,6 +1,6 @@
 """The nearest match among known names, for "did you mean" lines.
 
-The module is in no package of the engine, because all wings use it.
+The module is in no package of the engine, because all parts of edulaunch use it.
 """
 
 from __future__ import annotations
@@ -9,17 +9,18 @@ from collections.abc import Iterable
 
 
 def nearest(name: str, names: Iterable[str]) -> str | None:
-    """Return the known name that `name` was probably meant to be, or None when nothing is close.
+    """Return the known name that is most similar to `name`, or None if no name is similar.
 
-    The search ignores case and the three usual separators at first (`My-Robot` finds `my_robot`). If several names are equally
-    near, the first one in the alphabet counts.
+    The search ignores case, and treats `-`, `.` and `_` as equal (`My-Robot` finds `my_robot`). If several names differ only
+    in these characters, the first one in alphabetical order is returned.
     """
     return next(iter(nearest_few(name, names, 1)), None)
 
 
 def nearest_few(name: str, names: Iterable[str], most: int) -> list[str]:
-    """Return the known names that `name` was probably meant to be, the nearest first. A name that differs only in case and
-    separators is returned alone; otherwise, up to `most` close names are returned.
+    """Return at most `most` known names that are similar to `name`, the most similar one first.
+
+    If a known name differs only in case and separators, return only this name.
     """
     folded = {_folded(candidate): candidate for candidate in sorted(set(names), reverse=True)}
     same = folded.get(_folded(name))
@@ -30,9 +31,20 @@ def nearest_few(name: str, names: Iterable[str], most: int) -> list[str]:
     return [folded[close] for close in get_close_matches(_folded(name), list(folded), n=most, cutoff=0.6)]
 
 
+def nearest_name(name: str, names: Iterable[str]) -> str | None:
+    """Return the nearest full name of ROS. Its last part must be equal or nearly equal.
+
+    `/turtle1/cmd_vel` may mean `/red/turtle1/cmd_vel`, but not `/turtle1/pose`, although many letters are equal.
+    """
+    last = name.rpartition('/')[2]
+    return nearest(name, [known for known in names if nearest(last, [known.rpartition('/')[2]]) is not None])
+
+
 def nearest_spelling(name: str, names: Iterable[str]) -> str | None:
-    """Return the known name of which `name` is a misspelling; None if they differ by more than a fifth of the letters. It is
-    for names of packages, modules and programs, where `vision_msgs` and `visualization_msgs` are different things.
+    """Return the known name of which `name` is a misspelling, or None if no known name is close enough.
+
+    The names may differ by two letters, or by a fifth of the letters of a longer name. Use this function for packages,
+    modules and programs, where `vision_msgs` and `visualization_msgs` are different things.
     """
     most = max(2, len(name) // 5)
     folded = _folded(name.removesuffix('.py'))  # a program may be named with the ending of its file, or without
@@ -41,13 +53,13 @@ def nearest_spelling(name: str, names: Iterable[str]) -> str | None:
 
 
 def _has_other_word(name: str, near: str) -> bool:
-    """Return whether one word of two names is another word, as in `color_qos` and `color_fps`."""
+    """Return whether two names of several words contain clearly different words, such as `color_qos` and `color_fps`."""
     pairs = zip(name.split('_'), near.split('_'), strict=True) if name.count('_') == near.count('_') > 0 else ()
     return any(_edits(one, two) > max(1, len(one) // 2) and sorted(one) != sorted(two) for one, two in pairs)
 
 
 def _edits(one: str, other: str) -> int:
-    """Return the number of letters to insert, remove or replace to turn one string into the other."""
+    """Return the number of letters to insert, remove or replace that turn one string into the other one."""
     row = list(range(len(other) + 1))
     for count, letter in enumerate(one, 1):
         before, row[0] = row[0], count
@@ -57,8 +69,9 @@ def _edits(one: str, other: str) -> int:
 
 
 def nearest_file(name: str, names: Iterable[str]) -> str | None:
-    """Do the same for file names, and compare only the part before their endings, because `.launch.py` alone does not make two
-    names similar.
+    """Return the known file name that is most similar to `name`, or None if no name is similar.
+
+    Only the parts before the endings are compared first, because `.launch.py` alone does not make two names similar.
     """
     files = sorted(file for file in names if _stem(file))
     stem = nearest(_stem(name), map(_stem, files))
@@ -75,6 +88,6 @@ def _folded(name: str) -> str:
 
 
 def did_you_mean(name: str, names: Iterable[str]) -> str | None:
-    """Return the line of help that names the nearest of the known names; None if no name is close."""
+    """Return a line of help that suggests the nearest known name, or None if no name is similar."""
     near = nearest(name, names)
     return None if near is None else f'did you mean {near!r}?'

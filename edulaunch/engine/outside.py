@@ -1,8 +1,8 @@
-"""Functions that the engine needs from the wings above. The facade sets them.
+"""Functions that the engine needs from other parts of edulaunch. The top-level package sets them.
 
-A plain script or a notebook cell that imports rclpy runs outside any launched program. At its first use of ROS, it needs its own
-machine. Code that requests a picture of a recording needs the wing that draws it. The engine creates neither. `import edulaunch`
-loads this small module, but not the packages that use it.
+A plain script or a notebook cell that imports rclpy runs outside any launched program. When it first uses ROS, it needs its own
+machine. Code that requests a picture of a recording needs the package that draws the picture. The engine creates neither.
+`import edulaunch` loads this small module, but not the packages that use it.
 """
 
 from __future__ import annotations

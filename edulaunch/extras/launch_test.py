@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run `launch_test FILE [name:=value ...]` of the package launch_testing; return its exit code."""
+    """Run `launch_test FILE [name:=value ...]` of the package launch_testing, and return its exit code."""
     from edulaunch.ros.sourcing import source
 
     source()

@@ -1,4 +1,4 @@
-"""Pauses the cyclic garbage collector while code creates many objects that stay."""
+"""Pauses the cyclic garbage collector while code creates many long-lived objects."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ MOST_UNSEEN = 500_000
 
 
 class _Unseen:
-    """The number of objects that were created in pauses since the last collection, and whether frozen ones were found."""
+    """The number of objects that were created in pauses since the last collection, and whether there are frozen objects."""
 
     things = 0
     has_frozen = False
@@ -20,10 +20,10 @@ class _Unseen:
 
 @contextmanager
 def collector_paused() -> Iterator[None]:
-    """Prevent garbage collection inside the block. At its end, all new objects count as old.
+    """Prevent garbage collection inside the block. At the end of the block, all new objects are moved to the old generation.
 
-    A launch file creates many objects that all stay, and repeated collections double the time of reading it. A single collection
-    at the end of a plan of 1000 nodes still took 69 ms of 332 ms.
+    A launch file creates many long-lived objects, and repeated collections double the time of reading the file. A single
+    collection at the end of a plan of 1000 nodes still took 69 ms of 332 ms.
     """
     if not gc.isenabled():
         yield
@@ -37,8 +37,9 @@ def collector_paused() -> Iterator[None]:
 
 
 def _let_age() -> None:
-    """Make many young objects old without examining each, but not forever, because there may be garbage among them. A process
-    that shares frozen objects with others keeps them frozen: it lets the collector run.
+    """Move many young objects to the old generation without examining each one. From time to time, collect instead, because there
+    may be garbage among them. In a process that shares frozen objects with other processes, the objects stay frozen, and the
+    collector runs.
     """
     made = gc.get_count()[0]
     if made >= MANY and not _Unseen.has_frozen:

@@ -1,8 +1,8 @@
-"""Access to a node's own state, for programs of edulaunch that run on our rclpy or on ROS 2's own.
+"""Access to a node's own state, for programs of edulaunch that run on edulaunch's rclpy or on ROS 2's own.
 
-`core_of(node)` returns the names of a node, the parameter values from outside, and its place in the graph. Our rclpy provides it,
-unless other code replaces it: `edulaunch.extras.native` does so where ROS 2's own rclpy runs our programs. The replacement must
-have the members of `rclpy.node_parts.core.NodeCore` that the callers of `core_of` use.
+`core_of(node)` returns the names of a node, the parameter values from outside, and the node's place in the graph. edulaunch's
+rclpy provides this state. Other code can replace the function: `edulaunch.extras.native` does so where ROS 2's own rclpy runs
+edulaunch's programs. The replacement must have the members of `rclpy.node_parts.core.NodeCore` that the callers of `core_of` use.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ _chosen: CoreOf = _in_our_rclpy
 
 
 def choose(core_of_node: CoreOf) -> None:
-    """Replace the function behind :func:`core_of` in the whole interpreter."""
+    """Replace the function that :func:`core_of` calls, for the whole interpreter."""
     global _chosen
     _chosen = core_of_node
 
 
 def core_of(node: Any) -> Any:
-    """Return the state of a node: a `NodeCore`, or its replacement on ROS 2's own rclpy."""
+    """Return the state of a node: a `NodeCore`, or the object that replaces it on ROS 2's own rclpy."""
     return _chosen(node)

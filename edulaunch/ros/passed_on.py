@@ -1,7 +1,7 @@
-"""Names that a module of ROS 2 contains only because it imports them, and that programs still import from there.
+"""Names that a module of ROS 2 contains only because it imports them, and that programs import from that module.
 
-Editors insert `from rclpy.node import Publisher` automatically, and it works with ROS 2. Here a module imports only what it
-needs, when it is first used. `passed_on.txt` lists the other names of the module in ROS 2, which are loaded on request.
+Editors insert `from rclpy.node import Publisher` automatically, and this import works with ROS 2. Here a module imports only what
+it needs, on first use. `passed_on.txt` lists the other names of the module in ROS 2, which are loaded on request.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Any
 
 
 def passed_on(module: str) -> Callable[[str], Any]:
-    """Return the `__getattr__` of a module."""
+    """Return the `__getattr__` of a module, which loads these names on request."""
 
     def __getattr__(name: str) -> Any:
         if name.startswith('__') or name not in homes_of(module):
@@ -30,7 +30,9 @@ def passed_on(module: str) -> Callable[[str], Any]:
 
 
 def homes_of(module: str) -> dict[str, tuple[str, str]]:
-    """Return the module and the original name of each name that a module passes on ('' for the module itself)."""
+    """Return the defining module and the original name for each name that a module passes on. The original name is '' for a
+    module.
+    """
     return _tables()[module]
 
 

@@ -9,8 +9,8 @@ T = TypeVar('T')
 
 
 class ReadOnly(Generic[T]):
-    """A property `name` that returns the private attribute `__name` of its class. As in upstream, setting it raises
-    AttributeError.
+    """A property `name` that returns the private attribute `__name` of its class. As in upstream, an assignment to the property
+    raises AttributeError.
 
     :param doc: the docstring of the property.
     :param path: the attribute of `self` to return instead, which may be dotted.

@@ -1,4 +1,4 @@
-"""Put the underlay, and workspaces over it, on the path, as ROS 2's setup files do."""
+"""Puts the underlay and workspaces on the path, as ROS 2's setup files do."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def source(workspaces: Sequence[str | os.PathLike[str]] = ()) -> None:
 
     :param workspaces: folders with packages, built by colcon or not. Afterwards, their modules, interfaces and programs are
         available, as after `source install/setup.bash`. A workspace with changed files is sourced again.
-    :raises ForeignRosError: when another `rclpy` can already be imported; then nothing changes.
+    :raises ForeignRosError: when a different `rclpy` can already be imported. In this case, nothing changes.
     """
     from edulaunch.engine.interfaces.importer import installed_registry
 
@@ -71,7 +71,7 @@ def _source_workspaces(workspaces: Sequence[str | os.PathLike[str]]) -> None:
 
 
 def _foreign_rclpy(ours: str) -> str | None:
-    """Return the folder of a foreign rclpy, if there is one."""
+    """Return the folder of a foreign rclpy, or None."""
     loaded = sys.modules.get('rclpy')
     spec = PathFinder.find_spec('rclpy') if loaded is None else loaded.__spec__
     if spec is None or spec.origin is None or spec.origin.startswith(ours + os.sep):

@@ -1,6 +1,6 @@
 """The process that represents code outside any launched program, such as a plain script or a notebook cell.
 
-A plain script that reads the real clock gets the real time from ROS, too.
+In a plain script that reads the real clock, the time of ROS is also the real time.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ CLOCKS = frozenset(map(id, (time, datetime, datetime.datetime, *filter(callable,
 def script_sees_the_clock() -> bool:
     """Return whether the script that first uses ROS reads the real clock.
 
-    The result is False in tests and notebooks, whose code is not a script. There, simulated time passes as fast as possible.
+    The result is False in tests and notebooks, whose code is not a script. In these, simulated time passes as fast as possible.
     """
     main = getattr(sys.modules.get('__main__'), '__file__', None)
     if main is None or not is_own(main):
@@ -46,10 +46,10 @@ def script_sees_the_clock() -> bool:
 
 
 class AmbientProcess(Process):
-    """A script or notebook cell that uses ROS packages directly: its streams are the real ones."""
+    """The process of a script or notebook cell that uses ROS packages directly. It has the real standard streams."""
 
     def has_imported(self, package: str) -> bool:
-        """Return whether this interpreter has imported a package. No loader observes its imports."""
+        """Return whether this interpreter has imported a package. No loader observes the imports of a script."""
         return package in sys.modules
 
     def write(self, stream: str, text: str) -> None:
@@ -60,7 +60,7 @@ class AmbientProcess(Process):
 
     def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
         """Start a simulated thread of the program. If a real thread calls this method, start a real thread that runs
-        independently.
+        independently of the simulation.
         """
         if current_task().is_real_thread:
             return start_real_thread(body, name)

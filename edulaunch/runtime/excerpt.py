@@ -1,7 +1,7 @@
-"""The part of a machine's recording that belongs to one command: its own programs, and others that ran at the same time.
+"""The part of a machine's recording that belongs to one command: the command's programs, and others that ran at the same time.
 
-A machine runs longer than its commands. Advice on a command must not mention earlier programs. Of concurrent programs, it
-may use only what the command's own programs could notice.
+A machine runs longer than its commands. Advice on a command must not mention earlier programs. From concurrent programs, it
+may use only facts that the command's own programs could observe.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ class Excerpt:
     """The records of one command, and of other programs that ran at the same time.
 
     :param recorder: the recorder of the machine.
-    :param leader: process id of the command. Raises KeyError for an unknown program.
-    :ivar beside: maps the name of each other program in the excerpt to its command line.
+    :param leader: the process ID of the command. An unknown ID raises KeyError.
+    :ivar beside: the command line of each other program in the excerpt, by program name.
     :ivar programs: launch names of the command's own programs. Other programs with such a name are renamed in the excerpt.
     """
 
@@ -47,13 +47,13 @@ class Excerpt:
         self.programs = frozenset(self._names[pid] for pid in own if pid in self._names)
 
     def _overlaps(self, start: int, end: int | None) -> bool:
-        """Return whether an object existed while the command ran. One that ended exactly at the start does not count."""
+        """Return whether an object existed while the command ran. An object that ended exactly at the start does not count."""
         return start <= self._until and (end is None or end > self._since)
 
     def content(self, launch: dict[str, Any]) -> dict[str, Any]:
-        """Return the excerpt as plain data, with the parts of a recording.
+        """Return the excerpt as plain data, with the same parts as a recording.
 
-        :param launch: the record of the launch, if a session began the command.
+        :param launch: the record of the launch, if a session started the command.
         """
         recorder = self._recorder
         nodes = list(self._nodes())
@@ -86,14 +86,14 @@ class Excerpt:
         }
 
     def _nodes(self) -> Iterator[Row]:
-        """Return the nodes that existed while the command ran. Nodes of another computer keep the recorded program name."""
+        """Yield the nodes that existed while the command ran. Nodes of another computer keep the recorded program name."""
         pids = self._recorder.pids
         for row in self._recorder.nodes:
             if self._overlaps(row[2], row[3]):
                 yield [row[0], self._names.get(pids.get(row[4], 0), row[1]), *row[2:]]
 
     def _rows(self, rows: list[Row]) -> list[Row]:
-        """Return the rows from the time of the command. The given rows must be sorted by time."""
+        """Return the rows from the time when the command ran. The given rows must be sorted by time."""
         start = bisect_left(rows, self._since, key=lambda row: row[0])
         return rows[start : bisect_right(rows, self._until, key=lambda row: row[0])]
 
@@ -107,7 +107,9 @@ class Excerpt:
         return sorted(rows, key=lambda row: row[0])
 
     def _topics(self, endpoints: list[Row]) -> Iterator[dict[str, Any]]:
-        """Return the messages of publishers that existed while the command ran, with the earlier ones for late subscriptions."""
+        """Yield the messages of publishers that existed while the command ran, including earlier messages for late
+        subscriptions.
+        """
         publishers = {row[4] for row in endpoints if row[0] == 'publisher'}
         kept = {row[4] for row in endpoints if row[0] == 'publisher' and 'transient_local' in row[6]}
         named = {(row[1], row[2]) for row in endpoints if row[0] == 'publisher'}

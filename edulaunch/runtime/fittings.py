@@ -1,4 +1,4 @@
-"""Parts that wings above provide to a simulated machine and a session: the `ros2` tool, a shell, help for errors."""
+"""Parts of a simulated machine and a session that other parts of edulaunch provide: the `ros2` tool, a shell, help for errors."""
 
 from __future__ import annotations
 
@@ -17,22 +17,25 @@ def command_set() -> CommandSet:
 
 
 def hint_of(error: dict[str, Any], env: Mapping[str, str]) -> str | None:
-    """Return the line of help below an error; None if no rule recognises it.
+    """Return the line of help below an error. Return None if no rule recognises the error.
 
     :param error: type, message, place, facts and process, as plain data.
-    :param env: the environment of the program in whose terminal the user reads it.
+    :param env: the environment of the program in whose terminal the user reads the error.
     """
     help: str | None = view('help_below')(error, env)
     return None if help is None else f'  help: {help}'
 
 
 def help_of(error: dict[str, Any]) -> str | None:
-    """Return the help for an error as plain data (type, message, place, facts), in one line; None if no rule recognises it."""
+    """Return the help for an error in one line. Return None if no rule recognises the error.
+
+    :param error: type, message, place and facts, as plain data.
+    """
     help: str | None = view('help_of')(error)
     return help
 
 
 def help_of_facts(facts: dict[str, Any]) -> str:
-    """Return one line of help for an error from its facts alone; an empty string if no rule recognises it."""
+    """Return one line of help for an error from its facts alone. Return an empty string if no rule recognises the error."""
     help: str = view('help_of_facts')(facts)
     return help

@@ -1,7 +1,8 @@
-"""Frames between two processes of edulaunch: the length of the payload, a kind, the payload. Nothing is unpickled or evaluated.
+"""Frames between two processes of edulaunch. A frame has the length of the payload, a kind, and the payload. Nothing is
+unpickled or evaluated.
 
-Terminals and their machine, the peers of a link, and the process with the real rclpy use it. The grader's sandbox has its own
-frames.
+A terminal and its machine exchange such frames. So do the peers of a link, and edulaunch and the process that runs the real
+rclpy. The grader's sandbox has a different kind of frames.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ LONGEST_OF_ALL = (1 << 32) - 1
 
 
 class BadFrame(Exception):
-    """These bytes are not a valid frame."""
+    """Bytes that are not a valid frame were received."""
 
 
 _KINDS = [bytes((kind,)) for kind in range(256)]
@@ -31,7 +32,7 @@ def frame(kind: int, payload: bytes = b'') -> bytes:
 class Frames:
     """Splits received bytes into frames.
 
-    :param longest: the most bytes of a payload, or the allowed kinds with the most bytes of each.
+    :param longest: the maximum size of a payload in bytes, or this maximum for each allowed kind.
     """
 
     def __init__(self, longest: int | Mapping[int, int] = LONGEST_OF_ALL) -> None:
@@ -41,7 +42,9 @@ class Frames:
         self._at = 0
 
     def feed(self, data: bytes) -> Iterator[tuple[int, bytes]]:
-        """Add received bytes, and return the complete frames as (kind, payload); a frame not consumed stays for the next call.
+        """Add received bytes. Return an iterator over the complete frames as (kind, payload).
+
+        Frames that the caller does not consume remain for the next call.
 
         :raises BadFrame: for an unknown kind or a payload that is too long, after the frames before it.
         """
@@ -49,7 +52,7 @@ class Frames:
         return iter(self.take, None)
 
     def add(self, data: bytes) -> None:
-        """Add received bytes."""
+        """Add received bytes without reading frames."""
         del self._data[: self._at]
         self._at = 0
         self._data += data

@@ -1,10 +1,10 @@
-"""A process beside `edulaunch launch` that answers Ctrl-C while Python itself cannot.
+"""A process that runs next to `edulaunch launch` and reacts to Ctrl-C while Python itself cannot.
 
-A call of C code such as `sum(range(10**12))` keeps Python's interpreter, so no signal handler and no other thread runs. The
-kernel still writes the number of each signal into a pipe (`signal.set_wakeup_fd`), and this process reads it. When Python does
-not confirm a signal, the process names the line that runs, and at the third Ctrl-C it ends the run.
+A call of C code such as `sum(range(10**12))` blocks Python's interpreter, so no signal handler and no other thread runs. The
+kernel still writes the number of each signal into a pipe (`signal.set_wakeup_fd`), and this process reads the pipe. If Python
+does not confirm a signal, the process names the line that is running, and at the third Ctrl-C it ends the run.
 
-The second half of this file is a separate program, `python -I -S interrupt_watcher.py PID SIGNAL FOLDER...`. It uses only the
+The second part of this file is a separate program, `python -I -S interrupt_watcher.py PID SIGNAL FOLDER...`. It uses only the
 standard library, and starts within about 10 ms on another core.
 """
 
@@ -33,10 +33,10 @@ _ENDING = ('SIGTERM', 'SIGHUP', 'SIGQUIT')
 
 
 def innermost_own(traceback: str, libraries: Sequence[str]) -> str:
-    """Return the innermost place of a student's code that a traceback of `faulthandler` names, as `file:line (function)`.
+    """Return the innermost place of a student's code in a traceback of `faulthandler`, as `file:line (function)`.
 
-    :param libraries: the beginnings of paths that are not a student's: Python's, its packages', and edulaunch's.
-    :returns: an empty string when the traceback names no such place.
+    :param libraries: the beginnings of paths that are not a student's: those of Python, its packages, and edulaunch.
+    :returns: an empty string when the traceback contains no such place.
     """
     own = [place for place in PLACE.findall(traceback) if not place[0].startswith(('<', *libraries))]
     if not own:
@@ -46,16 +46,16 @@ def innermost_own(traceback: str, libraries: Sequence[str]) -> str:
 
 
 class WatchedSignals:
-    """The pipe through which Python confirms that it received a signal.
+    """The pipe through which Python confirms that it has received a signal.
 
-    :param pipe: the writing end; None where no watcher runs.
+    :param pipe: the writing end; None when no watcher is running.
     """
 
     def __init__(self, pipe: int | None = None) -> None:
         self._pipe = pipe
 
     def forget(self) -> None:
-        """Stop confirming signals, because another file may soon get the number of the pipe."""
+        """Stop confirming signals, because another file may soon have the descriptor of the pipe."""
         self._pipe = None
 
     def confirm(self) -> None:
@@ -69,13 +69,13 @@ class WatchedSignals:
 
 @contextmanager
 def watched_signals(libraries: Sequence[str], is_watched: bool = True, end_by: str = 'SIGKILL') -> Iterator[WatchedSignals]:
-    """Start a watcher for a block of code in the main thread. Handlers of signals in the block must call `confirm`.
+    """Start a watcher for a block of code in the main thread. Signal handlers in the block must call `confirm`.
 
-    Without such signals (Windows, a browser), or when no process can be started, the block runs without a watcher.
+    On systems without such signals (Windows, a browser), or when no process can be started, the block runs without a watcher.
 
-    :param libraries: see :func:`innermost_own`.
-    :param is_watched: False runs the block without a watcher.
-    :param end_by: the signal at which this process ends; see `last_moment.py`.
+    :param libraries: the beginnings of paths that are not a student's; see :func:`innermost_own`.
+    :param is_watched: whether to start a watcher at all.
+    :param end_by: the signal that ends this process; see `last_moment.py`.
     """
     if not is_watched or not hasattr(signal, 'SIGUSR1') or sys.platform == 'emscripten':
         yield WatchedSignals()
@@ -108,12 +108,12 @@ def watched_signals(libraries: Sequence[str], is_watched: bool = True, end_by: s
 
 
 class Watcher:
-    """Reads the pipe of one run, prints notes, and ends the run if Python does not answer.
+    """Reads the pipe of one run, prints notes, and ends the run if Python does not react.
 
-    :param pid: the process of the run.
+    :param pid: the process ID of the run.
     :param pipe: the reading end of the pipe.
     :param end_by: the signal that ends the run.
-    :param libraries: see :func:`innermost_own`.
+    :param libraries: the beginnings of paths that are not a student's; see :func:`innermost_own`.
     """
 
     def __init__(self, pid: int, pipe: int, end_by: int, libraries: Sequence[str]) -> None:
@@ -161,7 +161,7 @@ class Watcher:
                 _print(f'note: {self._where()} is in a call that Python cannot interrupt; press Ctrl-C {again} to kill the run')
 
     def _where(self) -> str:
-        """Ask the run for its current line. faulthandler answers even while C code runs."""
+        """Request the current line of the run. faulthandler prints it even while C code runs."""
         os.kill(self._pid, signal.SIGUSR1)
         text, end_s = '', time.monotonic() + PATIENCE_S
         while not innermost_own(text, self._libraries) and (left_s := end_s - time.monotonic()) > 0:
@@ -187,7 +187,7 @@ def _print(line: str) -> None:
 
 
 def main() -> None:
-    """Run the program of a watcher."""
+    """Run the watcher as a program."""
     try:
         Watcher(int(sys.argv[1]), sys.stdin.fileno(), getattr(signal, sys.argv[2]), sys.argv[3:]).run()
     except ProcessLookupError:  # the run has ended meanwhile

@@ -1,4 +1,4 @@
-"""Keep the recording of a run that ends early: by a signal from outside, or without memory or open files."""
+"""Keeps the recording of a run that ends early: because of a signal from outside, or for lack of memory or open files."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ DESCRIPTORS = 8
 
 
 class Ending:
-    """While active, the first signal of `ENDING` makes a run stop between two steps; a second one raises KeyboardInterrupt.
+    """Stops a run between two steps at the first signal of `ENDING`. A second signal raises KeyboardInterrupt.
 
-    Without it, Python would end immediately and lose the recording. Signals that are ignored (`nohup`) or have another handler do
-    not change. Outside the main thread, no signal changes.
+    Without this context, Python would end immediately and lose the recording. Signals that are ignored (`nohup`) or have another
+    handler do not change. Outside the main thread, no signal changes.
 
-    :param stop: called at the first signal.
+    :param stop: a function that is called at the first signal.
     :ivar came: the first signal that arrived, or None.
-    :ivar watched: confirms a signal that has arrived.
-    :ivar is_saving: the run is over and its recording is being written, so further signals wait.
+    :ivar watched: the pipe that confirms each signal that has arrived.
+    :ivar is_saving: whether the run is over and its recording is being written. Further signals then have no effect.
     """
 
     def __init__(self, stop: Callable[[], object] = lambda: None) -> None:
@@ -67,7 +67,7 @@ class Ending:
 
 @contextmanager
 def first_interrupt_waits(text: str) -> Iterator[None]:
-    """Make the first Ctrl-C print only a note during work that should be finished. The second one interrupts.
+    """Make the first Ctrl-C during important work print only a note. The second Ctrl-C interrupts the work.
 
     :param text: the note, which names the work and what a second Ctrl-C loses.
     """
@@ -88,7 +88,7 @@ def first_interrupt_waits(text: str) -> Iterator[None]:
 
 
 class Reserve:
-    """Some memory and open files that are reserved for the end of a run, in case a program takes all others."""
+    """Memory and file descriptors that are reserved for the end of a run, because a program may use up all others."""
 
     def __init__(self) -> None:
         self._memory = bytes(MEMORY_BYTES)  # a bytearray would write to each page, which takes 20 ms and the memory itself
@@ -97,14 +97,14 @@ class Reserve:
             self._files += (os.open(os.devnull, os.O_RDONLY) for _ in range(DESCRIPTORS))
 
     def release(self) -> None:
-        """Release the reserve; repeating it changes nothing."""
+        """Release the reserve. Later calls have no effect."""
         self._memory = b''
         while self._files:
             os.close(self._files.pop())
 
 
 def spent(error: BaseException | None) -> EdulaunchError | None:
-    """Return the error message if a program took all memory or all open files; None for any other error."""
+    """Return the error to report if a program used all memory or all open files. Return None for any other error."""
     if isinstance(error, MemoryError):
         what, help = 'memory', 'look for a list or string in a program that grows without limit'
     elif isinstance(error, OSError) and error.errno in SPENT:
@@ -115,10 +115,10 @@ def spent(error: BaseException | None) -> EdulaunchError | None:
 
 
 def run_kept(run: Callable[[], object], stop: Callable[[], object], note_end: Callable[[], object]) -> None:
-    """Run a simulation so that a signal or an exhausted computer ends it without losing its recording.
+    """Run a simulation. If a signal, or a lack of memory or open files, ends it early, keep its recording.
 
-    :param stop: makes it stop between two steps.
-    :param note_end: records that it ended early.
+    :param stop: a function that makes the simulation stop between two steps.
+    :param note_end: a function that records the early end.
     """
     reserve = Reserve()
     try:

@@ -1,7 +1,7 @@
-"""Save the recording of a run that C code ends, or that is killed because a call of C code never returns.
+"""Saves the recording of a run that crashes in C code, or that is killed because a call of C code never returns.
 
-Python runs its handlers of signals only between two steps of its interpreter. A handler that ctypes creates runs immediately, in
-the middle of other code, whose data may be inconsistent. So only a process that is going to end gets such a handler.
+Python runs its signal handlers only between two steps of its interpreter. A handler that ctypes creates runs immediately, in
+the middle of other code, whose data may be inconsistent. So only a process that is about to end has such a handler.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ LONGEST_S = 10
 
 @contextmanager
 def last_moment(save: Callable[[], object]) -> Iterator[None]:
-    """Call a function when a signal of `FATAL` or `KILLED` ends this process in the block.
+    """Call a function when a signal of `FATAL` or `KILLED` ends this process inside the block.
 
-    :param save: writes the recording. The process ends after it, and at the latest after `LONGEST_S`.
+    :param save: the function, which writes the recording. The process ends after it, or after `LONGEST_S` seconds at the latest.
     """
     if sys.platform in ('win32', 'emscripten'):
         yield

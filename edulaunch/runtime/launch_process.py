@@ -25,7 +25,9 @@ _STOPPED = {
 
 
 class Explanation(NamedTuple):
-    """An error for people: ROS 2's message, the place in the student's file, what to try, and the facts as data."""
+    """An error in the form that users read: ROS 2's message with the place in the student's file, the help, and the facts as
+    data.
+    """
 
     text: str
     help: str | None
@@ -67,7 +69,7 @@ class LaunchRun:
         return self.process.returncode is not None
 
     def interrupt(self) -> None:
-        """Send SIGINT to launch and, in a terminal, to everything it started."""
+        """Send SIGINT to launch. In a terminal, also send it to every program that launch started."""
         self.process.send_signal(signal.SIGINT)
         if self.interactive:
             for process in self._host.processes:
@@ -77,7 +79,7 @@ class LaunchRun:
                 program.send_signal(signal.SIGINT)
 
     def _main(self, process: Process) -> int:
-        """Run `ros2 launch FILE name:=value ...`; return launch's own return code."""
+        """Run `ros2 launch FILE name:=value ...`. Return the return code of launch."""
         from launch import LaunchDescription, LaunchService
         from launch.actions import IncludeLaunchDescription
         from launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
@@ -89,14 +91,14 @@ class LaunchRun:
 
     @property
     def error(self) -> BaseException | None:
-        """Return the first exception that launch caught, if any."""
+        """The first exception that launch caught, or None."""
         errors = self.process.state.get('launch.exceptions')
         return errors[0] if errors else None
 
     def raise_error(self) -> None:
-        """Raise the error of the launch file, if there was one.
+        """Raise the error of the launch file, if there was an error.
 
-        :raises LaunchFileError: with ROS 2's message, the place and one line of help.
+        :raises LaunchFileError: when there was an error. It has ROS 2's message, the place and one line of help.
         """
         error = self.error
         if error is not None:
@@ -114,7 +116,7 @@ class LaunchRun:
 
 
 def explain(error: BaseException, index: Index) -> Explanation:
-    """Return an exception from a launch file as an explanation for people. Its places are in the student's own files."""
+    """Return an exception from a launch file in the form that users read. The places in it are in the student's own files."""
     from launch._failure import failure_data
 
     data = failure_data(error, index)
@@ -158,23 +160,24 @@ def _declared(argument: Any) -> list[Any]:
 
 
 def note_launch_files(process: Process, path: str) -> None:
-    """Note the launch file of a typed `ros2 launch` and its includes as a fact (`launch files`), because a launch may start no
-    program that names them.
+    """Record the launch file of a typed `ros2 launch` and its includes as a fact (`launch files`).
+
+    A launch may start no program, so no other record would contain these files.
     """
     files = [process.index.source_path(file) for file in (path, *process.state.get('launch.includes', ()))]
     process.fact('launch files', None, {'files': files})
 
 
 def note_unread_arguments(process: Process, given: Iterable[str]) -> None:
-    """Note the unused arguments of a typed `ros2 launch` as facts (`argument unread`); see :class:`UnreadArgument`."""
+    """Record the unused arguments of a typed `ros2 launch` as facts (`argument unread`); see :class:`UnreadArgument`."""
     for one in _unread_arguments(process, given):
         process.fact('argument unread', (one.name, one.included), one._asdict())
 
 
 def _unread_arguments(process: Process, given: Iterable[str]) -> list[UnreadArgument]:
-    """Return launch arguments that no launch file declares or reads, and arguments of an include that its file does not declare.
+    """Yield launch arguments that no launch file declares or reads, and arguments of an include that its file does not declare.
 
-    ROS 2 accepts them silently.
+    ROS 2 accepts such arguments without a message.
     """
     state, source = process.state, process.index.source_path
     read, names = state.get('launch.read', ()), [argument.name for argument in state.get('launch.declared', ())]

@@ -1,4 +1,4 @@
-"""Find launch files as `ros2 launch` does."""
+"""Finds launch files as `ros2 launch` does."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ SURE_LAUNCH_SUFFIXES = ('.launch.py', '.launch.xml', '.launch.yaml', '_launch.py
 LAUNCH_SUFFIXES = ('.py', '.xml', '.yaml', '.yml', '.launch')
 
 
-def find_launch_file(index: Index, path_or_package: str | os.PathLike[str], file: str | None) -> str:
-    """Return the absolute path of a launch file, given as for `ros2 launch`.
+def find_launch_file(index: Index, path_or_package: str | os.PathLike[str], file: str | None, *, as_ros: bool = False) -> str:
+    """Return the absolute path of a launch file, which is given as for `ros2 launch`.
 
-    :raises UnusableInput: with the message of `ros2 launch`, and the nearest name.
+    :param as_ros: whether a package without the name of a launch file gets the message of `ros2 launch`.
+    :raises UnusableInput: when there is no such file, with the message of `ros2 launch` and the nearest name.
     """
     first = os.fspath(path_or_package)
     if file is None and (os.path.exists(first) or os.sep in first or first.endswith(LAUNCH_SUFFIXES)):
@@ -31,9 +32,11 @@ def find_launch_file(index: Index, path_or_package: str | os.PathLike[str], file
         path = str(get_share_file_path_from_package(package_name=first, file_name=file))
         return path if os.path.isfile(path) else _existing_file(os.path.realpath(path), index)
     except MultipleLaunchFilesError as error:
-        raise UnusableInput(str(error), help='give the path of the launch file') from None
+        raise UnusableInput(str(error), help='type the path of the launch file') from None
     except (FileNotFoundError, LookupError, ValueError, RuntimeError) as error:
         text = str(error.args[0]) if error.args else str(error)
+        if file is None and isinstance(error, FileNotFoundError) and not as_ros:
+            text = f'the launch file of the package {first} is not named'
         raise UnusableInput(text, help=_nearest_help(index, first, file)) from None
     finally:
         process.index = outer
@@ -63,7 +66,7 @@ def _existing_file(path: str, index: Index) -> str:
 
 
 def _package_with(index: Index, name: str) -> str | None:
-    """Return the only package of the workspaces that installs a launch file of that name; None if there are several or none."""
+    """Return the only package of the workspaces that installs a launch file of that name. Otherwise, return None."""
     own = [package for package in index.packages() if index.source_folder(package) is not None]
     owners = [one for one in own if os.path.isfile(os.path.join(index.share(one) or '', 'launch', name))]
     return owners[0] if len(owners) == 1 else None
@@ -101,9 +104,9 @@ def launch_argument(word: str) -> tuple[str, str]:
 
 
 def launch_files_of(index: Index, package: str) -> list[str]:
-    """Return the names of the launch files in a package's share, in alphabetical order.
+    """Return the names of the launch files in a package's share folder, in alphabetical order.
 
-    Files that end in plain .py, .xml or .yaml count only in a folder named launch.
+    Files whose names end in plain .py, .xml or .yaml count only in a folder named launch.
     """
     return sorted(
         {

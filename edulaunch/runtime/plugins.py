@@ -1,8 +1,8 @@
 """Plug-ins: packages that add verbs, options, packages and rules to edulaunch, without being known to it.
 
 An entry point of the group `edulaunch.plugins` in the `pyproject.toml` of a package names a :class:`Plugin`. A process searches
-for them at most once. Unknown words, help, completion, and code that needs all plug-ins of a kind cause the search.
-`importlib.metadata` takes 50 ms to load and 20 ms to search. So this file itself reads `entry_points.txt` in each folder of
+for plug-ins at most once. Unknown words, help, completion, and code that needs all plug-ins of a kind cause the search.
+`importlib.metadata` takes 50 ms to load and 20 ms to search. So this module itself reads `entry_points.txt` in each folder of
 metadata on the path, as the packaging standard defines it. That takes 2 ms.
 """
 
@@ -26,7 +26,7 @@ NOTHING: Mapping[str, Any] = MappingProxyType({})
 class Verb(NamedTuple):
     """A verb of the command line.
 
-    :ivar about: its line in `--help`.
+    :ivar about: the line about the verb in `--help`.
     :ivar module: the module with the functions `VERB_arguments(parser)` and `VERB_verb(arguments)`, which returns the exit code.
     """
 
@@ -37,31 +37,34 @@ class Verb(NamedTuple):
 class GradingVerb(NamedTuple):
     """A verb of the grader.
 
-    :ivar function: `module:function` for the words after the verb; it returns the exit code.
+    :ivar function: the function for the words after the verb, as `module:function`. It returns the exit code.
     :ivar example: an example call for `edugrade --help`, without the leading `edugrade`.
     :ivar about: the purpose of the example.
+    :ivar parser: `module:function` that returns the parser of the words after the verb, for completion.
     """
 
     function: str
     example: str
     about: str
+    parser: str = ''
 
 
 class Plugin(NamedTuple):
-    """The contents of a plug-in. It names modules, which are loaded when they are used.
+    """The contents of a plug-in. It contains names of modules, which are imported on first use.
 
-    :ivar needs: modules of other plug-ins; without them, this plug-in counts as missing.
+    :ivar needs: modules of other plug-ins. If one of them is missing, this plug-in counts as missing.
     :ivar verbs: verbs of `edulaunch`.
     :ivar grading: verbs of `edugrade`.
     :ivar options: options of a command (`launch`, `ros2 launch` or `view`): a module with `add_options(parser)`. The command also
         calls `session_class(arguments)` for `launch`, `begin(arguments, process)` for `ros2 launch`, and `view(arguments)` for
         `view`, which returns what to serve in place of the page.
-    :ivar services: services of the machine: the module that creates each. `edulaunch.desk.machine.network` defines the
-        service `network`. For any other one, `peer(machine, connection)` returns the peer of a connection.
+    :ivar services: the module that creates each service of the machine. `edulaunch.desk.machine.network` defines the
+        service `network`. For any other service, `peer(machine, connection)` returns the peer of a connection.
     :ivar packages: folders with ROS packages in source form, which are searched after those of the student.
     :ivar rules: modules with rules of advice, by their subject: one of `edulaunch.advice.rule.KINDS`.
-    :ivar templates: files for a course, for `edulaunch course template NAME`: `module:function`. It runs in the folder of
-        the course, receives the content of requirements.txt and (name, path) of each exercise, and returns the files by path.
+    :ivar templates: functions (`module:function`) that create files for a course, for `edulaunch course template NAME`. A
+        function runs in the folder of the course. It receives the content of requirements.txt and (name, path) of each
+        exercise, and returns the files by path.
     :ivar parsers: other commands that the Tab key completes, each with the function that returns its parser: `module:function`.
     :ivar functions: functions that the package `edulaunch` offers from the plug-in: `module:function`.
     """
@@ -79,7 +82,7 @@ class Plugin(NamedTuple):
 
 
 class Provider(NamedTuple):
-    """The plug-in of edulaunch that provides a feature, and how to install it."""
+    """The plug-in of edulaunch that provides a feature, and how to install this plug-in."""
 
     plugin: str
     install: str
@@ -113,13 +116,15 @@ SOURCES = {
 
 @cache
 def plugins() -> dict[str, Plugin]:
-    """Return the installed plug-ins by name. Print a warning for one that cannot be loaded."""
+    """Return the installed plug-ins by name. Print a warning for a plug-in that cannot be loaded."""
     return _usable(lambda name: True)
 
 
 @cache
 def plugins_of_others() -> dict[str, Plugin]:
-    """Return third-party plug-ins by name. Our own have no packages and no rules, so a run need not load them."""
+    """Return third-party plug-ins by name. edulaunch's own plug-ins have no packages and no rules, so a run need not load
+    them.
+    """
     ours = {source.plugin for source in SOURCES.values()}
     return _usable(lambda name: name not in ours)
 
@@ -134,7 +139,7 @@ def _usable(is_wanted: Callable[[str], bool]) -> dict[str, Plugin]:
 
 
 class Entry(NamedTuple):
-    """An entry point: its name, `module:object`, and its distribution."""
+    """An entry point: its name, its object (`module:object`), and its distribution."""
 
     name: str
     place: str
@@ -144,7 +149,7 @@ class Entry(NamedTuple):
 def entries() -> Iterator[Entry]:
     """Return the entry points of the group in all distributions that are folders on the path.
 
-    The current folder does not count: `python -m` puts it on the path, and it may contain a submission.
+    The current folder does not count, because `python -m` puts it on the path, and it may contain a submission.
     """
     here = os.path.realpath(os.curdir)
     for folder in sys.path:
@@ -194,7 +199,7 @@ def _warn(entry: Entry, why: str) -> None:
 
 
 def is_here(module: str) -> bool:
-    """Return whether a module can be imported; its folder may have been deleted."""
+    """Return whether a module can be imported. This may be False because the folder of the module was deleted."""
     try:
         spec = find_spec(module)
     except ModuleNotFoundError:
@@ -213,7 +218,7 @@ def grading_verbs() -> dict[str, GradingVerb]:
 
 
 def offered(name: str) -> Any:
-    """Return a function that the package `edulaunch` offers from a plug-in, such as `edulaunch.check`.
+    """Return a function that a plug-in provides for the package `edulaunch`, such as `edulaunch.check`.
 
     :raises UnusableInput: when no plug-in provides it.
     """
@@ -224,7 +229,7 @@ def offered(name: str) -> Any:
 
 
 def parser_of(command: str) -> Any | None:
-    """Return the parser of another command from a plug-in, such as `edugrade`; None if no plug-in provides it."""
+    """Return the parser of another command from a plug-in, such as `edugrade`. Return None if no plug-in provides it."""
     return next((function(plugin.parsers[command])() for plugin in plugins().values() if command in plugin.parsers), None)
 
 
@@ -244,12 +249,12 @@ def modules_with_rules(kind: str) -> list[Any]:
 
 
 def template(name: str) -> Any | None:
-    """Return the function that creates the files of a template for courses; None if no plug-in provides it."""
+    """Return the function that creates the files of a template for courses. Return None if no plug-in provides it."""
     return next((function(plugin.templates[name]) for plugin in plugins().values() if name in plugin.templates), None)
 
 
 def service(name: str) -> Any | None:
-    """Return the module that creates a service of the machine; None if no plug-in provides it."""
+    """Return the module that creates a service of the machine. Return None if no plug-in provides it."""
     return next((import_module(plugin.services[name]) for plugin in plugins().values() if name in plugin.services), None)
 
 
@@ -260,16 +265,16 @@ def function(place: str) -> Any:
 
 
 def _lacking(name: str) -> str:
-    """Return the name of the first missing plug-in that this one needs, or else of this one."""
+    """Return the name of the first missing plug-in that the plug-in `name` needs. If none of these is missing, return `name`."""
     found = next((_loaded(entry) for entry in entries() if entry.name == name), None)
     lacking = [need for need in found.needs if not is_here(need)] if found is not None else []
     return lacking[0].rpartition('.')[2] if lacking else name
 
 
 def absent(what: str) -> UnusableInput | None:
-    """Return the error for a feature of one of our own plug-ins that is missing; None for any other feature.
+    """Return the error for a feature of a plug-in of edulaunch that is missing. Return None for any other feature.
 
-    :param what: a command and its verb or option: 'edulaunch network', 'ros2 launch --network'.
+    :param what: a command and its verb or option, such as 'edulaunch network' or 'ros2 launch --network'.
     """
     source = SOURCES.get(what)
     if source is None:

@@ -1,4 +1,4 @@
-"""Load the module of a command and run it: Ctrl-C during this time, and a computer without memory, cause no traceback."""
+"""Loads the module of a command and runs it. During this time, Ctrl-C and a lack of memory cause no traceback."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ LOADING_FAULTS = ('failed to map segment', 'Cannot allocate memory', 'Too many o
 def run_quietly(module: str, name: str, broken: int = UNUSABLE) -> int:
     """Load a command and run it. While it loads, Ctrl-C ends the process immediately and without a traceback.
 
-    :param broken: the exit code when the command cannot be loaded, because this computer has no memory or descriptors left.
+    :param broken: the exit code when the command cannot be loaded, because this computer has no memory or file descriptors left.
     """
     try:
         try:
@@ -33,7 +33,7 @@ def run_quietly(module: str, name: str, broken: int = UNUSABLE) -> int:
 
 
 def _loaded(module: str, name: str) -> Callable[[], int]:
-    """Return a command. Python's handler of Ctrl-C is set again afterwards, whether the module could be loaded or not."""
+    """Return a command. Afterwards, Python's handler of Ctrl-C is set again, even if the module could not be loaded."""
     before = signal.getsignal(signal.SIGINT)
     if before is signal.default_int_handler:
         signal.signal(signal.SIGINT, signal.SIG_DFL)

@@ -1,4 +1,6 @@
-"""The connection to the `ros2` command of a simulated machine, which is in the wing `desk` above; the facade sets it here."""
+"""The connection to the `ros2` command of a simulated machine. `edulaunch.desk` contains the command, and the facade sets it
+here.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The composition root: the only place that connects simulation, graph, packages, processes and recorder."""
+"""The composition root: the only module that connects simulation, graph, packages, processes and recorder."""
 
 from __future__ import annotations
 
@@ -48,17 +48,18 @@ class Session:
     :param seed: the seed of all random numbers.
     :param workspaces: folders with packages (a colcon workspace, its `install` folder, or source packages), searched in this
         order before the packages of edulaunch.
-    :param env: environment of all programs (default: a copy of this program's environment, with USER set).
-    :param stdin: keyboard input of programs, by launch name ('game-2', or 'game' for all of that name) or executable. A string
-        is available from the start. A list of (simulated seconds, string) types each string at its time. An open text file,
-        such as `sys.stdin`, is read when a program waits for it; meanwhile, simulated time follows real time.
-    :param console: called as console(stream, text) with everything that launch prints.
+    :param env: the environment of all programs. The default is a copy of this program's environment, with USER set.
+    :param stdin: keyboard input of programs, by launch name ('game-2', or 'game' for all programs of that name) or executable. A
+        string is available from the start. A list of (simulated seconds, string) types each string at its time. An open text
+        file, such as `sys.stdin`, is read when a program waits for input. Meanwhile, simulated time follows real time.
+    :param console: a function that is called as console(stream, text) with everything that launch prints.
     :param turn_limit_s: seconds of processor time after which a program that does not yield is stopped (see `Watchdog`); 0
         disables the limit.
     :ivar traces: the steps of the last launches; see `edulaunch.advice.plan.launch_trace`.
     :ivar steps_launches: whether new launches stop before their first action.
     :param start_ns: the time of the clock at the beginning, in ns since 1970.
-    :param near: if two packages have the same name, the one nearer to this folder is used (default: the current folder).
+    :param near: a folder. If two packages have the same name, the package nearer to this folder is used. The default is the
+        current folder.
     """
 
     simulation_class = Simulation
@@ -115,7 +116,7 @@ class Session:
         self.recorder.roots = list(with_real_paths(own))
 
     def _trace_of(self, process: Process) -> Any:
-        """Return the observer of a new launch; the oldest traces of ended launches are dropped."""
+        """Return the observer of a new launch. If there are too many, remove the oldest observers of ended launches."""
         trace = view('launch_trace')(process)
         if self.steps_launches:
             trace.stepper.go('into')
@@ -126,7 +127,7 @@ class Session:
         return trace
 
     def let_go(self) -> None:
-        """Let a launch that waits before an action continue, without further stops."""
+        """Continue a launch that waits before an action, without further stops."""
         if self.sim.is_suspended:
             for trace in self.traces:
                 trace.stepper.go('go')
@@ -141,13 +142,13 @@ class Session:
         interactive: bool = False,
         debug: bool = False,
     ) -> LaunchRun:
-        """Start `ros2 launch` with a launch file by path, or by package and file name. It runs when the simulation runs.
+        """Start `ros2 launch` with a launch file by path, or by package and file name. The launch runs when the simulation runs.
 
         :param path_or_package: path of a launch file, or name of a package.
         :param file: name of a launch file in the package.
-        :param arguments: launch arguments by name; values are passed as strings.
-        :param interactive: whether a terminal sends Ctrl-C to the launched programs, too, so that launch does not repeat it.
-        :param debug: log at level DEBUG, as `ros2 launch --debug` does.
+        :param arguments: launch arguments by name. The values are passed as strings.
+        :param interactive: whether a terminal also sends Ctrl-C to the launched programs. If so, launch does not send it again.
+        :param debug: whether to log at level DEBUG, as `ros2 launch --debug` does.
         :raises UnusableInput: when there is no such file or package, with the messages of `ros2 launch`.
         """
         path = find_launch_file(self.index, path_or_package, file)
@@ -167,14 +168,14 @@ class Session:
         return all(launch.is_over for launch in self.launches)
 
     def run(self, duration_s: float | None = None, speed: float = 0.0) -> bool:
-        """Let simulated time pass: `duration_s` more seconds, or until every launch has ended.
+        """Advance simulated time by `duration_s` seconds, or until every launch has ended.
 
-        SIGINT (Ctrl-C, a notebook's interrupt button) ends it early, between two steps, and leaves a note in the recording.
-        A second one raises KeyboardInterrupt immediately.
+        SIGINT (Ctrl-C, a notebook's interrupt button) ends the run early, between two steps, and adds a note to the recording.
+        A second SIGINT raises KeyboardInterrupt immediately.
 
         :param duration_s: simulated seconds; None runs until every launch has ended.
         :param speed: simulated seconds per real second; 0 is as fast as possible.
-        :returns: whether it was interrupted.
+        :returns: whether the run was interrupted.
         :raises UnusableInput: when `duration_s` is not a number of seconds.
         """
         until = None if duration_s is None else self.sim.now_ns + _nanoseconds(duration_s)
@@ -194,34 +195,34 @@ class Session:
         self.recorder.note(None, 'interrupted', f'interrupted at {self.sim.elapsed_s:.2f} s of simulated time')
 
     def interrupt(self) -> None:
-        """Press Ctrl-C: every program of the terminal receives SIGINT, launch first."""
+        """Press Ctrl-C in the terminal: every program of the terminal receives SIGINT, and launch receives it first."""
         for launch in self.launches:
             launch.interrupt()
 
     def describe(self) -> None:
-        """Pass the launches until now to the recorder, and the folders that its digest leaves out."""
+        """Pass the launches so far to the recorder, and the folders that the recording's digest leaves out."""
         for launch in self.launches:
             launch.describe(self.recorder)
         self.recorder.use_sources(self.index.source_path)
         self.recorder.roots += [root for root in self._installed_roots() if root not in self.recorder.roots]
 
     def recording(self) -> Recording:
-        """End the recording here and return it."""
+        """End the recording now, and return it."""
         self.describe()
         return self.recorder.recording()
 
     def glance(self) -> Recording:
-        """Return the recording until now, to be read before time passes."""
+        """Return the recording so far. Read the result before time advances."""
         found = self.recording()
         self.recorder.on = True
         return found
 
     def of_command(self, pid: int) -> Recording:
-        """Return the records of one command from its start to its end or until now, and of programs that ran beside it.
+        """Return the records of one command from its start to its end or until now, and of programs that ran at the same time.
 
-        Read the result before time passes. `Recording.command` names the command's own programs.
+        Read the result before time advances. `Recording.command` names the command's own programs.
 
-        :param pid: process id of the command.
+        :param pid: process ID of the command.
         :raises KeyError: for an unknown program.
         """
         self.describe()
@@ -232,7 +233,7 @@ class Session:
         return found
 
     def snapshot(self) -> Recording:
-        """Return a copy of the recording until now. Later events do not change it, and appear in the next snapshot."""
+        """Return a copy of the recording so far. Later events do not change it, and appear in the next snapshot."""
         self.describe()
         self.recorder.stop()
         content = self.recorder.content()
@@ -242,16 +243,16 @@ class Session:
         )
 
     def _installed_roots(self) -> list[list[str]]:
-        """Return the folders of packages and modules, and other strings that differ between machines.
+        """Return the folders of packages and modules, and other strings that differ between computers.
 
-        A workspace thus has the same digest built and from source.
+        Without these strings, a workspace has the same digest when it is built and when it is used from source.
         """
         prefixes = [path for path in self.index.search_paths() if path != underlay_prefix()]
         own = [*((path, '@prefix') for path in prefixes), *((path, '@python') for path in self.index.python_roots())]
         return [*with_real_paths(own), *machine_roots()]
 
     def close(self) -> None:
-        """End everything that still runs, without recording it."""
+        """End all programs that are still running, without recording this."""
         self.recorder.stop()
         self.host.close()
 
@@ -266,23 +267,24 @@ def run(
     workspaces: Sequence[PathLike] | None = None,
     console: Callable[[str, str], object] | None = None,
 ) -> Recording:
-    """Run a launch file in the simulation and return the recording of it.
+    """Run a launch file in the simulation, and return the recording of the run.
 
-    If Ctrl-C, a notebook's interrupt button, SIGTERM, SIGHUP or SIGQUIT interrupts it, it prints a warning and returns the
+    If Ctrl-C, a notebook's interrupt button, SIGTERM, SIGHUP or SIGQUIT interrupts the run, print a warning and return the
     recording so far.
 
-    :param path_or_package: path of a launch file; or a package, with `file` as the name of a launch file in it.
+    :param path_or_package: path of a launch file; or a package, with `file` as the name of a launch file in the package.
     :param file: name of a launch file in the package.
     :param arguments: launch arguments by name, as on the command line.
-    :param duration_s: simulated seconds to run; programs that still run are then stopped without being recorded.
-    :param seed: the same launch file, arguments and seed give the same recording, byte for byte.
+    :param duration_s: simulated seconds to run. Programs that still run are then stopped without being recorded.
+    :param seed: the seed of all random numbers. The same launch file, arguments and seed give the same recording, byte for byte.
     :param workspaces: folders with the student's packages. The default is the same as in `edulaunch launch`, see
         :func:`~edulaunch.engine.packages.discovery.find_workspaces`. An empty list uses no workspace.
-    :param console: called as console(stream, text) with everything that launch prints. Without it, problems are printed on the
-        error stream, one line each: programs that died and why, misspelt launch arguments, callbacks that wait forever.
-        :param session: further arguments of :class:`Session`, such as `env`, `stdin` and `start_ns`.
+    :param console: a function that is called as console(stream, text) with everything that launch prints. Without it, problems
+        are printed on the error stream, one line each: programs that died and why, misspelt launch arguments, callbacks that
+        wait forever.
+    :param session: further arguments of :class:`Session`, such as `env`, `stdin` and `start_ns`.
     :raises UnusableInput: when the file or package does not exist.
-    :raises LaunchFileError: when the launch file cannot be loaded or one of its actions fails; with ROS 2's message, the
+    :raises LaunchFileError: when the launch file cannot be loaded or one of its actions fails. The error has ROS 2's message, the
         file and line, and what to try.
     """
     texts = {name: str(value) for name, value in (arguments or {}).items()}
@@ -312,7 +314,8 @@ def _nanoseconds(duration_s: float) -> int:
 def index_for(workspaces: Sequence[PathLike], near: str | None = None) -> Index:
     """Return an index of the workspaces, the packages of plug-ins, and the packages of edulaunch, in this order.
 
-    :param near: if two packages have the same name, the one nearer to this folder is used. None means the current folder.
+    :param near: a folder. If two packages have the same name, the package nearer to this folder is used. None means the current
+        folder.
     """
     built, sources = install_folders(workspaces)
     near = os.getcwd() if near is None else near
@@ -320,12 +323,12 @@ def index_for(workspaces: Sequence[PathLike], near: str | None = None) -> Index:
 
 
 def typed_command(words: Sequence[str], name: str, cwd: str, env: Mapping[str, str], index: Index) -> tuple[ProcessSpec, Index]:
-    """Return the program that a command line starts, and the index of the packages that it finds.
+    """Return the program that a command line starts, and the index that finds the packages of the command.
 
-    :param cwd: the current folder of the terminal. Its workspaces are used, and those of a launch file that the command
-        names by path.
+    :param cwd: the current folder of the terminal. Packages are looked up in the workspaces of this folder, and in those of a
+        launch file that the command names by path.
     :param env: the environment of the terminal.
-    :param index: the packages where there is no workspace.
+    :param index: the index to use if there is no workspace.
     """
     file = _named_file(words, cwd)
     near = cwd if file is None else os.path.dirname(os.path.join(cwd, file))
@@ -337,7 +340,7 @@ def typed_command(words: Sequence[str], name: str, cwd: str, env: Mapping[str, s
 
 
 def _named_file(words: Sequence[str], cwd: str) -> str | None:
-    """Return the launch file, or the program's file, that a command names by path."""
+    """Return the launch file or the Python program that a command names by path, or None."""
     count = 1 if words[0] == 'python3' else 2
     if count == 2 and list(words[:2]) != ['ros2', 'launch']:
         return None

@@ -1,4 +1,4 @@
-"""Find the lines of a program that use the order of a set, which differs from run to run without a fixed hash seed."""
+"""Finds the lines of a program that use the order of a set, which differs from run to run without a fixed hash seed."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _SAME_IN_ANY_ORDER = frozenset({'all', 'any', 'len', 'max', 'min', 'sorted', 'su
 def set_lines(source: bytes) -> tuple[int, ...]:
     """Return the lines on which a loop, a function such as `print`, or an f-string uses the order of a set.
 
-    A name counts as a set if every assignment to it in the file makes one. A set of numbers alone does not count.
+    A name counts as a set if every assignment to it in the file creates a set. A set that contains only numbers does not count.
     """
     nodes = list(ast.walk(ast.parse(source)))
     names = _names_of_sets(nodes)

@@ -1,4 +1,4 @@
-"""Print, some time after Ctrl-C, which line of a program prevents the end of a run."""
+"""Prints, some time after Ctrl-C, which line of a program prevents the end of a run."""
 
 from __future__ import annotations
 
@@ -33,14 +33,14 @@ class StillBusy:
         self.stop()
 
     def stop(self) -> None:
-        """Stop the timer, because the run has noticed the press."""
+        """Stop the timer, because the run has noticed Ctrl-C."""
         if self._is_armed:
             self._is_armed = False
             signal.setitimer(signal.ITIMER_REAL, 0)
             signal.signal(signal.SIGALRM, self._before)
 
     def press(self) -> None:
-        """Record that Ctrl-C was pressed; called in the main thread."""
+        """Record that Ctrl-C was pressed, and start the timer. Call this method in the main thread."""
         if hasattr(signal, 'setitimer') and not self._is_armed:
             self._is_armed = True
             self._before = signal.signal(signal.SIGALRM, self._say)

@@ -1,3 +1,3 @@
-"""The version, for the command line and the build."""
+"""The version of edulaunch, for the command line and the build."""
 
 __version__ = '1.0.0'

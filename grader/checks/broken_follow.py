@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from random import Random
 
-from edugrade import Evidence, Failure, Rubric, Scenario, check
+from edugrade import Evidence, Failure, Missing, Rubric, Scenario, check
 from edugrade.library.circle_fit import fit_circle
 from edugrade.library.deaths import refuse_dead, refuse_gone
 from edugrade.library.following import require_copy, require_driver, require_near, require_pursuit
@@ -75,13 +75,21 @@ def turtle1_copies(run: Evidence) -> None:
 
 @check(points=1, needs=[no_node_dies])
 def turtle1_is_on_tf(run: Evidence) -> None:
-    """tf knows where turtle1 is: the frame turtle1 in the frame world"""
+    """A broadcaster publishes the frame turtle1 with the parent world"""
     require_frame(run, 'turtle1', 'world', 'check the Node of broadcaster1')
 
 
 @check(points=3, needs=[no_node_dies])
 def turtle2_is_on_tf(run: Evidence) -> None:
-    """tf knows where turtle2 is: the frame turtle2 in the frame world"""
+    """A broadcaster publishes the frame turtle2 with the parent world"""
+    for recording in run.values():
+        if not turtle_track(recording, '/turtle2/pose'):
+            raise Missing(
+                'the turtle turtle2',
+                seen='no pose of this turtle',
+                where=run.source.place,
+                try_='restore the Node of turtle_tf2_listener, which spawns turtle2',
+            )
     loose = loose_ends(run.first, *BROADCASTER)
     try:
         require_frame(

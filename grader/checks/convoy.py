@@ -14,26 +14,29 @@ from typing import TYPE_CHECKING
 from edugrade import Evidence, Failure, Mismatch, Missing, Rubric, Scenario, check
 from edugrade.library.deaths import refuse_dead, refuse_gone
 from edugrade.library.following import driven_track, require_driver
-from edugrade.library.identity import processes_of
+from edugrade.library.identity import nodes_of, processes_of
 from edugrade.library.movement import length, since
 from edugrade.library.node_graph import require_started
+from edugrade.library.parameters import parameter_of
 
 if TYPE_CHECKING:
+    from edulaunch.engine.recording import Recording
     from edulaunch.engine.recording.records import NodeRecord
 
 FOLLOWER, SIMULATOR = ('convoy', 'follower'), ('turtlesim', 'turtlesim_node')
+WITHOUT = 'without'  # the run in which the start of the simulator fails
 LATEST_S, NEAR_M, BEHIND_M = 20.0, 0.8, 1.0
 MIDDLE_M, RADIUS_M, TURN_RAD_S = 5.544, 2.5, 0.4  # the start of turtle1, and its circle
 ORDER = [
-    'check each link of the chain',
-    'check in this order: the turtle exists, it is in the tf tree, its node finds the carrot, its node publishes',
+    'check each step from the new turtle to its movement',
+    'check, in this order, whether the turtle exists, is in the tf tree, finds the carrot, and drives',
 ]
 
 
 def scenarios(random: Random) -> list[Scenario]:
-    """Return a run with one follower and a run with several."""
+    """Return a run with one follower, a run with several, and a run in which the simulator does not start."""
     several = Scenario('several', {'count': str(random.randint(2, 3))}, LATEST_S, turned={'/turtle1': _turn(random)})
-    return [Scenario('one', {'count': '1'}, LATEST_S), several]
+    return [Scenario('one', {'count': '1'}, LATEST_S), several, Scenario(WITHOUT, {'count': '1'}, 3.0, fails=[SIMULATOR[1]])]
 
 
 def _turn(random: Random) -> tuple[float, float]:
@@ -47,9 +50,14 @@ def _turn(random: Random) -> tuple[float, float]:
             return time_s, angle
 
 
+def driven(run: Evidence) -> Evidence:
+    """Return the evidence of the runs in which the simulator starts."""
+    return run.only([scenario for scenario in run if scenario != WITHOUT])
+
+
 def followers(run: Evidence) -> Iterator[tuple[str, int]]:
     """Yield each run with the number of each turtle that follows in it."""
-    for scenario in run:
+    for scenario in driven(run):
         for number in range(2, int(run.scenario(scenario).arguments['count']) + 2):
             yield scenario, number
 
@@ -57,14 +65,14 @@ def followers(run: Evidence) -> Iterator[tuple[str, int]]:
 @check(points=1)
 def no_node_dies(run: Evidence) -> None:
     """No node dies before the end"""
-    refuse_dead(run)
-    refuse_gone(run)
+    refuse_dead(driven(run))
+    refuse_gone(driven(run))
 
 
 @check(points=2, needs=[no_node_dies])
 def everybody_is_there(run: Evidence) -> None:
-    """The number of followers is count"""
-    for scenario in run:
+    """The launch argument count sets the number of followers"""
+    for scenario in driven(run):
         wanted = {f'turtle{number}' for where, number in followers(run) if where == scenario} | {'turtle1'}
         seen = {name.split('/')[1] for name in run[scenario].topics if name.startswith('/turtle') and name.endswith('/pose')}
         if seen != wanted:
@@ -81,21 +89,25 @@ def everybody_is_there(run: Evidence) -> None:
 @check(points=2, needs=[no_node_dies])
 def everybody_came_after_the_simulator(run: Evidence) -> None:
     """No follower starts before the simulator"""
-    if not any(_of_followers(run, scenario) for scenario in run):
+    if not any(_of_followers(run[scenario]) for scenario in driven(run)):
         raise Missing(
             'a follower',
-            seen='no node whose name begins with follower or carrot_of',
+            seen='no node of the program follower',
             where=run.source.place,
             try_='include follower.launch.py for each follower',
         )
-    for scenario in run:
-        sim = require_started(run, scenario, '/sim', 'give the simulator the name sim', 'turtlesim')
-        nodes = _of_followers(run, scenario)
-        early = [node.name for node in nodes if node.started_s < sim]
-        calls = [call for call in run[scenario].service_calls if call.service == '/spawn' and not call.served]
-        if early or calls or not _after(run, scenario):
+    for scenario, recording in run.items():
+        early, is_without = _of_followers(recording), scenario == WITHOUT
+        if not is_without:
+            sim = require_started(run, scenario, '/sim', 'give the simulator the name sim', 'turtlesim')
+            early = [node for node in early if node.started_s < sim]
+        calls = [call for call in recording.service_calls if call.service == '/spawn' and not call.served]
+        if early or not (is_without or (not calls and _after(run, scenario))):
+            name = early[0].name if early else 'a follower'
             raise Failure(
-                f'{early[0] if early else "a follower"} does not wait for the simulator',
+                f'{name} does not wait for the simulator',
+                expected='each follower starts after the simulator',
+                seen=f'{name} starts in a run without the simulator' if is_without else f'{name} starts before the simulator',
                 where=run.source.place,
                 try_=[
                     'check the event handler',
@@ -105,8 +117,10 @@ def everybody_came_after_the_simulator(run: Evidence) -> None:
             )
 
 
-def _of_followers(run: Evidence, scenario: str) -> list[NodeRecord]:
-    return [node for node in run[scenario].nodes if node.name.startswith(('/follower', '/carrot_of'))]
+def _of_followers(recording: Recording) -> list[NodeRecord]:
+    """Return the nodes of the student's program, whatever their names, and the nodes with the names of carrots."""
+    own = set(nodes_of(recording, *FOLLOWER))
+    return [node for at, node in enumerate(recording.nodes) if at in own or node.name.startswith('/carrot_of')]
 
 
 def _after(run: Evidence, scenario: str) -> bool:
@@ -120,10 +134,10 @@ def each_knows_its_own_leader(run: Evidence) -> None:
     """Each follower drives to the carrot of the turtle in front of it"""
     for scenario, number in followers(run):
         recording, targets = run[scenario], {}
-        for node in dict.fromkeys(node.name for node in recording.nodes):
-            found = recording.parameters(node)
-            if 'me' in found and 'target' in found:
-                targets[found['me'].value] = found['target'].value
+        for position in nodes_of(recording, *FOLLOWER):
+            me, target = (parameter_of(recording, position, name) for name in ('me', 'target'))
+            if me is not None and target is not None:
+                targets[me.value] = target.value
         if targets.get(f'turtle{number}') != f'carrot_turtle{number - 1}':
             raise Failure(
                 f'turtle{number} does not follow turtle{number - 1}',

@@ -10,7 +10,7 @@ from random import Random
 
 from edugrade import Evidence, Failure, Missing, Rubric, Scenario, check
 from edugrade.library.deaths import refuse_dead, refuse_gone
-from edugrade.library.following import require_arrival, require_driver, require_near, require_pursuit
+from edugrade.library.following import driven_track, require_arrival, require_driver, require_near, require_pursuit
 from edugrade.library.frames import require_frame
 from edugrade.library.launched import refuse_shared_names, require_process
 from edugrade.library.movement import length, turtle_track
@@ -58,7 +58,7 @@ def leader_exists(run: Evidence) -> None:
 
 @check(points=2, needs=[leader_exists])
 def leader_is_on_tf(run: Evidence) -> None:
-    """tf knows where turtle1 is: the frame turtle1 in the frame world"""
+    """A broadcaster publishes the frame turtle1 with the parent world"""
     _require_frame(run, 'turtle1')
 
 
@@ -82,7 +82,7 @@ def follower_exists(run: Evidence) -> None:
 
 @check(points=2, needs=[follower_exists])
 def follower_is_on_tf(run: Evidence) -> None:
-    """tf knows where turtle2 is: the frame turtle2 in the frame world"""
+    """A broadcaster publishes the frame turtle2 with the parent world"""
     _require_frame(run, 'turtle2')
     refuse_shared_names(run)
 
@@ -90,7 +90,7 @@ def follower_is_on_tf(run: Evidence) -> None:
 @check(points=1, needs=[leader_exists])
 def leader_moves_when_asked(run: Evidence) -> None:
     """turtle1 drives only with move:=true"""
-    standing, moving = (length(turtle_track(run[name], LEADER)) for name in ('standing', 'moving'))
+    standing, moving = (length(driven_track(run, name, '/turtle1')) for name in ('standing', 'moving'))
     if not (standing <= 0.1 and moving >= 2.0):
         raise Failure(
             'turtle1 ignores the launch argument move',

@@ -39,7 +39,7 @@ def no_node_dies(run: Evidence) -> None:
 
 @check(points=2, needs=[no_node_dies])
 def laser_is_on_tf(run: Evidence) -> None:
-    """tf knows where the laser is: the frame laser in the frame base_link"""
+    """The frame laser has the parent base_link"""
     require_frame(run, 'laser', 'base_link', f'start {PUBLISHER} with --frame-id base_link and --child-frame-id laser')
 
 
@@ -72,7 +72,7 @@ def _require_height(run: Evidence) -> None:
 
 @check(points=3, needs=[laser_is_on_tf])
 def laser_is_in_its_place(run: Evidence) -> None:
-    """The laser is 0.2 m in front of base_link, at the height of the launch argument"""
+    """The laser is 0.2 m in front of base_link, and the launch argument height is its height"""
     for name in run:
         height = _height(run, name)
         _require_place(
@@ -86,7 +86,7 @@ def laser_is_in_its_place(run: Evidence) -> None:
 
 @check(points=2, needs=[no_node_dies])
 def camera_is_on_tf(run: Evidence) -> None:
-    """tf knows where the camera is: the frame camera in the frame laser"""
+    """The frame camera has the parent laser"""
     require_frame(run, 'camera', 'laser', f'start {PUBLISHER} with --frame-id laser and --child-frame-id camera')
 
 

@@ -1,15 +1,15 @@
-"""edugrade: grades ROS 2 launch files by what they do when launched in edulaunch's simulation.
+"""edugrade: grades ROS 2 launch files by what they do when edulaunch launches them in its simulation.
 
-For the author of a rubric::
+The author of a rubric imports these names::
 
     from edugrade import Evidence, Missing, Mismatch, Rubric, Scenario, check
 
 In reading order:
 
-- what was handed in: `submission.py`, `source.py`, `files.py`
+- submissions: `submission.py`, `source.py`, `files.py`
 - input: `rubric.py`, `evidence.py`, `library/`, `rubrics/`, `course.py`, `variant.py`
-- runs: `grading.py`, `runner.py`, `job.py`, `places.py`,
-  `child_run.py`, `starter_link.py`, `sandbox/`, and `in_place.py` without fork
+- runs: `grading.py`, `runner.py`, `job.py`, `places.py`, `child_run.py`, `starter_link.py`, `sandbox/`, and `in_place.py` for
+  systems without fork
 - results: `verdicts.py`, `worker.py`, `judging.py`, `repeated.py`, `results.py`
 - output: `reports/`, `attempts.py`, `progress_file.py`
 - entry points: `cli.py` with `options.py`, `notebook.py` with `turn.py`, `pytest_plugin.py`, `course_check.py`
@@ -37,7 +37,7 @@ __all__ = ['Check', 'Evidence', 'Failure', 'Mismatch', 'Missing', 'Rubric', 'Sce
 
 
 def __getattr__(name: str) -> Any:
-    """Import each name when it is first used, so that a command that only looks for plug-ins loads no rubrics."""
+    """Import a name when it is first used, so that a command that only looks for plug-ins loads no rubrics."""
     if name not in _MODULES:
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
     return getattr(import_module(f'{__name__}.{_MODULES[name]}'), name)

@@ -1,4 +1,4 @@
-"""``python -m edugrade`` does the same as the command."""
+"""The module behind ``python -m edugrade``, which does the same as the command ``edugrade``."""
 
 from __future__ import annotations
 

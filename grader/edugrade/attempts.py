@@ -1,4 +1,4 @@
-"""Record attempts in the student's progress file, which determines how specific the advice is. This module also finds hints."""
+"""Records attempts in the student's progress file, which determines how specific the advice is. This module also finds hints."""
 
 from __future__ import annotations
 
@@ -40,7 +40,10 @@ def record_attempt(report: Report, folder: str | None) -> Report:
 
 
 def why_of(report: Report) -> str:
-    """Return why a passed exercise matters on a robot, from the course's manifest, or '' for other submissions."""
+    """Return the sentence in the course's manifest on why an exercise matters on a robot.
+
+    Return '' if a check did not pass, or if the submission does not belong to a course.
+    """
     if report.exit_code != ALL_PASSED:
         return ''
     with suppress(UnusableInput):
@@ -81,7 +84,7 @@ def find_hint(submission: Submission, level: int) -> str:
     """Return a hint for the exercise of this submission.
 
     :param level: 1 for a question, 2 for the place to look at, 3 for almost the answer.
-    :raises UnusableInput: when there is no manifest, the manifest does not have the exercise, or there is no such level.
+    :raises UnusableInput: if there is no manifest, the manifest does not contain the exercise, or the level does not exist.
     """
     known = read_course(find_course(submission.folder))
     for exercise in known:

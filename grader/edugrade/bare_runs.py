@@ -1,8 +1,9 @@
 """Runs without a launch argument, which show the effect of its default.
 
-A scenario names in `defaults` the arguments that it does not give. If the launch file declares another default, or none, the
-grader repeats the run with the argument. A wrong default then costs its own points, and not those of other checks. For a
-default that is a substitution, the grader compares the run with a run that has the argument. Both must be identical.
+A scenario lists in `defaults` the arguments that it does not pass. If the launch file declares another default, or no
+default, the grader repeats the run with the argument. A wrong default then costs the points of its own check, and not those
+of other checks. If the default is a substitution, the grader compares the run with a run that passes the argument. Both must
+be identical.
 """
 
 from __future__ import annotations
@@ -23,11 +24,12 @@ NOT_COMPARED = ('/rosout', '/parameter_events')
 
 
 def with_defaults_given(outcomes: Sequence[Outcome], again: Again, known: Plan | None = None) -> list[Outcome]:
-    """Return the outcomes with the repeated runs in place of the original ones. The result does not have a run that accepts any
-    default but has none.
+    """Return the outcomes, with repeated runs in place of the original ones where arguments were needed.
 
-    :param again: makes runs.
-    :param known: the result of `plan_of` in a worker, if it is known.
+    If a run accepts any default and the launch file declares none, the run is left out.
+
+    :param again: a function that runs scenarios and returns their outcomes.
+    :param known: the result of `plan_of` from a worker, or None.
     """
     if not any(outcome.scenario.defaults for outcome in outcomes):
         return list(outcomes)
@@ -48,9 +50,7 @@ def with_defaults_given(outcomes: Sequence[Outcome], again: Again, known: Plan |
 def _with_calculated_given(
     outcomes: Sequence[Outcome], names: Sequence[Mapping[str, str | None]], again: Again
 ) -> dict[int, Outcome]:
-    """Repeat each run that has a calculated default, this time with the argument. Return the runs that differ, by their
-    positions.
-    """
+    """Repeat each run that has a calculated default, with the argument. Return the runs that differ, by their positions."""
     found = {}
     places = [place for place, given in enumerate(names) if given]
     made = again([_giving(outcomes[place].scenario, names[place]) for place in places]) if places else []
@@ -65,7 +65,7 @@ def _with_calculated_given(
 
 
 def _calculated(outcome: Outcome) -> dict[str, str | None]:
-    """Return the arguments of a run whose default is a substitution, with their expected values."""
+    """Return the arguments of a run whose declared default is a substitution, with the expected values."""
     if outcome.recording is None or not any(outcome.scenario.defaults.values()):
         return {}
     declared = described_defaults(outcome.recording)
@@ -89,8 +89,9 @@ def _what_happened(outcome: Outcome) -> tuple[list[Any], list[Any]]:
 
 
 def plan_of(outcomes: Sequence[Outcome]) -> Plan:
-    """Return, for each run, the arguments that it needs, the reason or '', and the arguments with a calculated default. The
-    last part is empty for a run that needs arguments.
+    """Return, for each run, (arguments to pass, reason or '', arguments with a calculated default).
+
+    The last part is empty for a run that needs arguments.
     """
     recorded = [outcome.recording for outcome in outcomes if outcome.recording is not None]
     if not recorded:
@@ -104,7 +105,7 @@ def plan_of(outcomes: Sequence[Outcome]) -> Plan:
 
 
 def keeps_all(plan: Plan) -> bool:
-    """Return whether a plan repeats no run and leaves none out."""
+    """Return whether a plan neither repeats a run nor leaves one out."""
     return not any(names or calculated for names, _, calculated in plan)
 
 
@@ -113,9 +114,9 @@ def _why(outcome: Outcome) -> str:
 
 
 def _to_give(outcome: Outcome, known: Mapping[str, str | None]) -> dict[str, str | None]:
-    """Return the arguments that the repeated run needs, with their values.
+    """Return the arguments that the repeated run needs, with their values. Return {} if the run needs no repetition.
 
-    :param known: the defaults that another run's recording has.
+    :param known: the defaults that the recording of another run contains.
     """
     defaults = outcome.scenario.defaults
     if outcome.recording is None and outcome.kind != 'unusable':
@@ -131,7 +132,10 @@ def _to_give(outcome: Outcome, known: Mapping[str, str | None]) -> dict[str, str
 
 
 def _of_another_type(outcome: Outcome, declared: Mapping[str, str | None]) -> dict[str, str | None]:
-    """Return the defaults of another type, such as 1 for 1.0, if a node died because of the type."""
+    """Return the expected defaults that are written in another way, such as 1.0 for 1, if a program died. Otherwise, return {}.
+
+    The type of the default may have caused the death.
+    """
     if outcome.recording is None or _death(outcome) is None:
         return {}
     texts = {name: written_text(text) for name, text in declared.items() if text is not None}
@@ -140,7 +144,7 @@ def _of_another_type(outcome: Outcome, declared: Mapping[str, str | None]) -> di
 
 
 def _death(outcome: Outcome) -> str | None:
-    """Return the first program that died in a run."""
+    """Return a sentence about the first program that died in a run, or None."""
     found = None if outcome.recording is None else next(deaths(outcome.recording), None)
     return None if found is None else f'{found.name} died'
 

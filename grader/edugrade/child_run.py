@@ -1,4 +1,4 @@
-"""One run from the runner's side: the starter begins it, the runner collects its answer, and the guard ends its processes."""
+"""One run as the runner handles it: the starter starts the run, the runner reads its answer, and the guard ends its processes."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ GRACE_S = 1.0  # time limit to answer after the child's own alarm, or to end aft
 
 
 class ChildRun:
-    """A running scenario. `channel` and `output` are the read ends of its pipes, and `link` leads to its guard.
+    """A run of one scenario. `channel` and `output` are the read ends of its pipes, and `link` is the socket to its guard.
 
-    :ivar sandbox: which layers of confinement hold, by name; None before the run has reported them, {} for a run without a
-        sandbox.
+    :ivar sandbox: for each layer of the sandbox 'held' or the reason of its failure. It has the value None until the run has
+        reported the layers, and {} for a run without a sandbox.
     """
 
     def __init__(self, job: RunRequest, starter: StarterLink) -> None:
@@ -68,12 +68,12 @@ class ChildRun:
 
     @property
     def complete(self) -> bool:
-        """Whether one complete frame has arrived."""
+        """Whether a complete frame has arrived."""
         return len(self.frame) >= HEADER_BYTES and len(self.frame) >= HEADER_BYTES + self.announced
 
     @property
     def announced(self) -> int:
-        """The length in the frame's header; 0 while the header is incomplete."""
+        """The length that the header of the frame states, or 0 while the header is incomplete."""
         return int.from_bytes(self.frame[1:HEADER_BYTES], 'big') if len(self.frame) >= HEADER_BYTES else 0
 
     @property
@@ -83,9 +83,10 @@ class ChildRun:
 
     @property
     def was_killed(self) -> bool:
-        """Whether another process killed the child, its guard or the starter, or Python crashed, perhaps without memory.
+        """Whether another process killed the child, its guard or the starter, or Python crashed, perhaps because the memory was
+        full.
 
-        A submission cannot cause an end before it is read.
+        An end before the child has read the submission counts as well, because the submission cannot have caused it.
         """
         if self.sandbox is None and self.cut != 'wall':
             return True
@@ -94,7 +95,7 @@ class ChildRun:
         return self.returncode is None or -self.returncode in (signal.SIGKILL, signal.SIGSEGV, signal.SIGABRT)
 
     def read_channel(self) -> bool:
-        """Read the data that the child has sent. Return False when it has closed the channel."""
+        """Read data that the child has sent. Return False if the child has closed the channel."""
         data = b''
         with suppress(ConnectionResetError):  # the child ended before it read what it must know
             data = os.read(self.channel, CHUNK_BYTES)
@@ -111,7 +112,7 @@ class ChildRun:
         return bool(data)
 
     def read_output(self) -> bool:
-        """Read the output of the child. Return False when no process can print there any more."""
+        """Read output of the child. Return False if no process can write to this pipe any more."""
         data = os.read(self.output, CHUNK_BYTES)
         self.printed_bytes += len(data)
         if len(self.printed) < KEPT_OUTPUT_BYTES:
@@ -121,8 +122,9 @@ class ChildRun:
         return bool(data)
 
     def read_link(self) -> bool:
-        """Read the messages of the guard. Return False when the guard has ended, and the run with it. The time limit starts
-        when the run starts.
+        """Read messages of the guard. Return False if the guard, and so the run, has ended.
+
+        The first message starts the time limit of the run.
         """
         data = b''
         with suppress(OSError):
@@ -143,12 +145,12 @@ class ChildRun:
         return bool(data)
 
     def watch(self) -> None:
-        """Record that the deadline has passed."""
+        """Record it if the deadline has passed."""
         if self.cut is None and not self.complete and monotonic() > self.deadline:
             self.cut = 'wall'
 
     def end(self) -> None:
-        """Make the guard end the run with all its processes. Afterwards, no process of the run exists."""
+        """Make the guard end the run with all its processes. When this method returns, no process of the run exists."""
         with suppress(OSError):
             self.link.shutdown(socket.SHUT_WR)
         deadline = monotonic() + GUARD_S
@@ -164,7 +166,7 @@ class ChildRun:
         os.close(self.output)
 
     def _take_state(self) -> None:
-        """Remove the first frame, which reports what confines the run. The child sends it before it reads the submission."""
+        """Remove the first frame, which reports the layers of the sandbox. The child sends it before it reads the submission."""
         if self.announced > LONGEST_STATE_BYTES:
             self.cut = 'garbage'
         elif self.complete:

@@ -1,4 +1,4 @@
-"""The command ``edugrade``: read a submission, run it, judge the runs, and show the report."""
+"""The command ``edugrade``: reads a submission, runs it, judges the runs, and shows the report."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ TO_REPAIR = {'some failed': 'FAILED', 'unusable input': 'UNUSABLE', 'grader brok
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Grade launch files and print the reports. Returns the exit code."""
+    """Grade launch files and print the reports. Return the exit code."""
     words = sys.argv[1:] if argv is None else list(argv)
     try:
         code = _command(words)
@@ -49,6 +49,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     except RubricMistake as error:
         print(f'edugrade: the rubric is wrong: {error}', file=sys.stderr)
         return 3
+    except BrokenPipeError:  # a reader that stops early (``| head``) is not an error
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # otherwise, Python tries to write again at its end
+        return 141
     except OSError as error:
         if error.errno not in (errno.ENOSPC, errno.EDQUOT):
             return _broke(error)
@@ -86,7 +89,7 @@ def _command(words: list[str]) -> int:
 def _verb(word: str) -> Callable[[list[str]], int] | None:
     """Return the function of a command that a plug-in adds, or None for an unknown name.
 
-    :raises UnusableInput: when the system lacks what it needs, or the plug-in is not installed.
+    :raises UnusableInput: if this system cannot run the command, or the plug-in is not installed.
     """
     from edulaunch.runtime import plugins
 
@@ -136,7 +139,7 @@ def _grade(options: argparse.Namespace) -> int:
 
 
 def _plan(options: argparse.Namespace, several: bool) -> tuple[list[Work], list[Refusal]]:
-    """Return the work for the valid paths, and a refusal for each invalid one."""
+    """Return the work for the valid paths, and a refusal for each invalid path."""
     works, refusals = [], []
     secret = CourseSecret(options.course_secret_file) if options.course_secret_file else None
     for path in options.paths:
@@ -169,7 +172,7 @@ def _reports(works: list[Work], options: argparse.Namespace, several: bool) -> l
 
 
 def _recorded(report: Report, options: argparse.Namespace) -> Report:
-    """Return the report with the requested level of advice, or with the level for the number of attempts."""
+    """Return the report with the requested level of advice. Without a request, record the attempt, which determines the level."""
     from dataclasses import replace
 
     from .attempts import progress_folder, record_attempt
@@ -202,13 +205,13 @@ def _render(report: Report) -> str:
 
 
 def _text(reports: list[Report], refusals: list[Refusal]) -> str:
-    """Return the reports of submissions that have failed checks, and a summary of all."""
+    """Return the reports of submissions with failed checks, followed by a summary of all submissions."""
     texts = [_render(report) for report in reports if report.exit_code]
     return '\n'.join([*texts, summary(reports, refusals)])
 
 
 def summary(reports: Sequence[Report], refusals: Sequence[Refusal]) -> str:
-    """Return one line for each submission, the sum of the points, and the paths that could not be graded."""
+    """Return a table with one line for each submission and the sum of the points, and the paths that could not be graded."""
     from .reports.terminal import printable
 
     rows = [HEAD, *(_row(report) for report in reports)]
@@ -251,7 +254,7 @@ def _refused(refusals: Sequence[Refusal]) -> list[str]:
 
 
 def _show(text: str) -> None:
-    """Print a string. A reader that stops early (``| head``) is not an error."""
+    """Print a string. The exit code stays that of the report if a reader stops early (``| head``)."""
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors='backslashreplace')
     try:

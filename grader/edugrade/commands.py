@@ -1,4 +1,4 @@
-"""The command `edugrade` as a shell starts it."""
+"""The function that the shell command `edugrade` calls."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ NOT_GRADED = 3
 
 
 def edugrade() -> int:
-    """Run the command `edugrade`, and return its exit code, which is 3 when this computer cannot load it."""
+    """Run the command `edugrade`, and return its exit code. The code is 3 if this computer cannot load the command."""
     if not has_runs(sys.argv[1:]):
         return run_quietly('edugrade.cli', 'main', broken=NOT_GRADED)
     from .starter_link import end_early, start_early
@@ -27,6 +27,6 @@ def edugrade() -> int:
 
 
 def has_runs(words: Sequence[str]) -> bool:
-    """Return whether a command line seems to name a file to grade, on a system where runs have processes of their own."""
+    """Return whether a command line probably grades a file, on a system where each run has its own processes."""
     is_grading = words[:1] != [] and (words[0].startswith('-') or os.path.isfile(words[0]))
     return hasattr(os, 'fork') and sys.platform != 'emscripten' and is_grading and any(map(os.path.isfile, words))

@@ -1,4 +1,4 @@
-"""The manifest of a course, course.toml: its exercises in order, with their hints."""
+"""The manifest of a course, course.toml. It lists the exercises in order, with their hints."""
 
 from __future__ import annotations
 
@@ -24,13 +24,16 @@ _OURS = (os.path.join(_BESIDE, 'edulaunch', 'course', 'ours', 'exercises'), os.p
 class Exercise(NamedTuple):
     """An entry of the manifest.
 
-    :param file: the launch file, relative to exercises/ and to solutions/. If it is in a directory, the package there.
-    :param lesson: the notebook, without its ending, after which the exercise can be done; '' without lessons.
-    :param points: the points of all checks together.
-    :param hints: LEVELS strings, namely a question, where to look, and almost the answer.
-    :param why: one sentence about why it matters on a robot, or ''.
-    :param variants: rows of strings, one of which each student gets. The first one is the usual one. See `variant`.
-    :param check_points: points of single checks, other than those of the rubric.
+    :param file: the launch file, relative to exercises/ and to solutions/. If it is in a directory, this is the exercise's
+        package.
+    :param title: the title of the exercise.
+    :param lesson: the notebook, without its ending, after which students can do the exercise; '' without lessons.
+    :param points: the sum of the points of all checks.
+    :param hints: LEVELS strings: a question, the place to look at, and almost the answer.
+    :param why: one sentence on why the exercise matters on a robot, or ''.
+    :param check_points: the points of checks for which the course replaces the points of the rubric, by the check's name.
+    :param variants: rows of strings. Each student gets one string of each row, and the first string is the usual one. See
+        `variant`.
     """
 
     file: str
@@ -44,7 +47,7 @@ class Exercise(NamedTuple):
 
     @property
     def name(self) -> str:
-        """The exercise's name, which is also that of its rubric: ``circle``."""
+        """The name of the exercise and of its rubric, such as ``circle``."""
         return exercise_of(os.path.basename(self.file))
 
     @property
@@ -54,13 +57,20 @@ class Exercise(NamedTuple):
 
 
 def read_toml(path: str) -> dict[str, Any]:
-    """Return the tables of a TOML file. Raise OSError or ValueError if that is not possible."""
+    """Return the tables of a TOML file.
+
+    :raises OSError: if the file cannot be read.
+    :raises ValueError: if the content is not valid TOML.
+    """
     with open(path, encoding='utf-8') as file:
         return parse_toml(file.read())
 
 
 def parse_toml(text: str) -> dict[str, Any]:
-    """Return the tables of a TOML text. Raise ValueError if it is invalid."""
+    """Return the tables of a TOML string.
+
+    :raises ValueError: if the string is not valid TOML.
+    """
     if sys.version_info >= (3, 11):
         import tomllib
     else:
@@ -72,7 +82,7 @@ def parse_toml(text: str) -> dict[str, Any]:
 def read_course(path: str) -> list[Exercise]:
     """Return the exercises of a manifest, in the order of the course.
 
-    :raises UnusableInput: when the manifest cannot be read or lacks a field, which the message names.
+    :raises UnusableInput: if the manifest cannot be read, or an entry lacks a field, which the message names.
     """
     try:
         with open(path, encoding='utf-8') as file:
@@ -81,12 +91,18 @@ def read_course(path: str) -> list[Exercise]:
         raise UnusableInput(f'an entry of the manifest {path} lacks {error}') from None
     except (OSError, ValueError, TypeError) as error:
         raise_fault(error)
-        raise UnusableInput(f'the manifest {path} cannot be read: {error}') from None
+        why = getattr(error, 'strerror', None) or error
+        raise UnusableInput(
+            f'the manifest {path} cannot be read: {why}', help='run the command in the folder of a course'
+        ) from None
 
 
 @lru_cache(maxsize=4)
 def _exercises_of(text: str) -> tuple[Exercise, ...]:
-    """Return the exercises of a manifest's text. A batch asks for each submission, and parsing takes longer than its plan."""
+    """Return the exercises of a manifest's content.
+
+    The result is cached: a batch calls this for each submission, and parsing would take longer than planning the work.
+    """
     return tuple(
         Exercise(
             entry['file'],
@@ -103,7 +119,7 @@ def _exercises_of(text: str) -> tuple[Exercise, ...]:
 
 
 def here_and_above(folder: str) -> Iterator[str]:
-    """Yield a folder and its parents, at most HIGHEST folders, for a search for parts of a course."""
+    """Yield a folder and its parents, up to HIGHEST folders. Parts of a course are searched in these folders."""
     folder = os.path.abspath(folder)
     for _ in range(HIGHEST):
         yield folder
@@ -111,15 +127,15 @@ def here_and_above(folder: str) -> Iterator[str]:
 
 
 def course_manifest(inside: str = '') -> str | None:
-    """Return the course.toml of the course around the current directory or the given one, if there is a course."""
+    """Return the course.toml of the course around a directory (default: the current one), or None."""
     places = (place for folder in here_and_above(inside) for place in (folder, os.path.join(folder, 'exercises')))
     return _manifest_of(places)
 
 
 def find_course(folder: str) -> str:
-    """Return the manifest in this folder or a parent, or else that of our course in the installed package or the source tree.
+    """Return the manifest in this folder or a parent. Otherwise, return the manifest of edulaunch's own course.
 
-    :raises UnusableInput: when there is no such file.
+    :raises UnusableInput: if there is no manifest.
     """
     path = course_manifest(folder) or _manifest_of(_OURS)
     if path is None:

@@ -1,8 +1,8 @@
-"""``edugrade course [FOLDER]``: exercises, solutions, rubrics and manifest belong together.
+"""``edugrade course [FOLDER]``: checks that exercises, solutions, rubrics and manifest belong together.
 
-FOLDER (default: the current one) has course.toml (or exercises/course.toml), the folders exercises/ and solutions/, rubrics/ of
-its own, and lessons/ if there are any. The program prints each problem on a line, and the exit code is 1 if there is one. With
---quick, it launches nothing.
+FOLDER (default: the current folder) contains course.toml (or exercises/course.toml) and the folders exercises/ and solutions/. It
+may also contain the folders rubrics/ and lessons/. The command prints each problem on a line, and the exit code is 1 if there is
+one. With --quick, the command launches nothing.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from .rubric import RubricMistake
 from .rubrics.catalogue import ENDINGS, course_rubrics, find_rubric, load_rubric, rubrics_folder, rubrics_in
 from .rubrics.yaml_lint import points_for_defaults, points_for_names
 from .submission import Submission
-from .variant import CourseSecret, Variant, personal
+from .variant import MARK, CourseSecret, Variant, personal
 
 STUBS, SOLUTIONS, LESSONS = 'exercises', 'solutions', 'lessons'
 QUESTIONS = 'questions.toml'  # the questions of the lessons, with their answers
@@ -42,7 +42,7 @@ KEYS: tuple[tuple[str, type, str], ...] = (
     ('hints', list, 'a list of strings'),
     ('why', str, 'a text'),
     ('check_points', dict, 'a table of points'),
-    ('variants', list, 'a list of lists'),
+    ('variants', list, 'a list of lists of strings'),
 )
 """The fields of an exercise in the manifest: name, type, and the type in words."""
 TRIED = b'no secret: the variants that are tried'
@@ -55,9 +55,10 @@ MOST_STUDENTS, TRIES = 2, 400
 def main(argv: Sequence[str] | None = None, also: Sequence[str] = ()) -> int:
     """Check the course in a folder, and print each problem. Return the exit code.
 
+    :param argv: the words of the command line (default: those of this process).
     :param also: problems that the caller has found.
     """
-    options = _parser().parse_args(argv)
+    options = course_parser().parse_args(argv)
     folder: str = options.folder
     places = [os.path.join(folder, MANIFEST), os.path.join(folder, STUBS, MANIFEST)]
     manifest = next((place for place in places if os.path.isfile(place)), places[1])
@@ -79,7 +80,9 @@ def main(argv: Sequence[str] | None = None, also: Sequence[str] = ()) -> int:
 
 
 def _can_be_run(folder: str, item: Exercise) -> bool:
-    """Return whether the starter file, the solution and the rubric of an exercise can be read. Mistakes are already reported."""
+    """Return whether the starter file, the solution and the rubric of an exercise can be read. Other checks report the
+    mistakes.
+    """
     try:
         for kind in (STUBS, SOLUTIONS):
             plan_work(Submission(os.path.join(folder, kind, item.path)), _rubrics(folder)[item.name])
@@ -88,7 +91,8 @@ def _can_be_run(folder: str, item: Exercise) -> bool:
     return True
 
 
-def _parser() -> argparse.ArgumentParser:
+def course_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade course``."""
     parser = argparse.ArgumentParser(
         prog='edugrade course', description='Check that exercises, solutions, rubrics and manifest of a course belong together.'
     )
@@ -100,7 +104,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def listed(found: Iterator[str]) -> Iterator[str]:
-    """Yield the problems that a check finds. An error of the check is one more problem, and never a traceback."""
+    """Yield the problems that a check finds. If the check raises an error, yield the error as one more problem."""
     try:
         yield from found
     except UnusableInput as error:
@@ -115,11 +119,11 @@ def listed(found: Iterator[str]) -> Iterator[str]:
 
 
 def check_manifest(path: str) -> Iterator[str]:
-    """Check that every entry of the manifest has all fields with the right types. Yield each problem."""
+    """Yield the problems of a manifest: missing or unknown fields, fields with wrong types, and repeated files."""
     try:
         entries = read_toml(path).get('exercise')
     except (OSError, ValueError) as error:
-        yield f'the manifest {path} cannot be read: {error}'
+        yield f'the manifest {path} cannot be read: {getattr(error, "strerror", None) or error}'
         return
     if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
         yield f'the manifest {path} has no exercises: write [[exercise]] before each of them'
@@ -143,16 +147,19 @@ def check_manifest(path: str) -> Iterator[str]:
 
 
 def _fits(key: str, value: Any) -> bool:
-    """Return whether a value of the right type has the right parts."""
+    """Return whether a value of the right type also has valid content."""
     if key == 'file':
         return value not in ('', '.') and not os.path.isabs(value) and os.pardir not in value.split('/')
     if key == 'variants':
-        return all(isinstance(row, list) for row in value)
+        return all(isinstance(row, list) and row for row in value)
     return True
 
 
 def check_files(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
-    """Check that starter files and solutions have equal relative paths, and that each file and rubric belongs to an exercise."""
+    """Yield the files and rubrics that are missing, or that belong to no exercise.
+
+    Starter files and solutions must have equal relative paths.
+    """
     stubs, solutions = (_files(os.path.join(folder, name)) for name in (STUBS, SOLUTIONS))
     solutions = [name for name in solutions if name != QUESTIONS]
     yield from (f'{SOLUTIONS}/{name} is missing' for name in stubs if name not in solutions)
@@ -175,7 +182,7 @@ def _rubrics(folder: str) -> dict[str, str]:
 
 
 def check_entries(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
-    """Check titles, points, hints, lessons and gaps."""
+    """Yield problems of titles, points, hints, lessons, variants and gaps."""
     rubrics = _rubrics(folder)
     for item in course:
         yield from listed(_entry(folder, item, rubrics))
@@ -196,8 +203,9 @@ def _entry(folder: str, item: Exercise, rubrics: dict[str, str]) -> Iterator[str
 
 
 def _variants(folder: str, item: Exercise, rubric: str | None) -> Iterator[str]:
-    """Check that each row of variants has several strings, and that the starter file, the solution and the rubric contain the
-    first one.
+    """Yield the rows of variants that do not have several different strings.
+
+    Also yield the rows whose first string is missing in the starter file, the solution or the rubric.
     """
     if not item.variants or rubric is None:
         return
@@ -210,6 +218,8 @@ def _variants(folder: str, item: Exercise, rubric: str | None) -> Iterator[str]:
                 yield f'{item.name}: a row of variants has different texts, and more than one: {", ".join(row)}'
             elif not any(Variant('', '', {row[0]: '\0'}).of(text) != text for text in found):
                 yield f'{item.name}: the variant {row[0]} does not stand in {place}'
+    if all(not MARK.search(Variant('', '0' * 8, {}).stub(text)) for text in texts[0]):
+        yield f'{STUBS}/{item.path} needs a line that begins with "Grade it ", because each variant gets its mark above this line'
     names = [check.name for check in load_rubric(rubric).checks]
     for variant in _tried(item, CourseSecret.of(TRIED)):
         if [check.name for check in load_rubric(rubric, variant.of).checks] != names:
@@ -217,16 +227,14 @@ def _variants(folder: str, item: Exercise, rubric: str | None) -> Iterator[str]:
 
 
 def _tried(item: Exercise, secret: CourseSecret) -> list[Variant]:
-    """Return variants in which every string differs from the usual one."""
+    """Return a few variants in which every string differs from the usual one."""
     found = (personal(item, f'student {number}', secret) for number in range(TRIES))
     other = (variant for variant in found if variant is not None and all(key != text for key, text in variant.values.items()))
     return list(islice(other, MOST_STUDENTS))
 
 
 def check_variants(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
-    """Check that the solution of a student's variant passes the rubric of that student, and that the usual solution does
-    not.
-    """
+    """Yield the variants whose own solution fails their rubric, or for which the usual solution passes."""
     rubrics, secret = _rubrics(folder), CourseSecret.of(TRIED)
     with TemporaryDirectory(prefix='edugrade-variants-') as place:
         works = []
@@ -254,7 +262,7 @@ def _personal_copy(source: str, target: str, variant: Variant) -> None:
 
 
 def check_runs(folder: str, course: Sequence[Exercise]) -> Iterator[str]:
-    """Check that starter files fail with a report that names a gap, and that solutions pass every check."""
+    """Yield the starter files with gaps that do not fail in the expected way, and the solutions that fail a check."""
     rubrics = _rubrics(folder)
     paths = [(os.path.join(folder, kind, item.path), rubrics[item.name]) for kind in (STUBS, SOLUTIONS) for item in course]
     for report in grade([plan_work(Submission(path), rubric) for path, rubric in paths]):
@@ -299,7 +307,7 @@ def _gaps(folder: str, item: Exercise) -> Iterator[str]:
 
 
 def _changed(stub: Submission, solution: Submission) -> int:
-    """Return the lines of the solution that are missing in the starter file, without docstrings and imports."""
+    """Return the number of lines of the solution that are missing in the starter file. Docstrings and imports do not count."""
     from difflib import SequenceMatcher
 
     known = stub.source.bodies()

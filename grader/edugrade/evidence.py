@@ -1,6 +1,6 @@
-"""What a check examines, and the exceptions that it raises when it fails.
+"""The evidence that a check examines, and the exceptions that a check raises when it fails.
 
-A rubric asks for runs (`Scenario`). Each run has an `Outcome`. The recorded runs are the `Evidence`.
+A rubric requests runs (`Scenario`). Each run has an `Outcome`. The recorded runs are the `Evidence`.
 
 ::
 
@@ -29,19 +29,20 @@ class Scenario(NamedTuple):
     """A named launch of the submission.
 
     :param arguments: launch arguments, as in ``ros2 launch file name:=value``.
-    :param duration_s: simulated seconds.
-    :param seed: the seed of the simulation, on which the randomness of the students' nodes depends. 0 means the rubric's seed.
+    :param duration_s: the duration of the run in simulated seconds.
+    :param seed: the seed of the simulation, which determines the random numbers of the students' nodes. 0 means the rubric's
+        seed.
     :param is_interrupted: whether launch gets Ctrl-C after the recorded part of the run. The grader then reads the bags.
-    :param defaults: arguments that the run does not give, each with the default that the launch file should declare. None
-        stands for any default. See `edugrade.bare_runs`.
+    :param defaults: arguments that the run does not pass, each with the default that the launch file should declare. None
+        means any default. See `edugrade.bare_runs`.
     :param late: for each executable of edulaunch, the delay of its first start in simulated seconds. The second start has twice
-        this delay, and so on. The submission cannot know `late` or `sent`, so that a clock cannot replace a node that receives
+        this delay, and so on. The submission cannot read `late` or `sent`. So a clock cannot replace a node that receives
         messages.
     :param sent: for each topic, the simulated time in seconds and the string that the grader publishes as std_msgs/msg/String.
     :param turned: for each turtle, such as ``/turtle1``, the simulated time in seconds and the angle in radians of a turn.
         A follower that only repeats a known path then loses the turtle.
     :param fails: the programs whose first start fails, each given as an executable or as the first words of a command. Actions
-        that wait for this start must not run; a timer or the order of a list does not wait.
+        that wait for this start must not run. A timer does not wait for it, and neither does a later action in a list.
     """
 
     name: str
@@ -57,17 +58,17 @@ class Scenario(NamedTuple):
 
     @property
     def command(self) -> str:
-        """The launch arguments, as typed after ``ros2 launch``."""
+        """The launch arguments, as users type them after ``ros2 launch``."""
         return ' '.join(f'{name}:={value}' for name, value in self.arguments.items())
 
     @property
     def hidden(self) -> dict[str, Any]:
-        """The values that the submission must not know. The trusted peer gets them after the confined peer was forked."""
+        """The values that the submission must not know. The trusted peer gets them after it has forked the confined peer."""
         return {'late': dict(self.late), 'sent': dict(self.sent), 'turned': dict(self.turned), 'fails': list(self.fails)}
 
     @property
     def words(self) -> str:
-        """The arguments for a sentence, or 'no arguments', and the programs that cannot start."""
+        """The arguments in words for a sentence, or 'no arguments', and the programs that cannot start."""
         words = self.command or 'no arguments'
         for each in self.fails:
             words = f'{words} and a {each} that cannot start'
@@ -75,7 +76,7 @@ class Scenario(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """A recording, or the reason why there is no recording.
+    """The recording of a run, or the reason why there is no recording.
 
     :param kind: 'recorded', 'unusable' (the launch file cannot be run), 'stopped' (the run did not end normally) or 'broke'.
         The kind 'broke' means that the grader or the engine failed, which costs the student no points.
@@ -98,7 +99,7 @@ class Outcome(NamedTuple):
 
     @property
     def may_be_unfinished_by_chance(self) -> bool:
-        """Return whether the run has no recording because of the grader or, perhaps, because the computer was busy."""
+        """Whether the grader or, perhaps, a busy computer is the reason why the run has no recording."""
         return self.kind == 'broke' or (self.kind == 'stopped' and bool(_AT_THE_LIMIT.search(self.text)))
 
 
@@ -109,9 +110,10 @@ class Evidence(Mapping[str, 'Recording']):
     """The recording of each scenario by its name, in the rubric's order.
 
     :ivar source: the lines of the submission, which give the places in reports. Marks never depend on them.
-    :ivar names: values of the notebook's cells, for the names that the rubric of a lesson's check uses.
-    :ivar bags: contents of the bags of each interrupted scenario, by the scenario's name.
-    :ivar bare: the scenarios that could not be launched without some of their `defaults`, with the reason and these names.
+    :ivar names: the values that notebook cells have defined, for the names that the rubric of a lesson's check uses.
+    :ivar bags: the contents of the bags of each interrupted scenario, by the scenario's name.
+    :ivar bare: for each scenario that could not be launched without some of its `defaults`, the reason and the names of these
+        arguments.
     """
 
     def __init__(
@@ -140,28 +142,33 @@ class Evidence(Mapping[str, 'Recording']):
         return len(self._recordings)
 
     def only(self, names: Sequence[str]) -> Evidence:
-        """Return the evidence for some of the scenarios."""
+        """Return the evidence that contains only the named scenarios."""
         recordings = {name: self[name] for name in self if name in names}
         return Evidence(self._scenarios, recordings, self.source, self.names, self.bags, self.bare)
 
     @property
     def first(self) -> Recording:
-        """The recording of the first scenario: enough for facts that are the same in every run."""
+        """The recording of the first scenario. Use it for facts that are the same in every run."""
         return next(iter(self._recordings.values()))
 
     def once(self, key: Hashable, find: Callable[[], Found]) -> Found:
-        """Return the result of `find`, which is called once for all checks. Use it for slow questions that checks repeat."""
+        """Return the result of `find`. All calls with the same `key` share one call of `find`, which saves time if checks
+        repeat it.
+        """
         if key not in self._found:
             self._found[key] = find()
         found: Found = self._found[key]
         return found
 
     def scenario(self, name: str) -> Scenario:
-        """Return the scenario of that name: its arguments, duration and seed."""
+        """Return the scenario with this name, which has its arguments, duration and seed."""
         return self._scenarios[name]
 
     def arguments_of(self, name: str) -> Mapping[str, str]:
-        """Return the launch arguments of a scenario: the given values, then the expected defaults, then the declared ones."""
+        """Return the launch arguments of a scenario: the given values and the expected defaults.
+
+        If a scenario accepts any default, the declared default is used.
+        """
         scenario = self._scenarios[name]
         found = dict(scenario.arguments)
         for key, wanted in scenario.defaults.items():
@@ -170,7 +177,9 @@ class Evidence(Mapping[str, 'Recording']):
 
 
 def described_defaults(recording: Recording) -> dict[str, str | None]:
-    """Return the description of the default of each declared launch argument, or None for an argument without a default."""
+    """Return the description of each declared launch argument's default, by name. An argument without a default has the value
+    None.
+    """
     return {item.name: item.default for item in recording.launch.declared}
 
 
@@ -178,21 +187,23 @@ _JOINT = "' + '"  # separates the parts of a string in the output of `ros2 launc
 
 
 def written_text(described: str) -> str:
-    """Return the string that a description such as ``'1' + '.0'`` stands for. Leave other substitutions as described."""
+    """Return the string that a description such as ``'1' + '.0'`` represents. Other substitutions stay as described."""
     if len(described) >= 2 and described[0] == described[-1] == "'":
         return described[1:-1].replace(_JOINT, '')
     return described
 
 
 class Failure(Exception):
-    """A check raises this when the submission does not do what the sentence of the check says.
+    """A check raises this exception if the submission does not do what the check's sentence requires.
 
     :param rationale: one sentence that states what is wrong, with names and values.
-    :param expected: what the check looked for, in words or as a value.
+    :param expected: what the check expected, in words or as a value.
     :param seen: what the check found instead.
     :param where: (file, line) of the launch action or the file to change.
-    :param try_: what to do, beginning with a verb. Of several strings, a student sees a later one after more attempts.
+    :param try_: what to do, beginning with a verb. If there are several strings, students get a later one after more attempts.
     :param share: the share of the points that the check still gives: at least 0 and less than 1.
+    :param name: the bare name that the check looked for. With `among`, the report advises to correct the nearest name.
+    :param among: the names that exist.
     """
 
     def __init__(
@@ -204,6 +215,8 @@ class Failure(Exception):
         where: tuple[str, int | None] | None = None,
         try_: str | Sequence[str] | None = None,
         share: float = 0.0,
+        name: str | None = None,
+        among: Iterable[str] = (),
     ) -> None:
         super().__init__(rationale)
         self.rationale = rationale
@@ -213,12 +226,33 @@ class Failure(Exception):
         texts = [try_] if isinstance(try_, str) else list(try_ or ())
         self.steps, self.try_ = tuple(texts[:-1]), texts[-1] if texts else None
         self.share = share if 0.0 <= share < 1.0 else 0.0
+        self.name, self.known, self._may_ask = name, list(among), try_ is None or isinstance(try_, str)
+
+    def correct(self, texts: Iterable[str]) -> None:
+        """Advise to correct a name that the student wrote and that is near to the expected one, before the other advice.
+
+        :param texts: what the student wrote. The advice never names anything that is not a whole word of them.
+        """
+        name, try_ = self.name, self.try_
+        if name is None or name in self.known or not self._may_ask:
+            return
+        from edulaunch.engine.nearest import nearest
+
+        close = nearest(name, self.known)
+        if close is None or _has_other_part(name, close):
+            return
+        written = re.compile(rf'(?<!\w){re.escape(close.rpartition("/")[2])}(?!\w)')
+        if any(written.search(text) for text in texts):
+            if try_ is None:
+                self.try_ = f'write "{name}" instead of "{close}"'
+            else:
+                self.try_ = f'write "{name}" instead of "{close}", or {try_}'
 
 
 class Missing(Failure):
     """An expected thing does not exist.
 
-    :param thing: what is absent, with its name, such as ``the launch argument "circle_radius"``.
+    :param thing: the missing thing with its name, such as ``the launch argument "circle_radius"``.
     :param name: the bare name that the check looked for. With `among`, the report advises to correct the nearest name.
     :param among: the names that exist, which the report shows beside the bare name.
     """
@@ -237,28 +271,18 @@ class Missing(Failure):
         known = list(among)
         if known:  # otherwise, the name and `none` would only repeat the headline
             expected, seen = expected or name, seen or ', '.join(known)
-        super().__init__(f'{thing} is missing', expected=expected, seen=seen, where=where, try_=try_)
-        self.name, self.known, self._may_ask = name, known, try_ is None or isinstance(try_, str)
+        super().__init__(f'{thing} is missing', expected=expected, seen=seen, where=where, try_=try_, name=name, among=known)
 
-    def correct(self, texts: Iterable[str]) -> None:
-        """Advise to correct a name that the student wrote and that is near to the missing one, before the other advice.
 
-        :param texts: what the student wrote. The advice never names anything that is not a whole word of them.
-        """
-        name, try_ = self.name, self.try_
-        if name is None or name in self.known or not self._may_ask:
-            return
-        from edulaunch.engine.nearest import nearest
+def _has_other_part(name: str, close: str) -> bool:
+    """Return whether two full names differ in a part that is another name, and not a misspelling.
 
-        close = nearest(name, self.known)
-        if close is None:
-            return
-        written = re.compile(rf'(?<!\w){re.escape(close.rpartition("/")[2])}(?!\w)')
-        if any(written.search(text) for text in texts):
-            if try_ is None:
-                self.try_ = f'write "{name}" instead of "{close}"'
-            else:
-                self.try_ = f'write "{name}" instead of "{close}", or {try_}'
+    `/hall/listener` is not a misspelling of `/kitchen/listener` or `/hall/talker`, although many letters are equal.
+    """
+    from edulaunch.engine.nearest import nearest
+
+    parts, others = name.split('/'), close.split('/')
+    return len(parts) != len(others) or any(nearest(part, [other]) is None for part, other in zip(parts, others, strict=True))
 
 
 LONGEST_VALUE = 60
@@ -266,7 +290,7 @@ LONGEST_VALUE = 60
 
 
 class Mismatch(Failure):
-    """A thing has another value than expected. The report shows both values in full."""
+    """A thing has another value than the expected one. The report shows both values in full."""
 
     def __init__(
         self,

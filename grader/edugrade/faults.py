@@ -1,7 +1,7 @@
-"""Faults of the computer: a full disk, no memory, no processes or descriptors left. They never cost marks.
+"""Faults of the computer: a full disk, no memory, no processes or descriptors left. Such faults never cost marks.
 
-After an error that could be such a fault, the grader repeats the run. If the error returns, the grader tests the computer
-itself. If this test works, the run caused the error.
+After an error that could be such a fault, the grader repeats the run. If the error occurs again, the grader tests the
+computer. If the computer passes this test, the run caused the error.
 """
 
 from __future__ import annotations
@@ -54,11 +54,14 @@ EXTRAS = {
 
 
 class ComputerFault(Exception):
-    """This computer cannot grade now. The message is a sentence without its full stop."""
+    """This computer cannot grade now. The message is a sentence without a full stop."""
 
 
 def missing_for(recording: Recording) -> tuple[str, str] | None:
-    """Return which package this computer lacks for a program of the run, and how to install it; None if nothing is missing."""
+    """Return the program and the missing Python package as a sentence, and how to install the package.
+
+    Return None if no program of the run lacks a package.
+    """
     for process in recording.processes:
         words = [os.path.basename(process.argv[0]), *process.argv[1:2]] if process.argv else []
         for name in (' '.join(words), *words[:1], process.executable or ''):
@@ -69,7 +72,7 @@ def missing_for(recording: Recording) -> tuple[str, str] | None:
 
 
 def fault_of(error: BaseException) -> str | None:
-    """Return a sentence about a fault of the computer, or None for another error."""
+    """Return a sentence about the fault of the computer that caused an error, or None for any other error."""
     if isinstance(error, MemoryError):
         return SENTENCES[errno.ENOMEM]
     if isinstance(error, OSError) and error.errno in OF_THE_COMPUTER:
@@ -78,9 +81,9 @@ def fault_of(error: BaseException) -> str | None:
 
 
 def raise_fault(error: BaseException) -> None:
-    """Do nothing unless an error is a fault of the computer.
+    """Raise ComputerFault if a fault of the computer caused an error. Otherwise, do nothing.
 
-    :raises ComputerFault: for such an error.
+    :raises ComputerFault: if a fault of the computer caused the error.
     """
     fault = fault_of(error)
     if fault is not None:
@@ -88,13 +91,13 @@ def raise_fault(error: BaseException) -> None:
 
 
 def fault_in(text: str) -> str | None:
-    """Return a sentence about the fault of the computer whose number is in the message of an error, or None without one."""
+    """Return a sentence about the fault of the computer whose error number is in a message, or None."""
     numbers = [int(number) for number in _NUMBER.findall(text)]
     return next((SENTENCES[number] for number in numbers if number in OF_THE_COMPUTER), None)
 
 
 def looks_like_one(outcome: Outcome) -> bool:
-    """Return whether the computer may have caused an outcome, judged by the numbers and messages of its errors."""
+    """Return whether the computer may have caused an outcome. The error numbers and messages in the outcome decide."""
     text = _text_of(outcome)
     return fault_in(text) is not None or 'MemoryError' in text or any(words in text for words in LOADING_FAULTS)
 
@@ -111,7 +114,7 @@ def _text_of(outcome: Outcome) -> str:
 
 
 def fault_here(folder: str) -> str | None:
-    """Test everything that a run needs. Return a sentence about what does not work on this computer, or None.
+    """Test everything that a run needs on this computer. Return a sentence about the first thing that does not work, or None.
 
     :param folder: the directory for the test.
     """
@@ -140,21 +143,24 @@ def fault_here(folder: str) -> str | None:
 
 
 def killed_for_memory() -> int:
-    """Return how many processes the system has killed because the memory was full, or 0 where it does not count them."""
+    """Return the number of processes that the system has killed because the memory was full. Without such a count, return 0."""
     with suppress(OSError, ValueError, StopIteration), open('/proc/vmstat') as file:
         return next(int(line.split()[1]) for line in file if line.startswith('oom_kill '))
     return 0
 
 
 def no_mark_for(outcome: Outcome, fault: str) -> Outcome:
-    """Return the outcome of a run that a fault of the computer has ended."""
+    """Return an outcome without a mark for a run that a fault of the computer has ended.
+
+    :param fault: a sentence about the fault.
+    """
     return outcome._replace(
         kind='broke', recording=None, text=f'not graded: {fault}', try_=REPAIR, where=None, detail=outcome.text
     )
 
 
 def words_of(error: Exception) -> tuple[str, str]:
-    """Return why a submission was not graded, and what to do, for an error that is not the student's."""
+    """Return why a submission was not graded, and what to do. The student did not cause the error."""
     fault = str(error) if isinstance(error, ComputerFault) else fault_of(error)
     if fault is not None:
         return f'not graded: {fault}', REPAIR

@@ -1,4 +1,4 @@
-"""Read untrusted files (only regular files, up to a maximum size), and write each file completely or not at all."""
+"""Reads untrusted files (only regular files, up to a maximum size), and writes each file either completely or not at all."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ BINARY = getattr(os, 'O_BINARY', 0)
 def read_regular(path: str, most: int) -> bytes:
     """Return the first `most` bytes of a file.
 
-    :raises OSError: when it is not a regular file or cannot be read. A pipe would block its reader, and a device has no end.
+    :raises OSError: if the file is not regular or cannot be read. (Reading a pipe would block, and a device has no end.)
     """
     with open(os.open(path, os.O_RDONLY | BINARY | getattr(os, 'O_NONBLOCK', 0) | getattr(os, 'O_CLOEXEC', 0)), 'rb') as file:
         if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
@@ -28,11 +28,13 @@ def read_regular(path: str, most: int) -> bytes:
 
 
 def read_given(path: str, most: int, what: str = '', help: str | None = None) -> bytes:
-    """Read a file as `read_regular` does, for a path that the user has given.
+    """Read a file like `read_regular`, for a path that the user has given.
 
-    :param what: a description with a space at its end: ``'the key '``.
-    :raises UnusableInput: when it cannot be read.
-    :raises ComputerFault: when the computer is the reason.
+    :param most: the maximum number of bytes.
+    :param what: a description of the file with a space at its end: ``'the key '``.
+    :param help: the help for the error message, or None.
+    :raises UnusableInput: if the file cannot be read.
+    :raises ComputerFault: if the computer is the reason.
     """
     try:
         return read_regular(path, most)
@@ -43,11 +45,12 @@ def read_given(path: str, most: int, what: str = '', help: str | None = None) ->
 
 
 def files_below(folder: str, is_taken: Callable[[str, str], bool]) -> Iterator[str]:
-    """Yield the files below a folder, as paths in it with slashes, in alphabetical order. The files of a folder come before
-    those of its subfolders.
+    """Yield the paths of the files below a folder, relative to the folder and with slashes, in alphabetical order.
 
-    :param is_taken: whether to take a file or to enter a directory, given its name and the path in `folder` of its parent. This
-        path is '' or ends in a slash.
+    The files of a folder come before the files of its subfolders.
+
+    :param is_taken: a function that returns whether to yield a file, or to enter a directory. Its arguments are the name, and
+        the path of the parent in `folder`. This path is '' or ends in a slash.
     """
     for place, folders, names in os.walk(folder):
         here = os.path.relpath(place, folder).replace(os.sep, '/')
@@ -57,12 +60,12 @@ def files_below(folder: str, is_taken: Callable[[str, str], bool]) -> Iterator[s
 
 
 def write_whole(path: str, text: str | bytes) -> None:
-    """Write a file, so that a reader never finds an incomplete one.
+    """Write a file so that other programs never read an incomplete one.
 
-    Half a character (a lone surrogate, as in names of files that are not UTF-8) is written as its number. A path that is not a
-    regular file, such as ``/dev/stdout`` or a pipe, is written to and never replaced.
+    A lone surrogate (from a file name that is not UTF-8) is written as an escape sequence. A path that is not a regular file,
+    such as ``/dev/stdout`` or a pipe, is written to and never replaced.
 
-    :raises UnusableInput: when it cannot be written.
+    :raises UnusableInput: if the file cannot be written.
     """
     data = text if isinstance(text, bytes) else text.encode('utf-8', 'backslashreplace')
     try:
@@ -80,7 +83,7 @@ def write_whole(path: str, text: str | bytes) -> None:
 
 
 def _replace(path: str, data: bytes) -> None:
-    """Replace a file by a complete one, or create it."""
+    """Replace a file with a complete one, or create the file."""
     temporary = f'{path}.{os.urandom(4).hex()}.part'
     try:
         with open(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL | BINARY, 0o666), 'wb') as file:

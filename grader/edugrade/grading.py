@@ -1,4 +1,4 @@
-"""Grades submissions: runs the scenarios of their rubrics and judges the recordings. The command and the notebook share this
+"""Grades submissions: runs the scenarios of their rubrics and judges the recordings. The command and the notebook use this
 module.
 """
 
@@ -32,8 +32,10 @@ FEW = 8
 
 
 class Work(NamedTuple):
-    """A submission with its rubric and scenarios. `secret` names the course secret that chose the seed, if there is one.
-    `variant` has the values of the student's own exercise.
+    """A submission with its rubric and seed.
+
+    `secret` is the name of the course secret that determined the seed, or None. `variant` contains the values of the
+    student's own exercise, or None.
     """
 
     submission: Submission
@@ -55,7 +57,7 @@ class Work(NamedTuple):
 
     @property
     def scenarios(self) -> tuple[Scenario, ...]:
-        """The scenarios to run."""
+        """The scenarios that the rubric creates for the seed."""
         return self.rubric.scenarios(self.seed)
 
 
@@ -69,14 +71,17 @@ def plan_work(
     variant: Variant | None = None,
     called: str = '',
 ) -> Work:
-    """Find the rubric and choose the seed of a submission.
+    """Find the rubric and the seed of a submission, and return them as work.
 
-    :param rubric: a rubric's name or file, instead of the rubric that belongs to the submission's name.
-    :param seed: chooses the values of the runs (default: the course's secret with the student, or the submission's content).
-    :param variant: the values of the student's own exercise (default: from the secret or the student's copy of the course).
-    :param called: the student whose exercise it is; '' if all students have the same one.
+    :param rubric: the name or the file of a rubric that replaces the rubric with the submission's name.
+    :param seed: the number that determines the values of the runs (default: computed from the secret and the student, or from
+        the submission's content).
+    :param secret: the secret of the course, or None.
+    :param student: the student whose seed the secret determines.
     :param only: the name of the only check to run, together with the checks that it needs.
-    :raises UnusableInput: when there is no such rubric, or no such check in it.
+    :param variant: the values of the student's own exercise (default: from the secret or the student's copy of the course).
+    :param called: the name of the student who has a personal exercise, or '' if all students have the same exercise.
+    :raises UnusableInput: if the rubric does not exist or does not have this check.
     """
     name = exercise_of(os.path.basename(rubric)) if rubric else submission.exercise
     variant = variant or variant_for(name, called, secret if called else None)
@@ -95,12 +100,13 @@ def grade(
     processors: int | None = None,
     for_documents: bool = False,
 ) -> Iterator[Report]:
-    """Yield the report of each piece of work, in order, as soon as it is ready.
+    """Yield the report of each piece of work, in order, as soon as the report is ready.
 
+    :param limits: the limits of each run (default: the usual limits).
     :param workspaces: additional directories with the student's packages.
     :param on_outcome: called after each run.
-    :param processors: number of parallel runs (default: the number of processors).
-    :param for_documents: find what `reports.document` needs in the worker that judges.
+    :param processors: the number of parallel runs (default: the number of processors).
+    :param for_documents: whether the worker that judges also computes the data for `reports.document`.
     """
     with runner_here(limits, on_outcome, processors, len(work) > FEW) as runner:
         jobs = [runner.add(item.submission, item.scenarios, workspaces) for item in work]
@@ -111,7 +117,7 @@ def grade(
 
 
 def _load_during_the_first_runs() -> None:
-    """Load what judging needs: the grader waits now, and later each run would wait for it."""
+    """Load the modules for judging. The grader waits now; later, each run would wait for these modules."""
     import edulaunch.engine.recording.recorded_types
     import edulaunch.runtime.link.provenance  # noqa: F401
 
@@ -119,7 +125,7 @@ def _load_during_the_first_runs() -> None:
 
 
 class WarmGrader:
-    """Grades one submission after the other with one runner, whose starter has loaded the engine. `close` ends it.
+    """A grader that grades submissions one after the other with one runner, whose starter has loaded the engine. `close` ends it.
 
     :param limits: the limits of each run.
     """
@@ -129,7 +135,7 @@ class WarmGrader:
         self._runner.__enter__()
 
     def report(self, work: Work, workspaces: Sequence[str] = ()) -> Report:
-        """Return the report of a piece of work."""
+        """Grade a piece of work, and return the report."""
         job = self._runner.add(work.submission, work.scenarios, workspaces)
         return _report(work, self._runner, job, workspaces, for_documents=True)
 
@@ -144,7 +150,10 @@ def runner_here(
     processors: int | None = None,
     is_for_many: bool = False,
 ) -> Runner | InPlace:
-    """Return the runner for this system: with a confined process for each run, or in this process on a system without fork."""
+    """Return the runner for this system.
+
+    It uses a confined process for each run. On a system without fork, it uses this process.
+    """
     if CAN_FORK:
         from .runner import Runner
 
@@ -196,8 +205,9 @@ MOST_CPU_BEFORE_LOOKS_S = 3.0
 def _judged(
     work: Work, outcomes: list[Outcome], again: Again, for_documents: bool
 ) -> tuple[list[Outcome], list[CheckResult], tuple[list[str | None], list[str]] | None]:
-    """Return the outcomes with the runs that defaults need, the results, and what documents need if it is known. One worker does
-    all of it if no run must be repeated: a fork and what it then copies take 8 ms.
+    """Return the outcomes (with the repeated runs that defaults need), the results, and the data for documents or None.
+
+    One worker does everything if no run must be repeated, because a fork and the copies after it take 8 ms.
     """
     from .judging import judge, judged, result_of, rows_of
 
@@ -243,13 +253,14 @@ COPIED = "this is another student's variant, which gets no mark until a teacher 
 
 
 def is_copied(work: Work) -> bool:
-    """Return whether a file of the submission has the values of another student's variant."""
+    """Return whether a file of the submission contains the values of another student's variant."""
     return work.variant is not None and any(map(work.variant.is_of_another, work.submission.source.texts().values()))
 
 
 def _other_variant(work: Work) -> list[CheckResult]:
-    """Return the result of a submission that is based on another student's exercise. It has no mark, because a teacher must
-    decide.
+    """Return the result of a submission that is based on another student's exercise, or an empty list for other submissions.
+
+    Such a submission gets no mark, because a teacher must decide.
     """
     from .results import GRADER_BROKE, OWN_VARIANT, CheckResult
 
@@ -269,9 +280,9 @@ def _other_variant(work: Work) -> list[CheckResult]:
 
 
 def _repeated(work: Work, outcomes: Sequence[Outcome], run: Again) -> list[CheckResult]:
-    """Run the scenarios with the student's own nodes again. A result of its own reports differences.
+    """Run the scenarios with the student's own nodes again. Return a result that reports differences between the runs.
 
-    There is no such result if no second run finished because the computer was busy or the grader failed.
+    Return no result if no second run finished because the computer was busy or the grader failed.
     """
     from .judging import judged
     from .repeated import difference, has_own_programs, result
@@ -291,7 +302,7 @@ WIDTH = 40
 
 @contextmanager
 def progress_bar(total: int) -> Iterator[Callable[[], None]]:
-    """Yield a function to call after each of `total` runs. The bar is on standard error and disappears at the end."""
+    """Provide a function to call after each of `total` runs. The bar appears on standard error and disappears at the end."""
     if total == 0 or not sys.stderr.isatty():
         yield lambda: None
         return

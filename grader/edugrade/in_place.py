@@ -1,6 +1,7 @@
-"""Runs scenarios in this process, one after the other, where a process cannot fork: on Windows, and in a browser. A submission
-has all rights of the user and can change the grader, so this is only for the user's own files, not for marks. Recordings are
-the same as in a confined run, without what a rubric hides there: late starts, messages and turns of the grader.
+"""Runs scenarios in this process, one after the other, where a process cannot fork: on Windows, and in a browser.
+
+A submission has all rights of the user and can change the grader. So use this only for the user's own files, and not for marks.
+Recordings are the same as in a confined run, except that late starts, messages and turns of the grader are missing.
 """
 
 from __future__ import annotations
@@ -31,8 +32,9 @@ NEEDED = 'grade on a Linux, for which WSL and GitHub Codespaces are good, too'
 
 
 class InPlace:
-    """Runs a submission when a caller waits for it. It has the interface of `Runner`.
+    """A runner that runs a submission in this process when a caller waits for it. It has the interface of `Runner`.
 
+    :param limits: the limits of each run, of which only `sandbox` has an effect.
     :param on_outcome: called when a run has ended.
     """
 
@@ -50,7 +52,7 @@ class InPlace:
     def add(
         self, submission: Submission, scenarios: Sequence[Scenario], workspaces: Sequence[str] = (), is_next: bool = False
     ) -> GradingJob:
-        """Request the runs of a submission, as `Runner.add` does."""
+        """Store the runs of a submission until a caller waits for them. The parameters are those of `Runner.add`."""
         job = GradingJob(scenarios)
         self._given[id(job)] = submission, [os.path.abspath(folder) for folder in (*workspaces, *submission.workspaces)]
         return job
@@ -60,7 +62,7 @@ class InPlace:
         return None
 
     def wait(self, job: GradingJob) -> list[Outcome]:
-        """Return the outcomes of a submission's runs, in the rubric's order."""
+        """Run the scenarios of a submission, and return their outcomes in the rubric's order."""
         submission, workspaces = self._given.pop(id(job))
         return [self._outcome(scenario, submission, workspaces) for scenario in job.scenarios]
 
@@ -115,7 +117,7 @@ def _bags(session: Session, outcome: Outcome, home: str) -> list[dict[str, Any]]
 
 @contextmanager
 def _folder() -> Iterator[str]:
-    """Create a private folder and enter it; afterwards, restore the modules and search paths of this process."""
+    """Create a private folder and enter it. Afterwards, restore this process's current folder and module search path."""
     import shutil
     import tempfile
 

@@ -1,4 +1,4 @@
-"""The input of a runner: the arguments, limits, readable files and environment of a run."""
+"""The input of a run: its arguments, limits, readable files and environment."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ fails.
 
 
 class Limits(NamedTuple):
-    """Limits of one child process. In practice, students reach only the limit of wall-clock time.
+    """The limits of one child process. In practice, students reach only the limit on real time.
 
-    :param wall_s: seconds of real time for one scenario. The rubric sets the simulated duration.
+    :param wall_s: real seconds for one scenario. The rubric sets the simulated duration.
     :param memory_mib: address space in MiB.
     :param output_mib: size of the output in MiB.
     :param recording_mib: size of the recording in MiB.
-    :param sandbox: 'auto' confines as far as the system can, 'require' refuses runs that are not fully confined, and 'off' limits
-        only time and memory.
-    :param turn_s: processor time of one turn of a program. A single call into C may take two and a half times as long. The limit
-        is short, because each endless loop delays a class; exercises need a hundredth of it.
+    :param sandbox: 'auto' confines runs as far as the system can, 'require' refuses runs that are not fully confined, and
+        'off' limits only time and memory.
+    :param turn_s: processor time of one turn of a program, in seconds. A single call into C may take two and a half times as
+        long. The limit is short, because each endless loop delays a class. Exercises need a hundredth of it.
     """
 
     wall_s: float = 30.0
@@ -41,7 +41,7 @@ class Limits(NamedTuple):
 
     @property
     def resources(self) -> dict[str, int]:
-        """The limits for setrlimit, by the name after ``RLIMIT_``."""
+        """The limits for setrlimit, by the name that follows ``RLIMIT_``."""
         return {
             'CPU': int(self.wall_s) + 5,
             'AS': self.memory_mib * MEBI,
@@ -53,7 +53,7 @@ class Limits(NamedTuple):
 
 
 class GradingJob:
-    """The runs of one submission: the requests and their outcomes."""
+    """The runs of one submission, with their scenarios and outcomes."""
 
     def __init__(self, scenarios: Sequence[Scenario]) -> None:
         self.scenarios = list(scenarios)
@@ -67,9 +67,9 @@ class GradingJob:
 
 
 class RunRequest:
-    """One scenario of one submission, ready to be run.
+    """One scenario of one submission, with everything that its run needs.
 
-    :param home: a private folder: the child's current folder, HOME and TMPDIR.
+    :param home: a private folder, which is the child's current folder, HOME and TMPDIR.
     """
 
     def __init__(self, submission: Submission, scenario: Scenario, limits: Limits, workspaces: Sequence[str], home: str) -> None:
@@ -81,7 +81,7 @@ class RunRequest:
 
     @property
     def message(self) -> dict[str, Any]:
-        """Return the input of the child as plain data."""
+        """The input of the child as plain data."""
         return {
             'file': self.submission.file,
             'folder': self.submission.folder,
@@ -103,5 +103,8 @@ class RunRequest:
 
 
 def readable_by_run(submission: Submission, workspaces: Sequence[str]) -> list[str]:
-    """Return what else the run may read: its package and workspaces. A launch file alone may read only itself."""
+    """Return the paths that a run may read in addition: its package and workspaces.
+
+    For a launch file that is not in a package, this is only the file itself, and the workspaces.
+    """
     return [submission.package.path if submission.package else submission.file, *workspaces]

@@ -1,4 +1,4 @@
-"""Applies the checks of a rubric to the outcomes of the runs, and adds the likely cause to each failure.
+"""Applies the checks of a rubric to the outcomes of the runs, and adds the likely cause to failed checks.
 
 The causes are findings of the rules of `edulaunch.advice` in the runs.
 """
@@ -11,9 +11,10 @@ from dataclasses import asdict, replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from .evidence import Evidence, Failure, Missing, Outcome
+from .evidence import Evidence, Failure, Outcome
 from .faults import REPORT_IT, words_of
 from .library.deaths import words_on_deaths
+from .library.launched import VISITOR
 from .results import FAILED, GRADER_BROKE, LAUNCHES, NOT_RUN, PASSED, CheckResult
 from .rubric import Check
 from .source import Place, SubmittedText
@@ -29,9 +30,9 @@ LAUNCHES_SENTENCE = 'The launch file starts and runs to the end without an error
 def judge(
     checks: Sequence[Check], outcomes: Sequence[Outcome], source: SubmittedText, names: Mapping[str, Any] = MappingProxyType({})
 ) -> list[CheckResult]:
-    """Return the result of each check in the rubric's order, after the check that the launch file runs.
+    """Return the result of each check in the rubric's order. The first result states whether the launch file runs.
 
-    A check runs when all the checks that it needs have passed. Without a recording, no check runs and no check passes.
+    A check runs if all checks that it needs have passed. Without a recording, no check runs and no check passes.
     """
     results = {LAUNCHES: _launches(outcomes, source)}
     scenarios = {outcome.scenario.name: outcome.scenario for outcome in outcomes}
@@ -47,7 +48,9 @@ def judge(
 
 
 def _launches(outcomes: Sequence[Outcome], source: SubmittedText) -> CheckResult:
-    """Return the result of the outcomes. A fault of the grader comes before a mistake of the student."""
+    """Return the result that states whether the launch file runs. A fault of the grader takes precedence over a student's
+    mistake.
+    """
     for kind, status in (('broke', GRADER_BROKE), ('unusable', FAILED), ('stopped', FAILED)):
         bad = [outcome for outcome in outcomes if outcome.kind == kind]
         if bad:
@@ -64,7 +67,10 @@ def _launches(outcomes: Sequence[Outcome], source: SubmittedText) -> CheckResult
 
 
 def too_much(checks: Sequence[Check], why: str, source: SubmittedText) -> list[CheckResult]:
-    """Return the results of a submission whose runs could not be judged within the limits of a worker."""
+    """Return the results of a submission whose runs could not be judged within the limits of a worker.
+
+    :param why: the limit that was exceeded, in words.
+    """
     first = _unseen(CheckResult(LAUNCHES, LAUNCHES_SENTENCE, FAILED), why, source)
     return [first, *(_not_run(check, first, {LAUNCHES: first}) for check in checks)]
 
@@ -79,18 +85,18 @@ def _unseen(result: CheckResult, why: str, source: SubmittedText) -> CheckResult
 
 
 def broken(error: Exception) -> CheckResult:
-    """Return the only result of a submission on which the grader itself broke."""
+    """Return the only result of a submission for which the grader itself broke."""
     reason, try_ = words_of(error)
     return no_mark(reason, try_)
 
 
 def no_mark(reason: str, try_: str = 'find out who changes files there, and grade again') -> CheckResult:
-    """Return the only result of a submission without a mark, for a reason that is not the student's."""
+    """Return the only result of a submission that gets no mark, for a reason that the student did not cause."""
     return CheckResult(LAUNCHES, LAUNCHES_SENTENCE, GRADER_BROKE, reason=reason, try_=try_)
 
 
 def _which(bad: Sequence[Outcome], outcomes: Sequence[Outcome]) -> str | None:
-    """Return a sentence that names the launches that failed, or None when all launches failed."""
+    """Return words that name the launches that failed, or None if all launches failed."""
     if len(bad) == len(outcomes):
         return None
     return 'a failure only with ' + ' and with '.join(outcome.scenario.words for outcome in bad)
@@ -120,8 +126,7 @@ def _result(check: Check, evidence: Evidence) -> CheckResult:
     except MemoryError:
         return _unseen(_plain(check, FAILED), 'the memory is full', evidence.source)
     except Failure as failure:
-        if isinstance(failure, Missing):
-            failure.correct(evidence.source.texts().values())
+        failure.correct(evidence.source.texts().values())
         return replace(
             _plain(check, FAILED),
             reason=failure.rationale,
@@ -143,7 +148,10 @@ def _plain(check: Check, status: str) -> CheckResult:
 
 
 def _words(error: Exception, check: Check) -> str:
-    """Return type, message and place of an unexpected exception: the line of the rubric, or the line that raised it."""
+    """Return a sentence with the type, message and place of an unexpected exception.
+
+    The place is the line of the rubric or, if the rubric is not in the traceback, the line that raised the exception.
+    """
     places = []
     trace = error.__traceback__
     while trace is not None:
@@ -155,9 +163,10 @@ def _words(error: Exception, check: Check) -> str:
 
 
 def judged(judge: Callable[[], Sequence[CheckResult]]) -> list[CheckResult]:
-    """Return the results of `judge` in a worker, or one result that reports that the grader broke.
+    """Return the results of `judge` from a worker, or one result that reports that the grader broke.
 
-    :raises Exceeded, Lost: as `in_worker`.
+    :raises Exceeded: as in `in_worker`.
+    :raises Lost: as in `in_worker`.
     """
     return [result_of(row) for row in in_worker(lambda: rows_of(judge))]
 
@@ -174,7 +183,7 @@ def rows_of(judge: Callable[[], Sequence[CheckResult]]) -> list[dict[str, Any]]:
 
 
 def result_of(row: dict[str, Any]) -> CheckResult:
-    """Return a result from a row of `rows_of`, which JSON has changed."""
+    """Return a result from a row of `rows_of` after JSON has changed its types."""
     row['needs'] = tuple(row['needs'])
     row['steps'] = tuple(row['steps'])
     row['where'] = Place(*row['where']) if row['where'] else None
@@ -194,31 +203,37 @@ SHORTEST_NAME = 4
 
 
 def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckResult]:
-    """Return the results with a cause for each failed one: the finding about the same thing or place.
+    """Return the results with causes: each finding is at the failed check that it fits best, or nowhere.
 
-    If no finding is about any of them and no program died, the failed check with the most points gets the worst finding.
-    No finding appears twice, and marks do not depend on findings.
+    A check has at most one cause. Marks do not depend on findings.
     """
     if not evidence or all(result.status != FAILED for result in results):
         return results
     kept = _with_last_line(results, evidence)
-    has_died = any(map(_is_death, kept))
-    found = _findings(evidence, has_died)
+    found = _findings(evidence, any(map(_is_death, kept)))
     findings = [finding for finding in found if not any(_is_reported(finding, result) for result in kept)]
-    for is_about in (_has_both, _is_named, _is_near_in_node, _is_near, _is_there):  # the best fit comes first
-        for position, result in enumerate(kept):
-            if result.status != FAILED or result.cause is not None:
-                continue
-            cause = next((finding for finding in findings if is_about(finding, result)), None)
-            if cause is not None:
-                findings.remove(cause)
-                kept[position] = replace(result, cause=cause)
-    is_explained = has_died or len(findings) < len(found) or any(result.cause for result in kept)
-    return kept if is_explained else _with_worst(kept, findings)
+    fitting = [(finding, *_fitting(finding, kept)) for finding in findings]
+    for finding, _, positions in sorted(fitting, key=lambda each: each[1]):  # the best fit comes first
+        free = next((position for position in positions if kept[position].cause is None), None)
+        if free is not None:
+            kept[free] = replace(kept[free], cause=finding)
+    return kept
+
+
+def _fitting(finding: Finding, results: Sequence[CheckResult]) -> tuple[int, list[int]]:
+    """Return the positions of the failed checks that a finding fits best, after the rank of this fit, which is 0 for the best.
+    The finding explains no other check.
+    """
+    fits = (_has_both, _is_named, _is_near_in_node, _is_near, _is_there, _is_part)
+    for rank, is_about in enumerate(fits):
+        found = [at for at, result in enumerate(results) if result.status == FAILED and is_about(finding, result)]
+        if found:
+            return rank, found
+    return len(fits), []
 
 
 def _findings(evidence: Evidence, death_is_covered: bool) -> list[Finding]:
-    """Return the findings of all runs, the worst first, or none when judging takes too long."""
+    """Return the findings of all runs, the worst first. Return an empty list if the rules take too long."""
     from edulaunch.advice.judging import in_order
 
     try:
@@ -229,16 +244,25 @@ def _findings(evidence: Evidence, death_is_covered: bool) -> list[Finding]:
     except Exception:  # if a rule raises an error, the causes are missing, but the mark does not change
         return []
     covered = COVERED_BY_CHECKS if death_is_covered else tuple(rule for rule in COVERED_BY_CHECKS if rule != 'programs.died')
-    return [finding for finding in found if finding.rule not in covered]
+    kept = [finding for finding in found if finding.rule not in covered and not _is_of_the_grader(finding)]
+    return list({(each.rule, each.name, each.file, each.line): each for each in reversed(kept)}.values())[::-1]
+
+
+def _is_of_the_grader(finding: Finding) -> bool:
+    """Return whether a finding is about the node that the grader adds to a run."""
+    return f'/{VISITOR}' in (finding.name, finding.facts.get('node'), finding.facts.get('other'))
 
 
 def _is_death(result: CheckResult) -> bool:
-    """Return whether a program died. Its output explains the failure; mistakes of other programs do not."""
+    """Return whether a result reports that a program died. Then the output of this program explains the failure."""
     return ' died ' in result.reason or DIED in (result.seen or '')
 
 
 def _with_last_line(results: Sequence[CheckResult], evidence: Evidence) -> list[CheckResult]:
-    """Return the results. If a program died and no check reports that, the first failed check shows its last line."""
+    """Return the results. If a program died and no check reports it, add its last line to the first failed check.
+
+    Failed checks with the same reason as the first one get this line, too.
+    """
     first = next((result for result in results if result.status == FAILED), None)
     if first is None or any(' died ' in result.reason for result in results):
         return list(results)
@@ -260,26 +284,31 @@ def _with_last_line(results: Sequence[CheckResult], evidence: Evidence) -> list[
 
 
 def _is_reported(finding: Finding, result: CheckResult) -> bool:
-    """Return whether a failed check itself reports the missing parameter file, with an action that fits its package."""
-    return (
-        finding.rule == 'launch.parameter-file-absent' and result.status == FAILED and str(finding.facts['path']) in result.reason
-    )
+    """Return whether a failed check itself reports that the thing of the finding does not exist."""
+    if result.status != FAILED:
+        return False
+    if finding.rule == 'launch.parameter-file-absent':  # the check has an action that fits the package
+        return str(finding.facts['path']) in result.reason
+    return finding.facts.get('near') is None and result.reason == f'the {finding.kind} {finding.name} is missing'
 
 
 def _has_both(finding: Finding, result: CheckResult) -> bool:
-    """Return whether a check names the wrong name and the right one."""
+    """Return whether a check names both the wrong name and the right name of a finding."""
     return _has_name(result, finding.facts.get('near')) and _is_named(finding, result)
 
 
 def _is_named(finding: Finding, result: CheckResult) -> bool:
-    """Return whether a check names the thing itself. If the finding knows the right name, the check must show the wrong one."""
+    """Return whether a check names the thing that a finding is about.
+
+    If the finding suggests a name, the wrong name must occur outside the sentence of the check.
+    """
     names = (finding.name, finding.name.strip('/'))
     shown = '\n'.join(filter(None, (result.reason, result.expected, result.seen)))
     return any(_has_name(result, name) and ('near' not in finding.facts or name in shown) for name in names)
 
 
 def _is_near_in_node(finding: Finding, result: CheckResult) -> bool:
-    """Return whether a check names the right name and the node that uses the wrong one."""
+    """Return whether a check names the right name of a finding and the node that uses the wrong name."""
     node = str(finding.facts.get('node') or '').rpartition('/')[2]
     return _has_name(result, finding.facts.get('near')) and _has_name(result, node)
 
@@ -289,18 +318,24 @@ def _is_near(finding: Finding, result: CheckResult) -> bool:
 
 
 def _is_there(finding: Finding, result: CheckResult) -> bool:
-    return result.where is not None and finding.file is not None and tuple(result.where) == (finding.file, finding.line)
+    """Return whether a check is about the line of the finding, and about the same kind of thing."""
+    is_line = result.where is not None and finding.file is not None and tuple(result.where) == (finding.file, finding.line)
+    return is_line and re.search(rf'\b{finding.kind}s?\b', _words_of(result)) is not None
+
+
+def _is_part(finding: Finding, result: CheckResult) -> bool:
+    """Return whether a check names the turtle of a topic, the frame from which a lookup starts, or the joints of a robot."""
+    topics = [str(topic) for topic in (finding.name, finding.facts.get('near')) if str(topic).endswith(('/cmd_vel', '/pose'))]
+    turtles = [topic.rpartition('/')[0].strip('/') for topic in topics]
+    is_its = any(result.reason.lstrip('/').startswith(f'{turtle} ') for turtle in turtles)
+    has_joint = 'joints' in finding.facts and 'joint' in _words_of(result)
+    return is_its or has_joint or _has_name(result, finding.facts.get('target'))
 
 
 def _has_name(result: CheckResult, name: object) -> bool:
-    texts = ' '.join(filter(None, (result.sentence, result.reason, result.expected, result.seen)))
     is_name = isinstance(name, str) and len(name) >= SHORTEST_NAME
-    return is_name and re.search(rf'(?<![\w/]){re.escape(str(name))}(?![\w/])', texts) is not None
+    return is_name and re.search(rf'(?<![\w/]){re.escape(str(name))}(?![\w/])', _words_of(result)) is not None
 
 
-def _with_worst(results: Sequence[CheckResult], findings: Sequence[Finding]) -> list[CheckResult]:
-    from edulaunch.advice.rule import rule_named
-
-    worst = next((finding for finding in findings if rule_named(finding.rule).level == 'error'), None)
-    weightiest = max((result for result in results if result.status == FAILED), key=lambda result: result.points)
-    return [replace(result, cause=worst) if result is weightiest else result for result in results]
+def _words_of(result: CheckResult) -> str:
+    return ' '.join(filter(None, (result.sentence, result.reason, result.expected, result.seen)))

@@ -1,4 +1,4 @@
-"""``check('circle')`` in a cell: grades with the same rubric as the command, and shows the report in the notebook."""
+"""``check('circle')`` in a notebook cell: grades with the same rubric as the command, and shows the report in the notebook."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class CheckReport:
 
 
 class Note:
-    """A short message: a hint, or the reason why nothing was graded."""
+    """A short message to the student: a hint, or the reason why nothing was graded."""
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -67,10 +67,10 @@ class Note:
 
 
 def check(exercise: str, *, hint: int | None = None, names: Mapping[str, Any] = MappingProxyType({})) -> CheckReport | Note:
-    """Grade an exercise or a task of a lesson, or open a hint, and record it in the progress file.
+    """Grade an exercise or a task of a lesson, and record the attempt. With `hint`, show a hint instead, and record that.
 
     :param exercise: the name of the exercise or task, or the path of a launch file or package.
-    :param hint: open the hint of this level (1 to 3) instead.
+    :param hint: the level of the hint (1 to 3), or None to grade.
     :param names: the names that the cells have defined, with their values.
     """
     try:
@@ -88,9 +88,10 @@ def check(exercise: str, *, hint: int | None = None, names: Mapping[str, Any] = 
 
 
 def find_exercise(name: str) -> str:
-    """Return the path of a student's file, from this directory or one above it, relative where possible.
+    """Return the path of a student's file in this directory or a parent. The path is relative where possible.
 
-    :raises UnusableInput: when there is no exercise of that name or no such file, with the nearest name.
+    :param name: the name of an exercise, or a path.
+    :raises UnusableInput: if there is no exercise with this name, with the nearest name, or if its file does not exist.
     """
     known = {entry.name: entry for entry in read_course(find_course(os.getcwd()))}
     if name not in known:

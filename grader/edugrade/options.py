@@ -1,4 +1,4 @@
-"""The options of the command line."""
+"""The options of the command `edugrade`."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ exit status (the highest, if there are several reports):
 
 
 def read_options(argv: Sequence[str] | None) -> argparse.Namespace:
-    """Parse the command line. For an invalid one, print a usage message and exit."""
+    """Parse the command line. If it is invalid, print a usage message and exit."""
     parser = edugrade_parser()
     if argv is None or {'-h', '--help'} & set(argv):
         parser.epilog = _epilog()
@@ -79,7 +79,7 @@ def _epilog() -> str:
 
 
 def add_common(parser: argparse.ArgumentParser) -> None:
-    """Add the options that all grading commands have."""
+    """Add the options that all grading commands have to a parser."""
     parser.add_argument('--rubric', metavar='FILE|NAME', help='use this rubric; known names: ' + ', '.join(exercises()))
     parser.add_argument(
         '--seed', type=int, metavar='N', help="select the values of the runs from this number (default: from the file's content)"
@@ -115,11 +115,11 @@ def add_common(parser: argparse.ArgumentParser) -> None:
 def is_personal(options: argparse.Namespace) -> bool:
     """Return whether each student has personal exercises.
 
-    :raises UnusableInput: for --personal without the secret.
+    :raises UnusableInput: if --personal is given without the secret.
     """
     if options.personal and not options.course_secret_file:
         raise UnusableInput(
-            '--personal needs the secret with which the exercises were made', help='give --course-secret-file FILE'
+            '--personal needs the secret with which the exercises were made', help='add --course-secret-file FILE'
         )
     return bool(options.personal)
 

@@ -1,4 +1,4 @@
-"""The folders and the environment of runs: where Python finds modules, and what every run may read."""
+"""The folders and the environment of runs: where Python finds modules, and which paths every run may read."""
 
 from __future__ import annotations
 
@@ -10,7 +10,10 @@ from edulaunch.engine.underlay_place import engine_folder
 
 
 def environment(home: str) -> dict[str, str]:
-    """Return a small environment for runs: the search path for programs, and one thread for maths libraries."""
+    """Return the environment of a run: the search path for programs, its private folder, and few other variables.
+
+    :param home: the private folder of the run.
+    """
     return {
         'PATH': os.environ.get('PATH', os.defpath),
         'HOME': home,
@@ -24,8 +27,9 @@ def environment(home: str) -> dict[str, str]:
 
 
 def import_path() -> list[str]:
-    """Return the module search path of the child: that of this process, limited to Python's folders and to what the engine
-    needs.
+    """Return the module search path of the child.
+
+    It is that of this process, limited to Python's own folders and to folders with modules that the engine needs.
     """
     engine = os.path.dirname(engine_folder())
     here = os.getcwd()
@@ -43,7 +47,9 @@ SYSTEM = (
 
 
 def readable_by_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
-    """Return what every run may read: (places with everything below them, folders that may only be listed).
+    """Return two lists of paths that every run may read.
+
+    The first list contains paths with everything below them, and the second one folders whose names the run may only list.
 
     :param path: the module search path.
     """
@@ -61,7 +67,7 @@ def readable_by_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
 
 
 def shown_to_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
-    """Return (places that every run sees, hidden folders in them, with the grader and the rubrics).
+    """Return two lists: the paths that every run sees, and the hidden folders in them, such as the grader and the rubrics.
 
     :param path: the module search path.
     """
@@ -75,8 +81,9 @@ def shown_to_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
 
 
 def _is_of_python(path: str) -> bool:
-    """Return whether a folder belongs to Python or has installed packages. A folder from PYTHONPATH or pytest may have private
-    files.
+    """Return whether a folder belongs to Python or contains installed packages.
+
+    Any other folder, for example from PYTHONPATH or pytest, may contain private files.
     """
     roots = [os.path.join(os.path.realpath(root), 'lib', '') for root in (sys.prefix, sys.base_prefix)]
     real = os.path.realpath(path)
@@ -84,12 +91,13 @@ def _is_of_python(path: str) -> bool:
 
 
 def _needed_in(path: str) -> list[str]:
-    """Return the parts of another folder that the engine needs."""
+    """Return the paths in a folder that the engine needs."""
     return [place for place in (os.path.join(path, name) for name in NEEDED) if os.path.exists(place)]
 
 
 def _beneath(place: str, hidden: Sequence[str], seen: set[str]) -> Iterator[tuple[str, bool]]:
-    """Yield (place, whether everything below it is included), so that everything in `place` except hidden parts can be read.
+    """Yield (path, whether everything below it is included), so that together they cover `place` without its hidden parts.
+
     Links are resolved.
     """
     if place in seen or any(place == each or place.startswith(os.path.join(each, '')) for each in hidden):

@@ -28,7 +28,7 @@ _BARE = re.compile(r'[A-Za-z0-9_-]+')
 
 @dataclass
 class Progress:
-    """The progress in one exercise. `first` and `last` are digests of the first and the last graded version."""
+    """The progress in one exercise. `first` and `last` are the digests of the first and the last graded version."""
 
     done: bool = False
     attempts: int = 0
@@ -39,9 +39,12 @@ class Progress:
     last: str = ''
 
     def attempt(self, earned: float, possible: int, passed: bool, text: str = '') -> bool:
-        """Record a graded attempt, and keep the best result. Return whether it repeats the last version and does not count.
+        """Record a graded attempt, and keep the best result. Return True if it repeats the last version, and so does not count.
 
-        :param text: a digest of the graded text.
+        :param earned: the earned points.
+        :param possible: all points of the exercise.
+        :param passed: whether all checks passed.
+        :param text: the digest of the graded version.
         """
         if text and text == self.last:
             return True
@@ -59,15 +62,17 @@ class Progress:
 
 
 def place_of(folder: str) -> str:
-    """Return the directory of the progress file for work in this directory, or PLACE. Runs of nbval are not attempts."""
+    """Return the directory of the progress file for work in `folder`. The environment variable PLACE takes precedence.
+
+    Set the variable to another directory for tests of a notebook, which are not attempts.
+    """
     return os.environ.get(PLACE) or folder
 
 
 class ProgressFile:
-    """The progress of all exercises.
+    """The progress file, with the progress of all exercises.
 
-    :param folder: where the file is, or will be.
-
+    :param folder: the directory of the file, which may not exist yet.
     :ivar word: a message for the student about the file, or ''.
     :ivar predictions: the student's predictions by their names.
     :ivar answers: the letters chosen for each question, in the order in which they were given.
@@ -85,20 +90,22 @@ class ProgressFile:
         self._read()
 
     def of(self, exercise: str) -> Progress:
-        """Return the progress of one exercise; callers change it and save the file."""
+        """Return the progress of one exercise. Callers may change it, and then save the file."""
         return self.exercises.setdefault(exercise, Progress())
 
     @classmethod
     @contextmanager
     def changing(cls, folder: str) -> Iterator[ProgressFile]:
-        """Return the file for changing and saving, with a lock. Attempts of two notebooks at the same time both count."""
+        """Return a context manager that locks and provides the progress file, so that attempts of two notebooks at once both
+        count.
+        """
         with _locked(place_of(folder)):
             yield cls(folder)
 
     def save(self) -> None:
-        """Write the complete file; a crash leaves either the old file or the new one.
+        """Write the file completely. After a crash, the file is either the old one or the new one.
 
-        :raises UnusableInput: when it cannot be written. A file that could not be read is not overwritten.
+        :raises UnusableInput: if the file cannot be written, or could not be read. It is then not overwritten.
         """
         if self._unreadable:
             raise UnusableInput(f'{NAME} cannot be read: {self._unreadable}')
@@ -125,7 +132,7 @@ class ProgressFile:
             self._put_aside(error)
 
     def _put_aside(self, error: Exception) -> None:
-        """Rename a file that cannot be read, so that it is kept."""
+        """Rename a file with invalid content, so that it is not overwritten."""
         kept = f'{self.path}.bak'
         number = 1
         while os.path.exists(kept):
@@ -140,8 +147,8 @@ class ProgressFile:
 
 @contextmanager
 def _locked(folder: str) -> Iterator[None]:
-    """Hold a lock on the folder, which needs no extra file. Continue without a lock on disks that have none (some network
-    disks).
+    """Hold a lock on the folder itself, so that no extra file is needed. Continue without a lock on disks that do not support
+    locks.
     """
     descriptor = None
     try:
@@ -157,7 +164,7 @@ def _locked(folder: str) -> Iterator[None]:
 
 
 def _progress(table: Any) -> Progress:
-    """Return the table of an exercise in a valid form."""
+    """Convert the table of an exercise, and raise an error if it is invalid."""
     found = Progress(**table)
     kinds = {
         'done': (bool,),
@@ -177,7 +184,7 @@ def _progress(table: Any) -> Progress:
 
 
 def _texts(table: dict[Any, Any]) -> dict[Any, str]:
-    """Return a table of strings, or raise an error."""
+    """Return a table of strings. Raise ValueError if a value is not a string."""
     for name, text in table.items():
         if not isinstance(text, str):
             raise ValueError(f'{name} = {text!r} is not a string')
@@ -189,7 +196,7 @@ def _key(name: str) -> str:
 
 
 def _lines(name: str, table: dict[str, Any]) -> str:
-    """Format a table of strings or of lists of strings. An empty table is left out."""
+    """Format a table of strings or of lists of strings as TOML. An empty table gives ''."""
     lines = [f'{_key(key)} = {json.dumps(value, ensure_ascii=False)}\n' for key, value in table.items()]
     return f'\n[{name}]\n{"".join(lines)}' if lines else ''
 

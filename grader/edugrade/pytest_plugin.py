@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Add the options. Without ``--edugrade``, pytest collects no submissions."""
+    """Add the options of edugrade. Without ``--edugrade``, pytest collects no submissions."""
     group = parser.getgroup('edugrade')
     group.addoption('--edugrade', action='store_true', help='grade launch files: every check of their rubrics is a test')
     group.addoption(
@@ -24,7 +24,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> GradedFile | None:
-    """Return a launch file that has a rubric."""
+    """Return a collector for a launch file that has a rubric. Return None for other files."""
     if not parent.config.getoption('--edugrade'):
         return None
     from .rubrics.catalogue import exercises
@@ -38,13 +38,13 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> GradedFile
 
 
 class GradedFile(pytest.File):
-    """A submission, which is run once, for the first of its checks."""
+    """A submission as a pytest collector. The first of its checks runs the submission for all of them."""
 
     _report: Report | None = None
     _work: Work
 
     def collect(self) -> Iterator[GradedCheck]:
-        """Yield a test for each check, after the check that all others need."""
+        """Yield a test for each check. The first test states whether the launch file runs, which all other checks need."""
         from .grading import plan_work
         from .results import LAUNCHES
         from .submission import Submission
@@ -65,7 +65,9 @@ class GradedFile(pytest.File):
 
 
 class GradedCheck(pytest.Item):
-    """A check as a test. A check that was not run is skipped. The test's properties, which JUnit keeps, have the points."""
+    """A check as a test. A check that was not run is skipped. The points are properties of the test, which JUnit files
+    contain.
+    """
 
     parent: GradedFile
 
@@ -81,13 +83,13 @@ class GradedCheck(pytest.Item):
             raise CheckFailed(result)
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
-        """Return the text of the report without a traceback."""
+        """Return the reason and the advice of the report, without a traceback."""
         if isinstance(excinfo.value, CheckFailed):
             return str(excinfo.value)
         return super().repr_failure(excinfo, style)
 
     def reportinfo(self) -> tuple[Path, int | None, str]:
-        """Return the place that the student should look at."""
+        """Return the place at which the student should look."""
         return self.path, None, self.name
 
 

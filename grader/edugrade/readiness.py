@@ -1,5 +1,6 @@
-"""Waits for one descriptor. `select.select` does not support descriptors above 1023, which a process with many open files
-has.
+"""Waits until one descriptor is readable.
+
+`select.select` does not support descriptors above 1023, but a process with many open files has such descriptors.
 """
 
 from __future__ import annotations
@@ -9,9 +10,9 @@ from typing import Any
 
 
 def is_readable(end: Any, seconds: float) -> bool:
-    """Return whether a descriptor, or an object that has one, becomes readable within some seconds.
+    """Return whether a descriptor, or an object that has one, becomes readable within `seconds` real seconds.
 
-    :raises ValueError: when it is closed.
+    :raises ValueError: if the descriptor is closed.
     """
     with selectors.DefaultSelector() as selector:
         selector.register(end, selectors.EVENT_READ)

@@ -24,7 +24,7 @@ COMMANDS = ('ros2',)  # programs that do not belong to a node of the student
 
 
 def has_own_programs(recording: Recording) -> bool:
-    """Return whether programs ran that did not come with edulaunch."""
+    """Return whether a run contains programs that do not come with edulaunch."""
     for process in recording.processes:
         own = process.package is not None and not comes_with_edulaunch(process.package)
         script = (
@@ -36,7 +36,7 @@ def has_own_programs(recording: Recording) -> bool:
 
 
 def difference(one: Outcome, two: Outcome) -> str | None:
-    """Return the first difference of two runs of one scenario, in words, or None when they are identical."""
+    """Return the first difference between two runs of one scenario, in words, or None if they are identical."""
     if two.recording is None:
         return f'the second run did not finish: {two.text}'
     if one.recording is None or digest_of(one) == digest_of(two):
@@ -49,7 +49,9 @@ def difference(one: Outcome, two: Outcome) -> str | None:
 
 
 def digest_of(outcome: Outcome) -> str | None:
-    """Return the hash of a recording, or None without a recording or for a recording that is too large."""
+    """Return the digest of a recording. Return None if there is no recording, or if computing its digest takes too long or
+    fails.
+    """
     try:
         with cpu_limit(LONGEST_DIGEST_S):
             return None if outcome.recording is None else outcome.recording.digest()
@@ -65,7 +67,10 @@ def digest_of(outcome: Outcome) -> str | None:
 
 
 def result(differences: Sequence[tuple[Scenario, str | None]], source: SubmittedText) -> CheckResult:
-    """Return the result for the report, which has no points."""
+    """Return the result that states whether the runs repeat. It has no points.
+
+    :param differences: for each scenario, the first difference or None.
+    """
     found = next(((scenario, words) for scenario, words in differences if words), None)
     if found is None:
         return CheckResult(REPEATS, SENTENCE, PASSED)
@@ -98,7 +103,7 @@ def _first_pair(one: Iterator[tuple[float, str, Any]], two: Iterator[tuple[float
 
 
 def _events(recording: Recording) -> Iterator[tuple[float, str, Any]]:
-    """Return all messages in the order of time and topic."""
+    """Return all messages, sorted by time and topic."""
     found = [
         (time_ns / 1e9, f'a message on {topic.name}', repr(wire))
         for topic in recording.topics.values()
@@ -108,7 +113,7 @@ def _events(recording: Recording) -> Iterator[tuple[float, str, Any]]:
 
 
 def _texts(recording: Recording) -> Iterator[tuple[float, str, Any]]:
-    """Yield the output of the programs and their exit codes."""
+    """Yield the output and the exit codes of the programs."""
     yield from ((item.time_s, f'{item.process} prints', repr(item.text)) for item in recording.output)
     yield from ((item.ended_s or 0.0, f'{item.name} ends', repr(item.returncode)) for item in recording.processes)
 

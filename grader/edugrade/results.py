@@ -1,4 +1,4 @@
-"""The result of grading a submission, as data. The renderers read only this."""
+"""The result of grading a submission, as data. The modules that write reports read only these data."""
 
 from __future__ import annotations
 
@@ -36,11 +36,16 @@ class CheckResult:
     :param sentence: the sentence that the student reads.
     :param status: one of STATUSES.
     :param points: the points of the check, which a passed check earns.
-    :param reason: one sentence that explains why it failed, why it was not run, or how the grader broke.
-    :param cause: the finding of edulaunch's rules that explains the failure.
-    :param root_cause: the name of the check to correct first, for a check that was not run.
+    :param needs: the names of the checks that this check needs.
+    :param reason: one sentence that explains why the check failed, why it was not run, or how the grader broke.
+    :param expected: what the check expected, or None.
+    :param seen: what the check found instead, or None.
+    :param where: the place to change, or None.
+    :param try_: what to do, or None.
+    :param root_cause: the name of the check to correct first, for a check that was not run, or None.
+    :param cause: the finding of edulaunch's rules that explains the failure, or None.
     :param share: the share of the points that a failed check still earns.
-    :param steps: the advice before `try_`, if the rubric has any.
+    :param steps: the earlier steps of the advice, before `try_`, if the rubric has any.
     """
 
     name: str
@@ -60,25 +65,30 @@ class CheckResult:
 
     @property
     def earned(self) -> float:
-        """The earned points: all of them, or the share that a failed check still earns. They are an integer where possible."""
+        """The earned points: all points of a passed check, or the share that a failed check still earns.
+
+        The value is an integer where possible.
+        """
         return rounded(self.points * (1.0 if self.status == PASSED else self.share))
 
 
 @dataclass(frozen=True)
 class Report:
-    """A graded submission.
+    """The report on a graded submission.
 
-    :param file: the absolute path of the launch file. `given` is the path that the caller used.
-    :param folder: the absolute path of the submission's directory. `shown` replaces it in reports.
-    :param package: the name of the package, if the submission is a package.
-    :param secret: the name of the course secret that chose the seed, if there is one.
+    :param file: the absolute path of the launch file.
+    :param given: the path that the caller used.
+    :param folder: the absolute path of the submission's directory.
+    :param shown: the string that replaces `folder` in reports.
+    :param package: the name of the package, or None for a launch file that is not in a package.
+    :param secret: the name of the course secret that determined the seed, or None.
     :param student: the name of the student, or ''.
-    :param level: the level of the advice that people see. Data always has all advice.
+    :param level: the level of the advice that readers see. The data always contain all advice.
     :param is_counted: whether the attempt is in the student's progress file, so that later attempts get more specific advice.
-    :param variant: the values of a personalised exercise.
-    :param looked: the digest of each run and the launch graph for `reports.document`, if they are known.
-    :param why: why the exercise matters on a robot, for a submission that passes all checks.
     :param word: a message to the student, for example that the file has not changed or that progress cannot be saved.
+    :param why: the reason why the exercise matters on a robot, for a submission that passes all checks.
+    :param variant: the values of a personalised exercise, or None.
+    :param looked: the digest of each run and the launch graph for `reports.document`, or None if they are not known.
     """
 
     file: str
@@ -105,7 +115,7 @@ class Report:
 
     @property
     def sandbox(self) -> dict[str, str]:
-        """For each layer of the sandbox 'held', or why it failed in one of the runs; {} without a sandbox."""
+        """For each layer of the sandbox 'held', or the reason why it failed in one of the runs. It is {} without a sandbox."""
         found: dict[str, str] = {}
         for outcome in self.outcomes:
             for layer, state in (outcome.sandbox or {}).items():
@@ -114,37 +124,39 @@ class Report:
 
     @property
     def has_run(self) -> bool:
-        """Whether any code of the submission was run."""
+        """Whether code of the submission has run."""
         return any(outcome.sandbox is not None for outcome in self.outcomes)
 
     @property
     def refused(self) -> tuple[str, ...]:
-        """Names of the forbidden system calls that recorded runs tried to make. Other runs name them in their own messages."""
+        """The names of the forbidden system calls that recorded runs tried to make. Other runs name them in their own
+        messages.
+        """
         return tuple(sorted({name for outcome in self.outcomes if outcome.kind == 'recorded' for name in outcome.refused}))
 
     @property
     def passed(self) -> int:
-        """How many checks passed."""
+        """The number of passed checks."""
         return sum(result.status == PASSED for result in self.results)
 
     @property
     def verdict(self) -> str:
-        """The verdict in words."""
+        """The outcome in words."""
         return VERDICTS[self.exit_code]
 
     @property
     def possible(self) -> int:
-        """All points of the rubric."""
+        """The sum of the points of all checks."""
         return sum(result.points for result in self.results)
 
     @property
     def earned(self) -> float | None:
-        """The earned points, or None when the grader broke, because then there is no mark."""
+        """The earned points, or None if the grader broke, because then there is no mark."""
         return None if self.exit_code == BROKEN_GRADER else rounded(sum(result.earned for result in self.results))
 
     @property
     def exit_code(self) -> int:
-        """0 for all passed, 1 for some failed, 2 for a launch file that cannot be run, 3 when the grader broke."""
+        """The exit code: 0 if all checks passed, 1 if some failed, 2 if the launch file cannot be run, 3 if the grader broke."""
         statuses = {result.status for result in self.results}
         if GRADER_BROKE in statuses:
             return BROKEN_GRADER
@@ -154,7 +166,7 @@ class Report:
 
 
 class Refusal(NamedTuple):
-    """A path that could not be graded: the given path, the reason, what to do, and the exit code."""
+    """A path that could not be graded: the given path, the reason, the advice, and the exit code."""
 
     given: str
     reason: str

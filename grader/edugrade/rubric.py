@@ -1,4 +1,4 @@
-"""The rubric of an exercise: its runs and its checks. A check is a function with points and the checks that it needs."""
+"""The rubric of an exercise, with its runs and checks. A check is a function with points and with the checks that it needs."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ CheckFunction = Callable[[Evidence], None]
 
 
 class NoSuchCheck(UnusableInput):
-    """A rubric has no check of that name."""
+    """A rubric has no check with the requested name."""
 
 
 class Check(NamedTuple):
@@ -23,8 +23,9 @@ class Check(NamedTuple):
 
     :param name: the name of the function, which identifies the check in the JSON report.
     :param sentence: the sentence that the student reads.
+    :param function: the function of the check.
     :param points: the points for passing the check.
-    :param needs: checks that must pass before the result of this one is useful.
+    :param needs: the checks that must pass before the result of this check is useful.
     """
 
     name: str
@@ -38,9 +39,9 @@ class Check(NamedTuple):
 
 
 def check(*, points: int = 0, needs: Sequence[Check] = ()) -> Callable[[CheckFunction], Check]:
-    """Make a function a check. The first line of its docstring is the sentence that the student sees.
+    """Turn a function into a check. The first line of its docstring is the sentence that the student reads.
 
-    :raises ValueError: when the function has no docstring, or the points are negative.
+    :raises ValueError: if the function has no docstring, or the points are negative.
     """
 
     def make(function: CheckFunction) -> Check:
@@ -61,23 +62,23 @@ LONGEST_S = 3600.0
 
 
 class RubricMistake(Exception):
-    """A rubric has a mistake. The message begins with its file and line, and nothing is graded with this rubric."""
+    """A rubric has a mistake. The message begins with the file and the line of the mistake, and the rubric grades nothing."""
 
 
 class Rubric:
     """The scenarios and checks of one exercise.
 
     :param title: the exercise in a few words.
-    :param scenarios: makes the runs from a random generator, which the submission seeds. The values of a run change with every
-        edit, so that a student cannot write them into the file.
-    :param checks: the checks in the order of the report. Each one comes after the checks that it needs.
+    :param scenarios: a function that creates the runs from a random generator. The content of the submission is the seed of
+        the generator. So the values of a run change with every edit, and a student cannot write them into the file.
+    :param checks: the checks in the order of the report. Each check comes after the checks that it needs.
     :param of: the file that the student writes in a lesson's turn, relative to the folder of the lessons.
-    :param launch: the content of a launch file that starts the file, for a file that is not a launch file.
+    :param launch: the content of a launch file that starts the student's file, if that is not a launch file itself.
     :param beside: other files that an edit may change.
-    :param names: names that a cell defines, instead of a file; then there are no runs.
+    :param names: the names that a cell defines, for a task without a file. There are then no runs.
     :param ended: an executable whose programs a turn ends after the duration of a run, to show what else ends then.
     :param decoys: the share of the points that a submission may get with the solution's names but without its behaviour.
-    :raises ValueError: for two checks with one name, or a check that comes before a check that it needs.
+    :raises ValueError: if two checks have the same name, or a check comes before a check that it needs.
     """
 
     def __init__(
@@ -103,23 +104,23 @@ class Rubric:
 
     @property
     def sha256(self) -> str:
-        """The SHA-256 digest of the rubric's text."""
+        """The SHA-256 digest of the rubric's file."""
         from hashlib import sha256
 
         return sha256(self.text).hexdigest()
 
     def part(self, name: str) -> Rubric:
-        """Return the rubric of one check and of the checks that it needs.
+        """Return a rubric with only one check and the checks that it needs.
 
-        :raises NoSuchCheck: when there is no such check.
+        :raises NoSuchCheck: if the rubric has no check with this name.
         """
         known = {check.name: check for check in self.checks}
         if name not in known:
             from edulaunch.engine.nearest import nearest
 
             close = nearest(name, known)
-            hint = f'did you mean {close}? ' if close else ''
-            raise NoSuchCheck(f'the rubric has no check {name}', help=f'{hint}It has: {", ".join(known)}')
+            hint = f'write {close}, or ' if close else ''
+            raise NoSuchCheck(f'the rubric has no check {name}', help=f'{hint}use one of its checks: {", ".join(known)}')
         wanted = {name}
         for check in reversed(self.checks):  # a check comes after the checks that it needs
             if check.name in wanted:
@@ -129,8 +130,9 @@ class Rubric:
         return part
 
     def with_points(self, points: Mapping[str, int]) -> Rubric:
-        """Return the same rubric with other points for some of its checks.
+        """Return the same rubric with other points for some checks.
 
+        :param points: the points by the name of the check.
         :raises ValueError: for an unknown check or invalid points.
         """
         odd = [name for name in points if name not in {check.name for check in self.checks}]
@@ -148,7 +150,10 @@ class Rubric:
         return known
 
     def scenarios(self, seed: int) -> tuple[Scenario, ...]:
-        """Return the runs for this seed: the same seed gives the same runs."""
+        """Return the scenarios for a seed. The same seed gives the same scenarios.
+
+        :raises RubricMistake: if the scenarios are invalid.
+        """
         made = self._scenarios(Random(seed))
         _refuse_odd_runs(made, self._scenarios)
         return tuple(

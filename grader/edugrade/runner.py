@@ -26,11 +26,11 @@ MOST_TIMES_AGAIN = 2  # repetitions of a run that was killed, because another su
 
 
 class Runner:
-    """Begins a run as soon as it is added and a processor is free. The end of its ``with`` block ends every child.
+    """A runner that starts each run as soon as a processor is free. At the end of its ``with`` block, it ends every child.
 
     :param limits: the limits of each child.
     :param on_outcome: called when a run has ended.
-    :param processors: number of parallel runs (default: the number of processors).
+    :param processors: the number of parallel runs (default: the number of processors).
     :param is_for_many: whether many submissions are expected, so that the starter loads more before the first run.
     """
 
@@ -71,9 +71,9 @@ class Runner:
     def add(
         self, submission: Submission, scenarios: Sequence[Scenario], workspaces: Sequence[str] = (), is_next: bool = False
     ) -> GradingJob:
-        """Request the runs of a submission. Runs that were added earlier come first, unless `is_next` is set.
+        """Request the runs of a submission, and return the job. Earlier requests run first, unless `is_next` is set.
 
-        :param workspaces: more folders with the student's packages, searched before those of the submission.
+        :param workspaces: additional folders with the student's packages, which are searched before those of the submission.
         """
         job = GradingJob(scenarios)
         folders = [*workspaces, *submission.workspaces]
@@ -83,19 +83,17 @@ class Runner:
         return job
 
     def homes(self) -> list[str]:
-        """Return the private folders of the runs so far; each is removed when its run is over."""
+        """Return the private folders of the runs so far. Each folder is removed when its run has ended."""
         return [os.path.join(self._home, str(number + 1)) for number in range(self._started)]
 
     def wait(self, job: GradingJob) -> list[Outcome]:
-        """Return the outcomes of a submission's runs in the rubric's order. Other runs continue at the same time."""
+        """Wait for the runs of a job, and return their outcomes in the rubric's order. Other runs continue meanwhile."""
         while not job.is_done:
             self._turn(LONGEST_NAP_S)
         return [job.outcomes[scenario.name] for scenario in job.scenarios]
 
     def _attend(self, end: int, seconds: float) -> bool:
-        """Continue the runs while a worker judges, until this end is readable or the time is over. Return whether it is
-        readable.
-        """
+        """Continue the runs while a worker judges. Return whether `end` is readable, at the latest after `seconds`."""
         self._selector.register(end, selectors.EVENT_READ, lambda: True)
         try:
             return end in self._turn(seconds)
@@ -103,7 +101,7 @@ class Runner:
             self._forget(end)
 
     def _turn(self, seconds: float) -> list[Any]:
-        """Read from all ends that are readable, and return them."""
+        """Wait for readable pipes and sockets, read from them, and return them."""
         ready = self._listen(seconds)
         for key, _ in ready:
             if not key.data():
@@ -115,7 +113,9 @@ class Runner:
         return [key.fileobj for key, _ in ready]
 
     def _listen(self, seconds: float) -> list[tuple[selectors.SelectorKey, int]]:
-        """Return the readable ends. The time in which the grader judged another submission does not count for a run."""
+        """Return the readable pipes and sockets. The time in which the grader judged a submission extends the deadline of each
+        run.
+        """
         for run in self._running:
             run.deadline += monotonic() - self._listened_at
         ready = self._selector.select(seconds)
@@ -140,7 +140,7 @@ class Runner:
                 self._selector.register(end, selectors.EVENT_READ, read)
 
     def _living_starter(self) -> StarterLink:
-        """Return the starter, or a new one if it has ended."""
+        """Return the starter, or a new starter if the last one has ended."""
         if self._starter is None or not self._starter.is_alive:
             if self._starter is not None:
                 self._starter.close()
@@ -151,7 +151,7 @@ class Runner:
         return self._starter
 
     def _forget(self, end: Any) -> None:
-        """Stop selecting on this end of a pipe or socket."""
+        """Stop waiting for this end of a pipe or socket."""
         if end in self._selector.get_map():
             self._selector.unregister(end)
 
@@ -174,7 +174,7 @@ class Runner:
         self._settle(job, self._unless_spoilt(found) if most else found)
 
     def _unless_spoilt(self, outcome: Outcome) -> Outcome:
-        """Return the outcome of a run that has failed repeatedly. It has no mark if the computer is the cause."""
+        """Return the outcome of a run that has failed repeatedly. If the computer is the cause, the outcome has no mark."""
         fault = fault_here(self._home)
         if fault is None and killed_for_memory() > self._killed_for_memory:
             fault = SENTENCES[errno.ENOMEM]
@@ -186,12 +186,14 @@ class Runner:
             self._on_outcome()
 
     def fault(self) -> str | None:
-        """Return what this computer cannot provide for runs now, or None."""
+        """Return a sentence about what this computer cannot provide for runs now, or None."""
         return fault_here(self._home)
 
 
 def _times_again(run: ChildRun, outcome: Outcome | None) -> int:
-    """Return how often a run may be repeated, because it was killed, ended early, or met a possible fault of the computer."""
+    """Return how many times a run may be repeated. It may have been killed, have ended early, or have met a fault of the
+    computer.
+    """
     if outcome is None:
         return MOST_TIMES_AGAIN if run.has_begun else MOST_STARTS
     if looks_like_one(outcome):
@@ -202,7 +204,7 @@ def _times_again(run: ChildRun, outcome: Outcome | None) -> int:
 def _private_folder() -> str:
     """Return a new folder that only this user can enter.
 
-    :raises ComputerFault: when it cannot be created.
+    :raises ComputerFault: if the folder cannot be created.
     """
     try:
         return private_folder()

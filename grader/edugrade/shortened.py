@@ -18,7 +18,7 @@ _SIGNS = (
 
 
 def shortened(text: str, most: int) -> str:
-    """Return at most `most` characters of a string, up to the end of a word. Only a word that is longer is cut."""
+    """Return at most `most` characters of a string, up to the end of a word. If the first word is longer, it is cut."""
     if len(text) <= most:
         return text
     start = text[:most]
@@ -27,13 +27,13 @@ def shortened(text: str, most: int) -> str:
 
 
 def last_lines(texts: Sequence[str], lines: int = 4, most: int = 300) -> str:
-    """Return the last lines of a program's output, each with at most `most` characters, or '' without output."""
+    """Return the last lines of a program's output, each with at most `most` characters. Return '' without output."""
     found = [line for line in ''.join(texts).splitlines() if line.strip()]
     return '\n'.join(line if len(line) <= most else f'{shortened(line, most)} ...' for line in found[-lines:])
 
 
 def readable(pattern: str) -> str:
-    """Return a line that a regular expression matches, with words for its patterns: ``messages: NUMBER``."""
+    """Return an example of a line that a regular expression matches. Words replace its patterns, such as ``messages: NUMBER``."""
     for sign, word in _SIGNS:
         pattern = sign.sub(word, pattern)
     return pattern.strip()

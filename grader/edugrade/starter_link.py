@@ -1,4 +1,4 @@
-"""The grader's end of a starter (`sandbox/starter.py`), the process that begins the runs.
+"""The grader's end of the connection to a starter (`sandbox/starter.py`), the process that starts the runs.
 
 A starter loads the engine, which takes longer than loading the grader. So the command starts it before anything else.
 """
@@ -26,8 +26,9 @@ ASK = 0xFFFFFFFF
 
 @contextmanager
 def same_addresses() -> Iterator[None]:
-    """Start programs inside this context without random addresses, if the system allows it (on Linux, except in some
-    containers).
+    """Start programs in this context without random memory addresses, if the system allows it.
+
+    Linux allows it, except in some containers.
     """
     if not sys.platform.startswith('linux'):
         yield
@@ -49,12 +50,11 @@ LENGTH_BYTES = 4
 
 
 class StarterLink:
-    """A starter process.
+    """A starter process and the connection to it.
 
-    :param home: a private folder for it.
-
-    :ivar is_alive: whether it still accepts messages.
-    :ivar is_for_many: whether it loads, before the first run, what only some runs need.
+    :param home: a private folder for the process.
+    :ivar is_alive: whether the process still accepts messages.
+    :ivar is_for_many: whether the process, before the first run, also loads the modules that only some runs need.
     """
 
     def __init__(self, home: str) -> None:
@@ -91,8 +91,9 @@ class StarterLink:
             self.is_alive = False
 
     def _send_places(self) -> None:
-        """Send the paths that every run may read. The starter needs them last, and finding them takes as long as starting
-        it.
+        """Send the paths that every run may read.
+
+        They are sent last, because the starter needs them last. Finding them takes as long as starting the starter.
         """
         self._has_places = True
         readable, listable = readable_by_all(self._path)
@@ -102,7 +103,11 @@ class StarterLink:
         )
 
     def begin(self, job: RunRequest, channel: int, output: int) -> socket.socket:
-        """Begin a run, which answers on `channel` and prints on `output`. Return the link to its guard."""
+        """Start a run, and return the socket to its guard.
+
+        :param channel: the descriptor on which the run sends its answer.
+        :param output: the descriptor to which the run writes its output.
+        """
         if not self._has_places:
             self._send_places()
         ours, theirs = socket.socketpair()
@@ -111,16 +116,16 @@ class StarterLink:
         return ours
 
     def close(self) -> None:
-        """End the starter. The runs do not need it, because each of them has a guard that ends by itself."""
+        """End the starter. Runs continue without it, because each run has a guard that ends by itself."""
         self._socket.close()
         self._process.kill()
         self._process.wait()
 
 
 def private_folder() -> str:
-    """Make a new folder that only this user can enter, and return its path.
+    """Create a new folder that only this user can enter, and return its path.
 
-    :raises OSError: when it cannot be created.
+    :raises OSError: if the folder cannot be created.
     """
     folder = os.path.join(os.environ.get('TMPDIR') or '/tmp', f'edugrade-{os.urandom(8).hex()}')
     os.mkdir(folder, 0o700)
@@ -131,7 +136,10 @@ _early: list[tuple[str, StarterLink]] = []
 
 
 def start_early() -> None:
-    """Start a starter for the first runner of this process. If that fails, the runner starts one, and reports the error."""
+    """Start a starter for the first runner of this process.
+
+    If this fails, do nothing: the runner then starts a starter, and reports the error.
+    """
     with ExitStack() as failed:
         try:
             folder = private_folder()
@@ -145,12 +153,12 @@ def start_early() -> None:
 
 
 def take_early() -> tuple[str, StarterLink] | None:
-    """Return the private folder and the starter that were created early for one runner, or None."""
+    """Return the private folder and the starter that `start_early` created, or None. Only one runner gets them."""
     return _early.pop() if _early else None
 
 
 def end_early() -> None:
-    """End the early starter, when no runner has taken it."""
+    """End the starter that `start_early` created, unless a runner has taken it."""
     found = take_early()
     if found is not None:
         folder, starter = found

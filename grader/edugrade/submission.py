@@ -1,4 +1,4 @@
-"""Reads a submission, which is a launch file or a whole ROS 2 package, as bytes. This module does not run it."""
+"""Reads a submission, which is a launch file or a whole ROS 2 package, as bytes. This module does not run the submission."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ class Submission:
     """The launch file of a student, alone or in a ROS 2 package.
 
     :param path: the path of the launch file, or of the folder of a package with the file ``launch/<package>.launch.py``.
-    :param root: the folder of the submission, if it has more packages than this one.
-    :raises UnusableInput: when there is no such launch file; the message names what is there instead.
+    :param root: the folder of the submission, if it contains several packages, or ''.
+    :raises UnusableInput: if there is no such launch file; the message names the files that exist instead.
     :ivar given: the path that the user gave.
-    :ivar launch_path: the launch file, by a path like the given one.
-    :ivar file: the launch file, absolute.
-    :ivar folder: the package's folder, or that of the launch file; absolute.
+    :ivar launch_path: the path of the launch file, in the form of `given`.
+    :ivar file: the absolute path of the launch file.
+    :ivar folder: the absolute path of the package's folder or, without a package, of the launch file's folder.
     :ivar exercise: the name of the exercise, from the name of the launch file.
     """
 
@@ -47,8 +47,9 @@ class Submission:
 
     @property
     def workspaces(self) -> list[str]:
-        """The folders to search for the student's packages, which a run may read: those of the submission, and none above
-        them.
+        """The folders in which a run searches for the student's packages, and which it may read.
+
+        These are folders of the submission, and never folders above it.
         """
         return [os.path.abspath(self._root) if self._root else self.package.path] if self.package else []
 
@@ -60,7 +61,7 @@ class Submission:
 
     @property
     def shown_folder(self) -> str:
-        """`folder` as a prefix for reports, in the form of the given path: '' or with a separator at its end."""
+        """`folder` as a prefix for reports, in the form of the given path. It is '' or ends with a separator."""
         inside = os.path.relpath(self.file, self.folder)
         if self.launch_path.endswith(inside):
             return self.launch_path[: -len(inside)]
@@ -68,7 +69,7 @@ class Submission:
 
     @cached_property
     def source(self) -> SubmittedText:
-        """The text of the submission, including all files of a package."""
+        """The lines of the submission, including those of all files of a package."""
         others = {os.path.join(self.folder, name): data.decode('utf-8', 'replace') for name, data in self._texts}
         return SubmittedText(self.file, self.data.decode('utf-8', 'replace'), others)
 
@@ -78,24 +79,26 @@ class Submission:
 
     @cached_property
     def _content(self) -> bytes:
-        """Everything that an edit can change."""
+        """The content of all files that an edit can change."""
         parts = [part for name, data in self._texts for part in (os.fsencode(name), data)]
         return self.data if not parts else b'\0'.join([self.data, *parts])
 
     @property
     def seed(self) -> int:
-        """A number that changes with every edit (a hash of the text); the rubric's choices come from it."""
+        """A number that changes with every edit, because it depends on the content. The choices of the rubric depend on this
+        number.
+        """
         return Random(self._content).getrandbits(32)
 
     @property
     def sha256(self) -> str:
-        """The digest that identifies the graded text in the report."""
+        """The SHA-256 digest of the content, which identifies the graded version in the report."""
         from hashlib import sha256
 
         return sha256(self._content).hexdigest()
 
     def is_as_it_was(self) -> bool:
-        """Return whether all files can still be read and are unchanged."""
+        """Return whether all files can still be read and have not changed."""
         try:
             return Submission(self.file, self._root).sha256 == self.sha256
         except UnusableInput:
@@ -103,7 +106,7 @@ class Submission:
 
 
 def exercise_of(name: str) -> str:
-    """Return the exercise of a file name: ``circle`` for ``circle.launch.py`` and ``circle_launch.xml``."""
+    """Return the exercise that a file name belongs to: ``circle`` for ``circle.launch.py`` and ``circle_launch.xml``."""
     for ending in ENDINGS:
         if name.endswith(ending):
             return name[: -len(ending)]
@@ -111,7 +114,7 @@ def exercise_of(name: str) -> str:
 
 
 def _refuse_links(given: str, file: str, folder: str) -> None:
-    """Refuse a link, which could lead to another student's work or to the solution.
+    """Raise an error for a link, which could lead to another student's work or to the solution.
 
     :raises UnusableInput: with the path of the link.
     """
@@ -122,7 +125,7 @@ def _refuse_links(given: str, file: str, folder: str) -> None:
 
 
 def _launch_path(path: str) -> str:
-    """Return the launch file of a path. For a package, this is the launch file with the package's name."""
+    """Return the launch file that a path names. For a package, this is the launch file with the package's name."""
     if not os.path.isdir(path):
         return path
     package = package_at(path)
@@ -147,7 +150,7 @@ def _read(path: str) -> bytes:
     if len(data) > LARGEST_BYTES:
         raise UnusableInput(
             f'{path} is larger than {LARGEST_BYTES:,} bytes, which is too large for a launch file',
-            help='give the path of the launch file',
+            help='type the path of the launch file',
         )
     return data
 
@@ -183,8 +186,8 @@ def _nearest_to(path: str) -> str:
         return f'did you mean {os.path.join(folder, close)}?'
     shown = f'the folder {folder}' if folder else 'the current folder'
     if not names:
-        return f'type the path of a launch file, because {shown} has none'
-    return f'type the path of one of the launch files in {shown}: {", ".join(names)}'
+        return f'type the path of a launch file ({shown} has none), or a command that `edugrade --help` lists'
+    return f'type the path of a launch file or package in {shown}: {", ".join(names)}'
 
 
 MANIFEST = 'package.xml'
@@ -199,14 +202,14 @@ DEEPEST_TEXT = 30  # levels of folders below the package's folder
 
 
 class PackageFolder(NamedTuple):
-    """The folder of a package (absolute), and the package's name."""
+    """The absolute path of a package's folder, and the name of the package."""
 
     path: str
     name: str
 
     @property
     def workspace(self) -> str:
-        """Return the directories to search for packages: the colcon workspace around its ``src``, or the package itself."""
+        """The directory in which to search for packages: the colcon workspace around its ``src``, or the package itself."""
         parent = os.path.dirname(self.path)
         while os.path.dirname(parent) != parent:
             if os.path.basename(parent) == 'src':
@@ -216,11 +219,11 @@ class PackageFolder(NamedTuple):
 
     @property
     def launch_file(self) -> str:
-        """The main launch file, which has the name of the package and is in its folder ``launch``."""
+        """The main launch file, which has the name of the package and is in the folder ``launch`` of the package."""
         return os.path.join(self.path, 'launch', f'{self.name}.launch.py')
 
     def texts(self) -> Iterator[tuple[str, bytes]]:
-        """Yield (path relative to the package, content) of its text files, in a fixed order; the first MOST_FILES of them.
+        """Yield (path relative to the package, content) of the first MOST_FILES text files of the package, in a fixed order.
 
         Links, pipes, unreadable files and files below more than DEEPEST_TEXT directories are left out.
         """
@@ -250,7 +253,7 @@ class PackageFolder(NamedTuple):
 
 
 def package_at(folder: str) -> PackageFolder | None:
-    """Return the package whose package.xml is in this folder, if there is one."""
+    """Return the package whose package.xml is in this folder, or None."""
     try:
         match = _NAME.search(read_regular(os.path.join(folder, MANIFEST), LARGEST_TEXT).decode('utf-8', 'replace'))
     except OSError as error:
@@ -265,7 +268,7 @@ def _is_generated(name: str) -> bool:
 
 
 def package_above(file: str) -> PackageFolder | None:
-    """Return the package of a file, if the file is in one."""
+    """Return the package that contains a file, or None."""
     folder = os.path.dirname(os.path.abspath(file))
     for _ in range(DEEPEST):
         package = package_at(folder)

@@ -1,6 +1,8 @@
-"""``check('radio')`` of a lesson's "Your turn". Its rubric is in ``checks/`` beside the notebook, and names what it checks. A
-turn runs in the notebook's own process and folder, like the cells above it. Its report and its record have the form of an
-exercise, and it never ends in a traceback.
+"""``check('radio')`` for the section "Your turn" of a lesson.
+
+Its rubric is in ``checks/`` beside the notebook, and names the file or the values to check. A turn runs in the notebook's own
+process and folder, like the cells above it. Its report and its record have the form of those of an exercise. It never ends with a
+traceback.
 """
 
 from __future__ import annotations
@@ -32,12 +34,14 @@ it.
 
 
 def find_turn(name: str) -> str | None:
-    """Return the rubric of a lesson's check: in ``checks/`` beside the notebook or in ``lessons`` above, or None."""
+    """Return the rubric of a lesson's check, or None. The search covers ``checks/`` beside the notebook and in ``lessons``
+    above.
+    """
     return turns().get(name)
 
 
 def turns() -> dict[str, str]:
-    """Return the rubrics of all turns of the lessons around, by name."""
+    """Return the rubric of each turn of the lessons around the current folder, by name."""
     above = os.curdir
     for _ in range(HIGHEST):
         for folder in (above, os.path.join(above, 'lessons')):
@@ -48,18 +52,19 @@ def turns() -> dict[str, str]:
 
 
 def grade_turn(name: str, path: str, names: Mapping[str, Any]) -> Report:
-    """Return the report of a turn.
+    """Grade a turn of a lesson, and return the report.
 
-    :param path: the path of its rubric.
+    :param name: the name of the turn.
+    :param path: the path of the turn's rubric.
     :param names: the values that the cells of the notebook have defined, for a rubric that checks them.
-    :raises UnusableInput: when the checked file does not exist or cannot be read.
+    :raises UnusableInput: if the file to check does not exist or cannot be read.
     """
     rubric = load_rubric(path)
     return _of_values(name, rubric, names) if rubric.names else _of_file(name, rubric, os.path.dirname(os.path.dirname(path)))
 
 
 def _of_values(name: str, rubric: Rubric, names: Mapping[str, Any]) -> Report:
-    """Return the report on values that a cell has defined."""
+    """Return the report on values that cells have defined."""
     source = SubmittedText(os.path.abspath('cell.py'), '')
     defined = {each: names[each] for each in rubric.names if each in names}
     results = judge(rubric.checks, (), source, defined)[1:]
@@ -78,7 +83,7 @@ def _text_of(value: object) -> str:
 
 
 def _of_file(name: str, rubric: Rubric, folder: str) -> Report:
-    """Return the report on a launch file, or on the file that the rubric's own launch file starts."""
+    """Return the report on a launch file, or on a file that the rubric's own launch file starts."""
     path = os.path.normpath(os.path.join(folder, rubric.of))
     try:
         submission = Submission(path)
@@ -130,7 +135,10 @@ def _outcome(scenario: Scenario, launch: str, ended: str) -> Outcome:
 
 
 def _target(launch: str) -> tuple[str, str | None]:
-    """Return the path of a launch file. A file of a package is named by the package, so that only installed files are found."""
+    """Return the target of a launch file: its path and None or, for a file in a package, the package and the file's name.
+
+    With the package's name, launch finds only installed files.
+    """
     package = Submission(launch).package
     return (launch, None) if package is None else (package.name, os.path.basename(launch))
 

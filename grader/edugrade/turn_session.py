@@ -1,5 +1,6 @@
-"""The simulation of a lesson's turn, with what the rubric hides from the student: programs that cannot start, and messages of
-the grader. The trusted peer does the same for an exercise.
+"""The simulation of a lesson's turn, with the parts that the rubric hides from the student.
+
+These parts are programs that cannot start, and messages of the grader. For an exercise, the trusted peer adds them.
 """
 
 from __future__ import annotations
@@ -7,13 +8,13 @@ from __future__ import annotations
 import errno
 import os
 import signal
-from collections.abc import Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
 from edulaunch.engine.graph.qos import QoS
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.engine.processes.host import Host
+from edulaunch.runtime.first_starts import FirstStarts
 from edulaunch.runtime.session import Session
 
 from .evidence import Scenario
@@ -29,43 +30,36 @@ class _Visitor(NamedTuple):
     pid: int = 0
 
 
-class TurnHost(Host):
-    """Starts programs, except those whose first start fails.
-
-    :ivar fails: as in `Scenario.fails`.
-    """
-
-    fails: Sequence[str] = ()
+class TurnHost(FirstStarts, Host):
+    """Starts programs, except those whose first start fails."""
 
     def start(self, spec: Any, *others: Any, **more: Any) -> Any:
-        """Implement `Host.start`.
+        """Start a program like `Host.start`.
 
-        :raises BlockingIOError: for a program of `fails`, as when a computer has too many processes.
+        :raises BlockingIOError: for the first start of a program in `fails`, as if the computer had too many processes.
         """
         known = self.known_command(spec, more.get('index'))
         program = known.program if known is not None else None
         name = program.executable if program is not None else ' '.join(spec.argv if known is None else known.argv)
-        refused = next((each for each in self.fails if f'{name} '.startswith(f'{each} ')), None)
-        if refused is not None:
-            self.fails = [each for each in self.fails if each != refused]
+        if self.refuses(name):
             raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
         return super().start(spec, *others, **more)
 
 
 class TurnSession(Session):
-    """A session of a turn."""
+    """The session of a turn."""
 
     host_class = TurnHost
     host: TurnHost
 
     def hide(self, scenario: Scenario) -> None:
-        """Prepare the failing programs and the messages of a run."""
+        """Prepare the programs that must fail, and the messages that the grader sends in a run."""
         self.host.fails = list(scenario.fails)
         for topic, (time_s, text) in scenario.sent.items():
             self.sim.schedule(self.sim.start_ns + round(time_s * 1e9), partial(self._visit, topic, text))
 
     def end(self, executable: str) -> None:
-        """Stop a program as Ctrl-C does, and let time pass."""
+        """Send SIGINT to the programs of an executable, as Ctrl-C does, and continue the run for ENDED_S simulated seconds."""
         for process in list(self.host.processes):
             if process.spec.executable == executable:
                 process.send_signal(signal.SIGINT)

@@ -1,8 +1,8 @@
-"""The choices of a course secret: runs that students cannot predict, and each student's own variant of an exercise.
+"""The use of a course secret: runs that students cannot predict, and each student's own variant of an exercise.
 
-An exercise's entry in course.toml lists the variants, such as ``variants = [['0.4', '0.3', '0.5'], ['lamp', 'mirror']]``. Each
-row begins with the string of the starter file, the solution, the rubric and the hints. The other strings can replace it. A
-course without a secret has the first string of each row.
+An exercise's entry in course.toml lists the variants, such as ``variants = [['0.4', '0.3', '0.5'], ['lamp', 'mirror']]``.
+Each row begins with the string that the starter file, the solution, the rubric and the hints contain. The other strings can
+replace it. A course without a secret uses the first string of each row.
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ LEAST_BYTES, MOST_BYTES = 16, 4096
 
 
 class CourseSecret:
-    """A secret from a file. Other programs can see environment variables and the command line, so it is never read from there.
+    """A secret from a file. It is never read from environment variables or the command line, because other programs can see
+    these.
 
-    :raises UnusableInput: when the file cannot be read, is too short to be a secret, or all users of the computer can change
-        it.
+    :raises UnusableInput: if the file cannot be read, is too short to be a secret, or all users of the computer can change it.
     """
 
     def __init__(self, path: str) -> None:
@@ -43,14 +43,14 @@ class CourseSecret:
 
     @classmethod
     def of(cls, key: bytes) -> CourseSecret:
-        """Return a secret without a file, for experiments."""
+        """Return a secret from bytes, for experiments."""
         found = cls.__new__(cls)
         found._key = key
         return found
 
     @property
     def name(self) -> str:
-        """A name that identifies the secret without revealing it."""
+        """A string that identifies the secret without revealing it."""
         return hmac.digest(self._key, b'edugrade: which secret', 'sha256').hex()[:16]
 
     def number(self, *words: str) -> int:
@@ -59,7 +59,7 @@ class CourseSecret:
         return int.from_bytes(hmac.digest(self._key, message, 'sha256')[:8], 'big')
 
     def seed(self, exercise: str, student: str, sha256: str) -> int:
-        """Return the seed for the runs of a submission, which differs for each student and each text."""
+        """Return the seed for the runs of a submission. It differs for each student and each version of the file."""
         message = '\0'.join((exercise, student, sha256)).encode('utf-8', 'surrogateescape')
         return int.from_bytes(hmac.digest(self._key, message, 'sha256')[:4], 'big')
 
@@ -72,7 +72,9 @@ MARK = re.compile(r'Variant ([0-9a-f]{8})\b')
 class Variant(NamedTuple):
     """The values that replace the usual strings in one student's exercise.
 
-    :param tag: identifies the variant in the student's file.
+    :param student: the name of the student.
+    :param tag: the string that identifies the variant in the student's file.
+    :param values: the student's string for each usual string.
     """
 
     student: str
@@ -80,26 +82,28 @@ class Variant(NamedTuple):
     values: Mapping[str, str]
 
     def of(self, text: str) -> str:
-        """Return a string of the course for this student. Only whole words and numbers are replaced, all at once."""
+        """Return a string of the course with the student's values. Only whole words and numbers are replaced, all at the same
+        time.
+        """
         if not self.values:
             return text
         words = '|'.join(re.escape(word) for word in sorted(self.values, key=len, reverse=True))
         return re.sub(rf'(?<![\w.])(?:{words})(?!\w|\.\d)', lambda found: self.values[found[0]], text)
 
     def stub(self, text: str) -> str:
-        """Return the starter file for this student: with the student's values, and a line with the tag of the variant."""
+        """Return the starter file with the student's values, and with a line that contains the tag of the variant."""
         line = f'Variant {self.tag}, made for {self.student}.\n\n'
         return re.sub(r'^(?=Grade it )', lambda found: line, self.of(text), count=1, flags=re.MULTILINE)
 
     def is_of_another(self, text: str) -> bool:
-        """Return whether a file belongs to another student's variant."""
+        """Return whether the content of a file belongs to another student's variant."""
         return any(tag != self.tag for tag in MARK.findall(text))
 
 
 def personal(exercise: Exercise, student: str, secret: CourseSecret) -> Variant | None:
-    """Return the variant of a student; None for an exercise that is the same for all.
+    """Return the variant of a student, or None for an exercise that is the same for all students.
 
-    The same student, exercise and secret give the same on every machine and every Python.
+    The same student, exercise and secret give the same variant on every computer and with every version of Python.
     """
     if not exercise.variants or not student:
         return None
@@ -109,10 +113,12 @@ def personal(exercise: Exercise, student: str, secret: CourseSecret) -> Variant 
 
 
 def variant_for(name: str, student: str, secret: CourseSecret | None) -> Variant | None:
-    """Return the variant for grading an exercise: from the secret for this student, or else from the student's copy of the
-    course. The search for the course begins in the current folder, never in the submission.
+    """Return the variant for grading an exercise, or None.
 
-    :raises UnusableInput: when the course, or the student's file in it, cannot be read.
+    With a secret, it is computed for this student. Otherwise, it is read from the student's copy of the course. The search
+    for the course begins in the current folder, never in the submission.
+
+    :raises UnusableInput: if the course, or the student's file in it, cannot be read.
     """
     if secret is not None:
         known = read_course(course_manifest() or find_course(os.sep))
@@ -122,7 +128,7 @@ def variant_for(name: str, student: str, secret: CourseSecret | None) -> Variant
 
 
 def write_variants(student: str, variants: Mapping[str, Variant]) -> bytes:
-    """Return the file of a student's copy that has the values of each exercise."""
+    """Return the content of the file in a student's copy of the course that contains the values of each exercise."""
     lines = [f'# The values of the exercises as they were made for {student}. check() and edugrade read them.\n']
     for name, variant in variants.items():
         lines.append(f'\n[{name}]\nstudent = {json.dumps(student)}\ntag = "{variant.tag}"\n[{name}.values]\n')

@@ -1,4 +1,6 @@
-"""Turns the end of a child process into an outcome. Everything that the child sends is data, which is parsed and never run."""
+"""Turns the end of a child process into an outcome. Everything that the child sends is data, which are parsed and never
+executed.
+"""
 
 from __future__ import annotations
 
@@ -30,7 +32,7 @@ _FRAME = re.compile(r'File "([^"\n]+)", line (\d{1,9})\b')
 
 
 def unconfined(sandbox: Mapping[str, str] | None) -> dict[str, str]:
-    """Return the layers of the sandbox that failed, with the reasons. VIEW is an additional layer and does not count."""
+    """Return the layers of the sandbox that failed, with the reasons. The layer VIEW is optional and is left out."""
     return {layer: reason for layer, reason in (sandbox or {}).items() if reason != 'held' and layer != VIEW}
 
 
@@ -63,7 +65,7 @@ def _verdict(run: ChildRun) -> Outcome:
 
 
 def _not_begun(run: ChildRun) -> Outcome:
-    """Return the outcome of a run that ended before the submission was read, so that it is not the student's mistake."""
+    """Return the outcome of a run that ended before the submission was read. So the student did not cause the end."""
     report = (
         _report(bytes(run.frame[HEADER_BYTES : HEADER_BYTES + run.announced])) if run.complete and run.frame[:1] == b'B' else None
     )
@@ -106,7 +108,7 @@ def _stopped_itself(run: ChildRun, report: dict[str, Any], where: Place | None) 
 
 
 def _broken(run: ChildRun, report: Any) -> Outcome:
-    """Return the outcome when edulaunch failed in the process of the submission, which the submission may have caused."""
+    """Return the outcome for a failure of edulaunch in the process of the submission. The submission may have caused it."""
     words = report if isinstance(report, dict) else {}
     text = f'edulaunch failed in the process that runs this file: {_text(words, "text") or "the reason is unknown"}'
     advice = "remove code that changes edulaunch's own objects; without such code, show this report to your teacher"
@@ -190,7 +192,7 @@ def _stopped(run: ChildRun, text: str, try_: str, where: Place | None = None) ->
 
 
 def _faulted_at(printed: str) -> Place | None:
-    """Return the innermost place that `faulthandler` printed, in a file that is not the engine's."""
+    """Return the innermost place that `faulthandler` printed and that is neither in the engine nor in Python, or None."""
     for file, line in _FRAME.findall(printed):
         if os.path.isabs(file) and not is_engine(file) and not file.startswith(sys.prefix):
             return Place(file, int(line))
@@ -228,7 +230,7 @@ _STARTS_NOTHING = 'return a LaunchDescription with a Node in it, and remove call
 
 
 def recorded(scenario: Scenario, content: bytes) -> Outcome | None:
-    """Return the outcome of these bytes, or None when they are not a recording of this scenario.
+    """Return the outcome of a recording in bytes, or None if they are not a recording of this scenario.
 
     :param content: a line of JSON with the provenance of the rows and the contents of each bag, then the recording.
     """
@@ -252,7 +254,7 @@ def recorded(scenario: Scenario, content: bytes) -> Outcome | None:
 
 
 def come_to(scenario: Scenario, recording: Recording) -> Outcome:
-    """Return the outcome of a recorded run: whether launch ended normally."""
+    """Return the outcome of a recorded run, which depends on whether launch ended normally."""
     launch, programs = recording.launch, recording.processes
     if missing := missing_for(recording):
         return no_mark_for(Outcome(scenario, 'recorded'), missing[0])._replace(try_=missing[1])
@@ -270,8 +272,10 @@ def come_to(scenario: Scenario, recording: Recording) -> Outcome:
 
 
 def _launch_error(scenario: Scenario, launch: LaunchRecord) -> Outcome:
-    """Return the outcome with the message of launch, and below it what is wrong. The last line of the message repeats the place,
-    so it is left out."""
+    """Return the outcome for an error of launch, with the message of launch and the problem below it.
+
+    The last line of the message is left out, because it repeats the place.
+    """
     text = (launch.error or '').removesuffix(f'\n  at {launch.error_file}:{launch.error_line}')
     where = None
     if launch.error_file is not None and not is_engine(launch.error_file):

@@ -1,5 +1,6 @@
-"""Does work within limits, in a separate process or with a limit on processor time. A worker is a fork of the grader. It needs
-no input, and answers with JSON. If it fails, only one submission is affected.
+"""Does work within limits, in a separate process or with a limit on processor time.
+
+A worker is a fork of the grader. It needs no input, and answers with JSON. If it fails, only one submission is affected.
 Other runs continue while it works.
 """
 
@@ -40,17 +41,18 @@ _to_load: list[str] = []
 
 
 class Exceeded(Exception):
-    """The work exceeded its limits."""
+    """A piece of work has exceeded its limits."""
 
 
 class Lost(Exception):
-    """Another process killed the worker each time (its limits end it in other ways), or the worker is too late."""
+    """Another process killed the worker each time (its limits end it in other ways), or the worker took too long."""
 
 
 @contextmanager
 def attended(attend: Attend) -> Iterator[None]:
-    """Use this function to wait for workers inside the context: given a descriptor and seconds, it returns whether the
-    descriptor is readable.
+    """Use a function for waiting for workers, while this context manager is active.
+
+    :param attend: a function that gets a descriptor and a number of seconds. It returns whether the descriptor is readable.
     """
     _attending.append(attend)
     try:
@@ -60,12 +62,13 @@ def attended(attend: Attend) -> Iterator[None]:
 
 
 def in_worker(work: Callable[[], Any]) -> Any:
-    """Call `work` in a worker, and return its result as JSON represents it. A process with threads (such as a notebook's)
-    cannot fork safely, so it does the work itself, with the limit on processor time.
+    """Call `work` in a worker, and return the result after a conversion to JSON and back.
 
-    :raises Exceeded: when it used too much processor time or memory.
-    :raises Lost: when it was killed, or has not finished after LONGEST_S.
-    :raises RuntimeError: with the exception that it raised.
+    A process with threads (such as a notebook's) cannot fork safely, so it does the work itself, without these limits.
+
+    :raises Exceeded: if the work used too much processor time or memory.
+    :raises Lost: if the worker was killed, or has not finished after LONGEST_S.
+    :raises RuntimeError: with the name and message of an exception that `work` raised.
     """
     if not CAN_FORK or threading.active_count() > 1:
         return json.loads(_text(work))
@@ -83,7 +86,7 @@ def in_worker(work: Callable[[], Any]) -> Any:
 
 
 def _once(work: Callable[[], Any]) -> tuple[int, bytes]:
-    """Return the exit code of a worker (a negative signal number if a signal ended it), and its answer."""
+    """Return the exit code of a worker (negative if a signal ended it), and its answer."""
     from .sandbox.system import fork
 
     _load()
@@ -110,7 +113,7 @@ def _once(work: Callable[[], Any]) -> tuple[int, bytes]:
 
 
 def _load() -> None:
-    """Load the modules and message classes that earlier workers had to load, so that the next worker has them."""
+    """Load the modules and message classes that earlier workers had to load, so that the next worker inherits them."""
     names, _to_load[:] = list(_to_load), []
     for name in names:
         with suppress(Exception):  # the next step meets the same error
@@ -121,7 +124,10 @@ def _load() -> None:
 
 
 def _all_of(end: int) -> bytes:
-    """Return the complete answer of the worker, or nothing if it is incomplete."""
+    """Return the complete answer of the worker, or b'' if it is incomplete.
+
+    :raises Lost: if the answer has not arrived after LONGEST_S.
+    """
     deadline = monotonic() + LONGEST_S
     parts: list[bytes] = []
     attend = _attending[-1] if _attending else is_readable
@@ -136,7 +142,7 @@ def _all_of(end: int) -> bytes:
 
 
 def _be_the_worker(work: Callable[[], Any], end: int, parent: int) -> NoReturn:
-    """Answer with a line with the exit code, a line with the loaded modules, the answer, and a line end."""
+    """Do the work, and write a line with the exit code, a line with the loaded modules, the answer, and a line end."""
     code, answer, known = SHORT_OF_MEMORY, b'', {*sys.modules, *_types()}
     gc.freeze()  # a collection would copy all pages that it shares with the grader
     try:
@@ -157,13 +163,13 @@ def _be_the_worker(work: Callable[[], Any], end: int, parent: int) -> NoReturn:
 
 
 def _own(known: set[str]) -> list[str]:
-    """Return the modules of edulaunch and edugrade that were loaded since, in their order, and then the stock types."""
+    """Return the modules of edulaunch and edugrade that were loaded after `known`, in order, and then the new stock types."""
     modules = [name for name in sys.modules if name.split('.')[0] in ('edulaunch', 'edugrade')]
     return [name for name in (*modules, *_types()) if name not in known]
 
 
 def _types() -> list[str]:
-    """Return the stock types whose classes were created in this process."""
+    """Return the names of the stock types whose classes have been created in this process."""
     registry = sys.modules.get(REGISTRY)
     return [cls.TYPE for cls in registry.underlay_registry().classes() if hasattr(cls, 'TYPE')] if registry else []
 
@@ -173,7 +179,7 @@ def _text(work: Callable[[], Any]) -> str:
 
 
 def _limit(end: int, parent: int) -> None:
-    """Apply the limits, close the grader's open files (its lock, its runs), and end when the grader ends."""
+    """Apply the limits, close the grader's open files (its lock, its runs), and make this process end when the grader ends."""
     import resource
 
     from .sandbox.system import PR_SET_PDEATHSIG, prctl
@@ -195,21 +201,25 @@ def _limit(end: int, parent: int) -> None:
 
 
 def _address_space() -> int:
-    """Return the memory of this process in bytes, or 0 on a system that does not report it."""
+    """Return the size of this process's address space in bytes, or 0 on a system that does not report it."""
     with suppress(OSError, ValueError), open('/proc/self/statm') as file:
         return int(file.read().split()[0]) * os.sysconf('SC_PAGE_SIZE')
     return 0
 
 
 class TooLong(Exception):
-    """The processor time allowed for a piece of work is over."""
+    """A piece of work has used all its processor time."""
 
 
 @contextmanager
 def cpu_limit(seconds: float) -> Iterator[None]:
-    """Raise TooLong inside the context after this much processor time, however busy the machine is. This limits only the main
-    thread on a POSIX system, and nothing elsewhere. Python ignores an exception in a destructor or a callback of a weak
-    reference. The timer therefore repeats, and raises TooLong every REMIND_S until it ends the work.
+    """Raise TooLong in this context after a number of seconds of processor time, however busy the computer is.
+
+    The limit applies only in the main thread of a POSIX system. Python ignores an exception in a destructor or in a callback
+    of a weak reference. So the timer repeats, and raises TooLong every REMIND_S until the work ends.
+
+    :param seconds: the processor time in seconds.
+    :raises TooLong: if the work needs more processor time.
     """
     if threading.current_thread() is not threading.main_thread() or not hasattr(signal, 'setitimer'):
         yield

@@ -25,7 +25,8 @@ on these pages. It reports what is wrong, where, and what to do. You see this ad
 - in reports of `edugrade`, as the likely cause of a failed check;
 - from `ros2 doctor` for running programs, and from `edulaunch doctor FILE|FOLDER|RECORDING|PACKAGE` for everything else.
 
-`edulaunch explain RULE` prints a rule with an example and its page. A rule is *stated* if it is certain, and *asked* if it cannot know what you meant.
+`edulaunch explain RULE` prints a rule with an example and its page. Most rules are certain. If a rule cannot know what you meant, its page says so.
+As data, a finding has the `confidence` `stated` or `asked`.
 
 `LANG`, `LC_ALL` and `LANGUAGE` select the language, and `EDULAUNCH_LANG=de` selects German. Recordings are the same in every language.
 
@@ -124,7 +125,8 @@ def _section(rule: Rule, kind: str) -> Iterator[str]:
     yield f'## {rule.name}'
     yield ''
     lesson = f' See `lessons/{rule.lesson}.ipynb`.' if rule.lesson else ''
-    yield f'This rule checks {KINDS[kind]}. Its level is *{rule.level}*, and its confidence is *{rule.confidence}*.{lesson}'
+    doubt = ' It cannot know what you meant.' if rule.confidence == 'asked' else ''
+    yield f'This rule checks {KINDS[kind]}. Its level is *{rule.level}*.{doubt}{lesson}'
     if rule.name in WITHOUT:
         yield ''
         yield f'> {rule.what[0]}'

@@ -165,6 +165,79 @@ NEWS = HELLO.replace(
     "    import os, tempfile\n    path = os.path.join(tempfile.gettempdir(), 'news.yaml')\n    with open(path, 'w') as file:\n"
     "        file.write('/**:\\n  ros__parameters:\\n    word: ships come in\\n    period: 0.25\\n')\n    room = Launch",
 ).replace('parameters=[news]', 'parameters=[path]')
+GATED = FROM_POSE.replace(
+    '        self.create_timer(1.0, self.on_timer)',
+    "        self.first = None\n        self.create_subscription(TFMessage, '/tf', self.on_tf, 10)\n"
+    '        self.create_timer(1.0, self.on_timer)\n\n    def on_tf(self, message):\n        self.first = self.first or self.now()',
+).replace(
+    "('before', self.ago)):\n",
+    "('before', self.ago)):\n            if self.first is None or self.now() - ago < self.first:\n                continue\n",
+)
+NOBODY = """from geometry_msgs.msg import TransformStamped
+from tf2_ros import StaticTransformBroadcaster
+
+
+class Broadcaster(Node):
+    def __init__(self):
+        super().__init__('broadcaster')
+        self.tf = StaticTransformBroadcaster(self)
+        frames = [TransformStamped(child_frame_id=name) for name in ('turtle1', 'turtle2')]
+        for frame in frames:
+            frame.header.frame_id = 'world'
+        self.tf.sendTransform(frames)
+"""
+NO_WORLD = """from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='two_turtles', executable='broadcaster')])
+"""
+CONVOY = (ROOT / 'solutions' / 'convoy' / 'launch' / 'convoy.launch.py').read_text()
+HANDLER = 'RegisterEventHandler(OnProcessStart(target_action=sim, on_start=row)),\n        sim,'
+BY_POSES = """from math import atan2, cos, hypot, sin
+
+from geometry_msgs.msg import Twist
+from turtlesim.msg import Pose
+
+
+class Follower(Node):
+    def __init__(self):
+        super().__init__('follower')
+        me = self.declare_parameter('turtle', 'turtle2').value
+        self.place = self.goal = None
+        self.create_subscription(Pose, f'/{me}/pose', self.on_place, 1)
+        self.create_subscription(Pose, f'/turtle{int(me[-1]) - 1}/pose', self.on_goal, 1)
+        self.publisher = self.create_publisher(Twist, f'/{me}/cmd_vel', 1)
+        self.timer = self.create_timer(0.1, self.on_timer)
+
+    def on_place(self, pose):
+        self.place = pose
+
+    def on_goal(self, pose):
+        self.goal = pose
+
+    def on_timer(self):
+        if self.place is None or self.goal is None:
+            return
+        x = self.goal.x - cos(self.goal.theta) - self.place.x
+        y = self.goal.y - sin(self.goal.theta) - self.place.y
+        turn, twist = atan2(y, x) - self.place.theta, Twist()
+        twist.linear.x, twist.angular.z = 1.5 * hypot(x, y), 4.0 * atan2(sin(turn), cos(turn))
+        self.publisher.publish(twist)
+"""
+DECOY = """class Decoy(Node):
+    def __init__(self):
+        super().__init__('decoy')
+        for name in ('me', 'target'):
+            self.declare_parameter(name, '')
+"""
+DECOYS = FOLLOWER.replace(
+    "parameters=[{'me': me, 'target': ['carrot_', leader]}]),",
+    "parameters=[{'turtle': me}]),\n        Node(package='convoy', executable='decoy', name=['decoy_', me],\n"
+    "             parameters=[{'me': me, 'target': ['carrot_', leader]}]),",
+)
+SETUP = (ROOT / 'solutions' / 'convoy' / 'setup.py').read_text()
 PACKAGES: dict[str, PackageAttack] = {
     'news_desk: a listener that prints by a fast clock': PackageAttack(
         'news_desk', 8, {'news_desk/listen.py': HEAD + LISTEN.format(period=0.02) + MAIN.format('Listen')}
@@ -192,6 +265,36 @@ PACKAGES: dict[str, PackageAttack] = {
         {
             'launch/two_turtles.launch.py': STOCK_TURTLES,
             'two_turtles/broadcaster.py': (TURTLES / 'two_turtles' / 'broadcaster.py').read_text(),
+        },
+    ),
+    'two_turtles: frames of turtles that do not exist': PackageAttack(
+        'two_turtles',
+        1,
+        {'launch/two_turtles.launch.py': NO_WORLD, 'two_turtles/broadcaster.py': HEAD + NOBODY + MAIN.format('Broadcaster')},
+    ),
+    'where_now: positions from the simulator, after the first transform': PackageAttack(
+        'where_now', 1, {'where_now/where.py': HEAD + 'from tf2_msgs.msg import TFMessage\n' + GATED + MAIN.format('Where')}
+    ),
+    'convoy: followers behind the simulator in the list': PackageAttack(
+        'convoy', 10, {'launch/convoy.launch.py': CONVOY.replace(HANDLER, 'sim, *row,')}
+    ),
+    'convoy: followers that wait for a timer': PackageAttack(
+        'convoy',
+        10,
+        {
+            'launch/convoy.launch.py': CONVOY.replace(HANDLER, 'TimerAction(period=0.5, actions=row), sim,').replace(
+                'Reg', 'TimerAction, Reg', 1
+            )
+        },
+    ),
+    'convoy: the parameters are those of a node that drives nothing': PackageAttack(
+        'convoy',
+        5,
+        {
+            'convoy/follower.py': HEAD + BY_POSES + MAIN.format('Follower'),
+            'convoy/decoy.py': HEAD + DECOY + MAIN.format('Decoy'),
+            'launch/follower.launch.py': DECOYS,
+            'setup.py': SETUP.replace("'console_scripts': [", "'console_scripts': ['decoy = convoy.decoy:main',"),
         },
     ),
     'two_seas: a file called sea.yaml that launch writes': PackageAttack(

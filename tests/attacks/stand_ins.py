@@ -40,6 +40,20 @@ def pub(topic: str, values: str, more: str = '') -> str:
     return f"ExecuteProcess(cmd=['ros2', 'topic', 'pub', '-r', '10', {topic!r}, 'geometry_msgs/msg/Twist', {values}]{more})"
 
 
+PUSH = """
+from turtlesim.srv import TeleportRelative
+client = node.create_client(TeleportRelative, '/turtle1/teleport_relative')
+node.create_timer(0.1, lambda: client.call_async(TeleportRelative.Request(linear=0.05, angular=0.02)))
+"""
+TEACHER = (
+    WORLD.format('teacher'),
+    "ExecuteProcess(cmd=['ros2', 'topic', 'pub', '/teacher/turtle1/cmd_vel', 'geometry_msgs/msg/Twist', "
+    "['{linear: {x: ', LaunchConfiguration('speed'), '}, angular: {z: 0.5}}']])",
+)
+FRAME = (
+    "Node(package='tf2_ros', executable='static_transform_publisher', arguments=['--frame-id', {!r}, '--child-frame-id', {!r}{}])"
+)
+LISTENER = "Node(package='turtle_tf2_py', executable='turtle_tf2_listener', parameters=[{{'target_frame': {!r}}}])"
 STEPS = """
 from math import cos, sin
 from turtlesim.srv import TeleportAbsolute
@@ -149,6 +163,73 @@ STAND_INS: dict[str, Attack] = {
             empty('steps', "LaunchConfiguration('speed')", setup=STEPS),
             MIMIC,
             arguments={'speed': '1.0'},
+        ),
+    ),
+    'two_pools: mimic copies the turtle of a third pool': Attack(
+        'two_pools',
+        10,
+        launch(
+            *(WORLD.format(name) for name in ('first', 'second', 'third')),
+            *(
+                pub(f'/{name}/turtle1/cmd_vel', "['{linear: {x: ', LaunchConfiguration('speed'), '}, angular: {z: 1.0}}']")
+                for name in ('first', 'third')
+            ),
+            MIMIC.replace('/second/turtle1/cmd_vel', '/nowhere'),
+            MIMIC.replace("'mimic', re", "'other', re").replace('/first/', '/third/'),
+            arguments={'speed': '1.0'},
+        ),
+    ),
+    'broken_follow: mimic copies a double of the teacher': Attack(
+        'broken_follow',
+        7,
+        launch(
+            *TEACHER,
+            *(action.replace('teacher', 'double') for action in TEACHER),
+            SIM,
+            MIMIC.replace('/first/', '/double/').replace('/second/', '/'),
+            broadcaster('turtle1'),
+            broadcaster('turtle2'),
+            LISTENER.format('turtle1'),
+            arguments={'speed': '1.0'},
+        ),
+    ),
+    'broken_follow: a frame of a turtle that does not exist': Attack(
+        'broken_follow',
+        1,
+        launch(*TEACHER, SIM, broadcaster('turtle1'), FRAME.format('world', 'turtle2', ''), arguments={'speed': '1.0'}),
+    ),
+    'lost_carrot: a false frame sends turtle2 elsewhere': Attack(
+        'lost_carrot',
+        9,
+        launch(
+            SIM,
+            broadcaster('turtle1'),
+            FRAME.format('world', 'turtle2', ''),
+            FRAME.format('turtle1', 'carrot1', ", '--y', LaunchConfiguration('side')"),
+            LISTENER.format('carrot1'),
+            arguments={'side': '2.0'},
+        ),
+    ),
+    'follow: turtle1 is pushed': Attack(
+        'follow',
+        9,
+        launch(
+            SIM,
+            broadcaster('turtle1'),
+            broadcaster('turtle2'),
+            LISTENER.format('turtle1'),
+            f'GroupAction([{empty("push", setup=PUSH)}]{IF_MOVE})',
+            arguments={'move': 'false'},
+            head=MORE,
+        ),
+    ),
+    'tower: a lamp that leans': Attack(
+        'tower',
+        8,
+        launch(
+            FRAME.format('floor', 'table', ", '--x', '1.0', '--z', LaunchConfiguration('height')"),
+            FRAME.format('table', 'lamp', ", '--z', '0.4', '--yaw', '1.5708', '--roll', '0.7'"),
+            arguments={'height': '0.75'},
         ),
     ),
     'circle: the robot listens elsewhere': Attack(

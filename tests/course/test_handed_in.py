@@ -96,6 +96,7 @@ def test_links_pipes_and_deep_trees_are_not_followed(tmp_path: Path) -> None:
     standings, refused = read_class(str(folder))
     assert [standing.student for standing in standings] == ['anna']
     assert [item.path for item in refused] == ['linked/my_progress.toml', 'piped/my_progress.toml']
+    assert refused[0].why == 'it is a link, and links are not followed'
 
 
 def test_a_folder_without_any_says_what_to_hand_in(tmp_path: Path) -> None:
@@ -103,3 +104,6 @@ def test_a_folder_without_any_says_what_to_hand_in(tmp_path: Path) -> None:
         read_class(str(tmp_path))
     with pytest.raises(UnusableInput, match='No such file'):
         read_class(str(tmp_path / 'nowhere'))
+    (tmp_path / 'class.zip').write_bytes(b'PK')
+    with pytest.raises(UnusableInput, match='unpack an archive'):
+        read_class(str(tmp_path / 'class.zip'))

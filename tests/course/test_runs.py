@@ -39,7 +39,8 @@ def course(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def ran(monkeypatch: pytest.MonkeyPatch) -> list[tuple[str, dict[str, str]]]:
     seen: list[tuple[str, dict[str, str]]] = []
 
-    def run(path: str) -> object:
+    def run(path: str, called: str) -> object:
+        assert called == f'lessons/{Path(path).name}', 'a message names the lesson, and not the folder in which it runs'
         here = Path(path).parent
         seen.append((Path(path).stem, {file.name: file.read_text() for file in here.rglob('my_launch/*')}))
         return {'cells': [{'cell_type': 'code', 'id': 'c0', 'outputs': [{**PRINTED, 'text': f'in {here}/my_launch'}]}]}
@@ -74,7 +75,8 @@ def test_nothing_runs_again_until_something_changes(course: Path, ran: list[tupl
 def test_a_lesson_that_needs_more_makes_all_run_in_order(course: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     ran: list[str] = []
 
-    def run(path: str) -> object:
+    def run(path: str, called: str) -> object:
+        assert called == f'lessons/{Path(path).name}', 'a message names the lesson, and not the folder in which it runs'
         here = Path(path).parent
         if here.joinpath('my_made').exists() < Path(path).stem.startswith('02'):
             raise UnusableInput('a cell failed')

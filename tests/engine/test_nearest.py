@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from edulaunch.engine.nearest import nearest, nearest_few, nearest_file, nearest_spelling
+from edulaunch.engine.nearest import nearest, nearest_few, nearest_file, nearest_name, nearest_spelling
 
 NAMES = ['my_robot_bringup', 'my_robot_description', 'turtlesim']
 
@@ -62,3 +62,9 @@ def test_a_misspelt_package_is_near_and_another_one_is_not(name: str, expected: 
 def test_another_word_in_a_name_is_no_misspelling() -> None:
     assert nearest_spelling('color_qos', ['color_fps']) is None
     assert nearest_spelling('cmd_vle', ['cmd_vel']) == 'cmd_vel'
+
+
+def test_a_full_name_means_only_a_name_with_the_same_last_part() -> None:
+    assert nearest_name('/turtle1/cmd_vel', ['/red/turtle1/pose', '/turtle1/pose']) is None
+    assert nearest_name('/turtle1/cmd_vel', ['/red/turtle1/pose', '/red/turtle1/cmd_vel']) == '/red/turtle1/cmd_vel'
+    assert nearest_name('/chater', ['/chatter']) == '/chatter'

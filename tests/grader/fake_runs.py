@@ -70,6 +70,12 @@ def node(name: str, of: ProcessRecord, publishes: str = '', listens: str = '') -
     )
 
 
+def mimic(of: ProcessRecord, original: str, copy: str) -> NodeRecord:
+    """The node of a program mimic that copies a turtle."""
+    found = node('/mimic', of, publishes=f'{copy}/cmd_vel')
+    return found._replace(subscriptions=[(f'{original}/pose', 'turtlesim/msg/Pose')])
+
+
 def frame(
     parent: str,
     x: float,

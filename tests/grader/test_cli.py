@@ -6,6 +6,7 @@ The table for several submissions.
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -133,6 +134,17 @@ sum          1 of 4 passed  3 of 5  4 of 10
 nowhere was not graded: nowhere does not exist
   help: look
 """
+
+
+@pytest.mark.processes
+def test_a_reader_that_stops_early_is_no_error() -> None:
+    reads, writes = os.pipe()
+    os.close(reads)
+    with os.fdopen(writes, 'w') as pipe:
+        done = subprocess.run(
+            [sys.executable, '-m', 'edugrade', 'schema'], stdout=pipe, stderr=subprocess.PIPE, text=True, check=False
+        )
+    assert (done.returncode, done.stderr) == (141, '')
 
 
 def test_every_submission_has_a_line_in_words() -> None:

@@ -210,7 +210,16 @@ def test_two_rubrics_of_one_exercise_are_found(tmp_path: Path, capsys: pytest.Ca
         ("'spin.launch.py'", "'/spin.launch.py'", 'a path in exercises is expected'),
         ("'spin.launch.py'", "''", 'a path in exercises is expected'),
         ('title =', 'titel =', 'spin.launch.py has the unknown field titel in course.toml; did you mean title?'),
-        ('points = 6', 'points = 6\nvariants = [1.0]', 'variants is [1.0] in course.toml, and a list of lists is expected'),
+        (
+            'points = 6',
+            'points = 6\nvariants = [1.0]',
+            'variants is [1.0] in course.toml, and a list of lists of strings is expected',
+        ),
+        (
+            'points = 6',
+            'points = 6\nvariants = [[]]',
+            'variants is [[]] in course.toml, and a list of lists of strings is expected',
+        ),
     ],
 )
 def test_a_field_of_the_manifest_that_cannot_mean_anything_is_named(
@@ -219,6 +228,17 @@ def test_a_field_of_the_manifest_that_cannot_mean_anything_is_named(
     edit(_new_course(tmp_path) / 'course.toml', old, new)
     assert main([str(tmp_path / 'course'), '--quick']) == 1
     assert said in capsys.readouterr().out
+
+
+def test_a_starter_file_that_gets_no_mark_of_its_variant_is_found(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    course = _new_course(tmp_path)
+    edit(course / 'course.toml', 'points = 6', "points = 6\nvariants = [['turtle1', 'turtle2']]")
+    assert main([str(course), '--quick']) == 0
+    edit(course / 'exercises' / 'spin.launch.py', 'Grade it with', 'Grade with')
+    capsys.readouterr()
+    assert main([str(course), '--quick']) == 1
+    said = capsys.readouterr().out
+    assert said.startswith('course: exercises/spin.launch.py needs a line that begins with "Grade it ", because'), said
 
 
 def _new_course(folder: Path) -> Path:

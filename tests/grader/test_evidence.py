@@ -19,6 +19,19 @@ def test_a_name_that_the_student_did_not_write_is_no_slip() -> None:
     assert failure.try_ == 'start it'
 
 
+def test_another_name_in_a_full_name_is_no_slip() -> None:
+    for name, known in (('/hall/listener', '/hall/talker'), ('/kitchen/listener', '/hall/listener'), ('/late/sim', '/sim')):
+        failure = Missing(f'the node {name}', name=name, among=[known], try_='start it')
+        failure.correct(['hall talker listener sim'])
+        assert failure.try_ == 'start it'
+
+
+def test_any_failure_may_know_a_misspelt_name() -> None:
+    failure = Failure('the parent is wrong', name='turtle1', among=['turtel1'], try_='look at the tree')
+    failure.correct(["'--frame-id', 'turtel1'"])
+    assert failure.try_ == 'write "turtle1" instead of "turtel1", or look at the tree'
+
+
 def test_missing_without_anything_near_says_what_to_try() -> None:
     failure = Missing('the node a', name='alpha', among=[], try_='start it')
     assert (failure.seen, failure.try_) == (None, 'start it')

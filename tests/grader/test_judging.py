@@ -142,14 +142,44 @@ def test_a_finding_stands_at_the_check_that_names_it() -> None:
 
 
 def test_a_finding_stands_at_the_check_of_its_line() -> None:
-    checks = [failed('first', where=Place('/x/a.launch.py', 6)), failed('second', where=Place('/x/a.launch.py', 7))]
+    checks = [
+        failed('first', where=Place('/x/a.launch.py', 7), reason='the frame is missing'),
+        failed('second', where=Place('/x/a.launch.py', 7), reason='the node is silent'),
+    ]
     assert [result.cause for result in with_causes(checks, evidence(SAME))] == [None, SAME]
 
 
-def test_the_worst_one_stands_at_the_weightiest_when_none_is_about_it() -> None:
-    checks = [CheckResult('launches', 'x', PASSED), failed('first', points=1), failed('second', points=2)]
-    assert [result.cause for result in with_causes(checks, evidence(SAME, FRAME))] == [None, None, FRAME]
-    assert [result.cause for result in with_causes(checks, evidence(SAME, DEAD))] == [None, None, DEAD]
+def test_a_finding_that_explains_no_check_stands_nowhere() -> None:
+    assert [result.cause for result in with_causes([failed('first', points=1)], evidence(SAME, FRAME))] == [None]
+
+
+def test_a_finding_that_another_check_already_shows_better_stands_nowhere_else() -> None:
+    other = FRAME._replace(name='carot_1')
+    checks = [failed('weak', expected='a drive to carrot1'), failed('best', expected='the frame carrot1', seen='carot1, carot_1')]
+    assert [result.cause for result in with_causes(checks, evidence(FRAME, other))] == [None, FRAME]
+
+
+def test_a_finding_about_a_topic_of_a_turtle_stands_at_the_check_of_the_turtle() -> None:
+    moved = found('topic', '/turtle1/cmd_vel', node='ros2-3', near='/first/turtle1/cmd_vel')._replace(rule='messages.other-topic')
+    checks = [failed('other', reason='turtle2 does not move'), failed('own', reason='first/turtle1 does not drive a circle')]
+    assert [result.cause for result in with_causes(checks, evidence(moved))] == [None, moved]
+
+
+def test_a_finding_about_a_joint_stands_at_the_check_of_the_joint() -> None:
+    wrong = found('topic', '/joint_states', node='ros2-2', joint='mast_jont', joints=['mast_joint'], near='mast_joint')
+    wrong = wrong._replace(rule='messages.other-joint')
+    checks = [failed('camera'), failed('mast', reason='no node publishes the angle of the joint')]
+    assert [result.cause for result in with_causes(checks, evidence(wrong))] == [None, wrong]
+
+
+def test_a_finding_that_only_repeats_the_check_is_left_out() -> None:
+    absent = FRAME._replace(name='turtle2', facts={'near': None, 'nodes': '/listener'})
+    assert with_causes([failed('only', reason='the frame turtle2 is missing')], evidence(absent))[0].cause is None
+
+
+def test_a_finding_about_the_graders_own_node_is_left_out() -> None:
+    visited = found('topic', '/blue/chatter', node='/visitor', near='/red/chatter')._replace(rule='messages.other-topic')
+    assert with_causes([failed('only', expected='a subscription to /blue/chatter')], evidence(visited))[0].cause is None
 
 
 def test_a_death_that_a_check_tells_of_is_not_told_twice() -> None:

@@ -225,7 +225,7 @@ NO_EXECUTABLE = about(
         'start a launch file with: ros2 launch {package} {launch_file}',
         "write '{near}'",
         'write the package {owner}, which has an executable {executable}',
-        'run it where the package is built; {unread} in its CMakeLists.txt may install it, and edulaunch cannot read that',
+        'run the program where its package is built: {unread} in CMakeLists.txt may install it, but edulaunch cannot read that',
         'use one of its executables: {known}',
         'add it to entry_points in setup.py, or to install(PROGRAMS ...) in CMakeLists.txt',
     ),

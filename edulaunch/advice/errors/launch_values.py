@@ -204,7 +204,7 @@ def executed_twice(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.too-deep',
     what='actions, includes or calls are nested without end',
-    do='look for one that includes or calls itself',
+    do='look for a launch file that includes itself, or a function that calls itself',
     level='error',
 )
 def too_deep(failure: Failure) -> Iterator[Finding]:
@@ -215,8 +215,11 @@ def too_deep(failure: Failure) -> Iterator[Finding]:
 
 INCLUDE_RING = about(
     'launch.include-ring',
-    what='launch files include each other in a circle: {ring}',
-    do='remove one of these includes, or give it a condition that becomes false',
+    what=('{itself} includes itself', 'launch files include each other in a circle: {ring}'),
+    do=(
+        'remove this include, or give it a condition that becomes false in {itself}',
+        'remove one of these includes, or give it a condition that becomes false',
+    ),
 )
 EMPTY_PARAMETER_FILE = about(
     'launch.empty-parameter-file',
@@ -345,7 +348,10 @@ PARAMETER_FILE_ENCODING = about(
 )
 PARAMETERS_KEY = about(
     'launch.parameters-key',
-    what="'{found}' is not a key of parameter files",
+    what=(
+        "{parameter_file} contains '{found}' above line {at}, which is not a key of parameter files",
+        "'{found}' is not a key of parameter files",
+    ),
     do='write ros__parameters, with two underscores',
     edits=(('{found}', 'ros__parameters'),),
 )

@@ -57,7 +57,7 @@ FIELD_VALUE = about(
         'convert it to a message with self.get_clock().now().{convert}()',
         'set its fields ({fields}), or assign a {wanted}(...)',
         'assign {size} values',
-        'write a decimal point, because the comma makes {commas} values of the number',
+        'write a decimal point, because the comma splits the number into {commas} values',
         'replace {value} with a value in the range of the field; `ros2 interface show` prints its type',
         'assign a value of type {wanted}',
     ),
@@ -70,7 +70,7 @@ CONSTANT = about(
 NO_INTERFACE = about(
     'messages.no-interface',
     what='{module} has no interface {interface}',
-    do=('import it from {homes}', 'write {near}', 'use another interface; `ros2 interface package` lists them'),
+    do=('import it from {homes}', 'write {near}', 'use one of the interfaces that `ros2 interface package` lists'),
     edits=(('{interface}', '{near}', 'near'),),
 )
 CLASS_GIVEN = about(

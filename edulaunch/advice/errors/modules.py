@@ -21,7 +21,7 @@ ABSENT_MODULE = about(
 ABSENT_PACKAGE = about(
     'packages.absent-package',
     what='the package {package} ({belongs_to}) is not part of edulaunch',
-    why='on a robot, the module may be installed; here, this program ends and the others continue',
+    why='on a robot, the package may be installed; here, this program ends and the others continue',
     do='leave it out here, or add a condition to it',
     level='info',
     hides=('launch.fails',),
@@ -70,7 +70,7 @@ def unknown_package(failure: Failure) -> Iterator[Finding]:
 @rule(
     'messages.other-package',
     what='the interface package {module} is not in this workspace, and it is not part of edulaunch',
-    do='add the package with these interfaces to the workspace, or run this program where it is installed',
+    do='add the package with these interfaces to the workspace, or run this program where that package is installed',
     level='info',
 )
 def other_package(failure: Failure) -> Iterator[Finding]:
@@ -155,7 +155,7 @@ IMPORT_NAME = about(
     edits=(('{missing}', '{near}', 'near'),),
 )
 HIDES_MODULE = about(
-    'programs.hides-module', what='Python imports {own_file} instead of its own module {module}', do='rename that file'
+    'programs.hides-module', what='Python imports {own_file} instead of its own module {module}', do='rename {own_file}'
 )
 
 

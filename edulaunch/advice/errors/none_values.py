@@ -88,7 +88,7 @@ def not_yet_stored(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.no-return-value',
-    what='{function}() in line {made} returns no value, so this line gets None from it',
+    what='{function}() on line {made} returns no value, so this line gets None from it',
     why='without a return statement, a function in Python returns None',
     do='end {function}() with a line such as `return {value}`',
     lesson='00_python',
@@ -115,7 +115,7 @@ def no_return_value(failure: Failure) -> Iterator[Finding]:
     'programs.loop-in-callback',
     what='this loop in {callback}() never ends, because no other callback runs before {callback}() returns',
     why='the node runs one callback at a time, so nothing changes the values that the loop checks',
-    do='write `if` in place of `while`: each call of {callback}() does one step, and rclpy calls it again',
+    do='write `if` in place of `while`, so that each call of {callback}() does one step; rclpy calls it again',
     lesson='09_broadcaster_and_listener',
     level='error',
     hides=('programs.runaway', 'programs.callback-goes-on'),

@@ -71,7 +71,7 @@ def bracket_open(failure: Failure) -> Iterator[Finding]:
         '{closing} does not match the {opening} on line {opened}, which needs {wanted}',
         '{closing} does not match {opening}, which needs {wanted}',
     ),
-    do='write {wanted} before it or instead of it',
+    do='write {wanted} before this bracket or instead of it',
     level='error',
 )
 def bracket_other(failure: Failure) -> Iterator[Finding]:

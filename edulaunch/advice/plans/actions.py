@@ -107,7 +107,7 @@ _COMPARED = re.compile(
 
 @rule(
     'launch.condition-never',
-    what="the condition compares '{argument}' with '{value}', which is not one of its choices: {choices}",
+    what="the condition compares '{argument}' with '{value}', which is not one of the choices of this argument: {choices}",
     why='the condition has the same result for every value of the argument',
     do=("write '{near}'", "add '{value}' to choices= of the argument"),
     lesson=LESSON,

@@ -51,7 +51,7 @@ _ABOUT = (
         'this launch file needs the program {executable}, which a build creates with {unread} in CMakeLists.txt',
     ),
     why='edulaunch cannot check the rest of a launch file that stops at this line',
-    do='name the workspace that contains it with --workspace DIR, or run the file on a computer where it is installed',
+    do='use --workspace DIR to name the workspace that contains it, or run the file on a computer where it is installed',
     level='info',
     hides=('launch.fails', 'launch.unknown-element'),
 )

@@ -55,7 +55,8 @@ def dollar_in_python(rehearsal: Rehearsal) -> Iterator[Finding]:
         if item.get('kind') == 'node':
             parameters = {one.name: one.value for one in branch.action.given_parameters() if not one.is_of_a_file}
             item = {'arguments': item['arguments'], 'remappings': item['remappings'], 'parameters': parameters}
-        match = next(filter(None, map(_DOLLAR.search, _texts(item))), None)
+        words = [text for text in _texts(item) if '\n' not in text]  # the text of a file is not written here
+        match = next(filter(None, map(_DOLLAR.search, words)), None)
         if match is not None:
             word = match[0].strip('$()').split()
             argument = word[1] if word[0] in ('var', 'arg') and len(word) > 1 else None

@@ -49,7 +49,7 @@ def two_parents(recording: Recording) -> Iterator[Finding]:
     'tf.two-broadcasters',
     what="two nodes broadcast the frame '{frame}': {first} and {second}",
     why='a listener receives both transforms, so the frame jumps between two positions',
-    do='stop one of the nodes, or change its child_frame_id',
+    do='stop one of the nodes, or give it another child_frame_id',
     lesson=LESSON,
 )
 def two_broadcasters(recording: Recording) -> Iterator[Finding]:

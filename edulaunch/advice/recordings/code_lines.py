@@ -81,7 +81,7 @@ def made_after_spin(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'programs.spun-in-turn',
-    what='rclpy.spin({second}) in line {at} begins only after the end of rclpy.spin({first}) in line {spun}',
+    what='rclpy.spin({second}) on line {at} begins only after the end of rclpy.spin({first}) on line {spun}',
     why='rclpy.spin() returns only when rclpy shuts down',
     do='spin both nodes in one executor: executor = SingleThreadedExecutor(), executor.add_node({first}), '
     'executor.add_node({second}), executor.spin()',

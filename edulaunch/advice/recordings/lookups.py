@@ -41,7 +41,7 @@ def _found(recording: Recording, fact: Fact, frame: str, **facts: Any) -> Findin
     why='the lookup can never succeed, so code that waits for it waits forever',
     do=(
         "write '{near}' if you mean that frame",
-        "start the node that broadcasts '{frame}', or look up one of these: {frames}",
+        "start the node that broadcasts '{frame}', or look up one of these frames: {frames}",
         'start a node that broadcasts transforms, because this run has no frames at all',
     ),
     lesson=LESSON,
@@ -145,6 +145,7 @@ MOMENT_S = 0.05
     what="{node} looks up '{frame}' from '{target}', which is in another tree",
     why="one tree has the root '{first}', the other has the root '{second}', and no transform connects them",
     do=(
+        "write LaunchConfiguration('{argument}') instead of the string '{argument}' where this frame is the parent",
         "write '{near}' instead of '{misspelt}' where this frame is the parent",
         "broadcast a transform between the trees, for example with the parent '{second}' and the child '{first}'",
     ),
@@ -162,7 +163,9 @@ def separate_trees(recording: Recording) -> Iterator[Finding]:
             if first != second:
                 near = {root: _meant_root(recording, root) for root in (first, second)}
                 misspelt = next((root for root in near if near[root] is not None), None)
-                facts = {'misspelt': misspelt, 'near': near.get(misspelt or '')}
+                declared = {argument.name for argument in recording.launch.declared}
+                argument = next((root for root in (first, second) if root in declared), None)
+                facts = {'misspelt': misspelt, 'near': near.get(misspelt or ''), 'argument': argument}
                 yield _found(recording, fact, source, first=first, second=second, **facts)
 
 

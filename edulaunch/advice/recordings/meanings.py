@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 
 POSE = 'turtlesim/msg/Pose'
 LESSON = '09_broadcaster_and_listener'
+AT_TURTLE_M = 0.3  # the largest distance between a turtle and its frame, which is a moment late
 SAMPLES = 12
 """The number of commands that a follower must have sent before its formula is known."""
 CLOSE = 0.05
@@ -152,13 +153,14 @@ def _turned(recording: Recording) -> list[tuple[Broadcasts, str, list[tuple[floa
             continue
         poses = _poses(recording, turtle)
         rows = [
-            (_at(poses, time), row[7:])
+            (pose, row)
             for time, node, wire in recording.published('/tf', 'tf2_msgs/msg/TFMessage')[-2000:]
             if node == one.node
             for row in wire[0]
-            if row[3] == one.child
+            if row[3] == one.child and (pose := _at(poses, time)) is not None
         ]
-        turned.append((one, turtle, [(math.sin(pose[2] / 2), math.cos(pose[2] / 2), q) for pose, q in rows if pose is not None]))
+        if sum(math.hypot(pose[0] - row[4], pose[1] - row[5]) < AT_TURTLE_M for pose, row in rows) * 2 >= len(rows):
+            turned.append((one, turtle, [(math.sin(pose[2] / 2), math.cos(pose[2] / 2), row[7:]) for pose, row in rows]))
     return turned
 
 

@@ -19,7 +19,7 @@ WAITING = ('done', 'sleep', 'wait', 'is_set', 'add_done_callback', 'result_timeo
 
 @rule(
     'programs.result-before-reply',
-    what='{future}.result() returns None here, because {sent}() in line {at} only sends the request',
+    what='{future}.result() returns None here, because {sent}() on line {at} only sends the request',
     why='the reply arrives later, while the node spins, and this function does not wait for it',
     do=(
         'in main(), call rclpy.spin_until_future_complete(node, {future}) before this line; in a callback, write '

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.runs import ends_by_name, node_place, speaker
-from edulaunch.engine.nearest import nearest
+from edulaunch.engine.nearest import nearest, nearest_name
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -44,7 +44,7 @@ def bag_of_nothing(recording: Recording) -> Iterator[Finding]:
                 and not word.startswith('-')
                 and not option.startswith('-')
             ):
-                yield found('topic', topic, **_place(process), process=process.name, near=nearest(topic, sent))
+                yield found('topic', topic, **_place(process), process=process.name, near=nearest_name(topic, sent))
 
 
 @rule(
@@ -117,8 +117,8 @@ def _movable(recording: Recording) -> Iterator[tuple[str, list[str]]]:
 @rule(
     'messages.no-joint-states',
     what=(
-        '{node} expects the angles of its joints on {topic}, but {other} publishes them on {elsewhere}',
-        '{node} has the movable joints {joints}, but no node publishes on {topic}',
+        '{node} expects the angles of the joints on {topic}, but {other} publishes them on {elsewhere}',
+        'the robot description has movable joints ({joints}), but no node publishes on {topic}',
     ),
     why='without the angle of a joint, the frames after that joint have no position in tf',
     do=(
@@ -151,7 +151,7 @@ def no_joint_states(recording: Recording) -> Iterator[Finding]:
             facts: dict[str, Any] = {'node': node, 'joints': joints}
             if others:
                 facts |= {
-                    'other': others[0].node,
+                    'other': speaker(recording, others[0].node),
                     'elsewhere': others[0].name,
                     'space': topic.rpartition('/')[0].strip('/') or None,
                 }
@@ -165,7 +165,7 @@ JOINT_STATE = 'sensor_msgs/msg/JointState'
 @rule(
     'messages.other-joint',
     what=(
-        "{node} publishes the state of a joint '{joint}' that the robot does not have; its joints are {joints}",
+        "{node} publishes the state of a joint '{joint}' that the robot does not have (joints of the robot: {joints})",
         '{node} publishes {names} names but {positions} positions of joints on {topic}',
     ),
     why='robot_state_publisher ignores joints that are not in its URDF, so frames after a missing joint have no position in tf',

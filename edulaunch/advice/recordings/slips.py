@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
 
 LOGGING = ('debug', 'info', 'warn', 'warning', 'error', 'fatal', 'print')
-_FIELD = re.compile(r'\{([A-Za-z_][\w.]*(?:\[\w\'"]+\]|\(\))?)(?::[^{}]*)?\}')
+_FORMAT = r'(?:.?[<>=^])?[-+ ]?#?0?\d*[_,]?(?:\.\d+)?[bcdeEfFgGnosxX%]?'
+_FIELD = re.compile(r'\{([A-Za-z_][\w.]*(?:\[\w\'"]+\]|\(\))?)(?:![rsa])?(?::' + _FORMAT + r')?\}')
 _X, _Y = re.compile(r'(?:^|[._]|d|delta|diff)x(?:_?\w*)?$'), re.compile(r'(?:^|[._]|d|delta|diff)y(?:_?\w*)?$')
 
 

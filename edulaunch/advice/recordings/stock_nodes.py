@@ -23,6 +23,7 @@ _TYPE = re.compile(
     r"parameter '(?P<name>[^']+)' has invalid type: Wrong parameter type, parameter \{.*\} is of type \{(?P<expected>\w+)\}, "
     r'setting it to \{(?P<given>\w+)\} is not allowed'
 )
+_XML_COMMENT = re.compile(r'<!--.*?-->', re.DOTALL)
 _NUMBER = re.compile(r'-?\d+(?:\.\d+)?')
 
 
@@ -128,10 +129,29 @@ def xacro_not_processed(recording: Recording) -> Iterator[Finding]:
     """Report a robot description that still contains elements of xacro, such as `xacro:property`."""
     for process in recording.processes:
         if process.executable == 'robot_state_publisher':
-            tag = re.search(r'<(xacro:\w+)', _description(recording, process))
+            tag = re.search(r'<(xacro:\w+)', _XML_COMMENT.sub('', _description(recording, process)))
             if tag is not None:
                 place: dict[str, Any] = {'file': process.file, 'line': process.line, 'time_s': process.started_s}
                 yield found('process', process.name, **place, tag=tag[1])
+
+
+@rule(
+    'launch.sdf-description',
+    what='robot_description of {process} is written in SDF, but edulaunch reads only URDF',
+    why='with ROS 2, robot_state_publisher can read SDF if the package sdformat_urdf is installed',
+    do='run this launch file on a computer where sdformat_urdf is installed, or write the robot in URDF',
+    lesson='12_urdf',
+    level='info',
+    hides=('programs.died', 'tf.unknown-frame', 'messages.no-joint-states'),
+)
+def sdf_description(recording: Recording) -> Iterator[Finding]:
+    """Report a robot description whose outermost element is `sdf`."""
+    for process in recording.processes:
+        if process.executable == 'robot_state_publisher':
+            first = re.search(r'<[A-Za-z]\w*', _XML_COMMENT.sub('', _description(recording, process)))
+            if first is not None and first[0] == '<sdf':
+                place: dict[str, Any] = {'file': process.file, 'line': process.line, 'time_s': process.started_s}
+                yield found('process', process.name, **place)
 
 
 @rule(

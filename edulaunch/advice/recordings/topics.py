@@ -61,7 +61,14 @@ def _sent(recording: Recording, end: EndRecord) -> bool:
     'messages.other-topic',
     what='{node} publishes on {topic}, but no node subscribes to it; {other} subscribes to {near}, but no node publishes on it',
     why='ROS 2 connects topics by their full name with the namespace, so every letter and every slash counts',
-    do="use the same name in both, or add remappings=[('{topic}', '{near}')] in the launch file",
+    do=(
+        "write a comma after the string '{first}': without it, Python joins this string to the next one",
+        "write '{right}' instead of '{wrong}' in the remappings of {remapped}",
+        "write '{right}' instead of '{wrong}' in the command of {command}",
+        "use the same name in both nodes, or add remappings=[('{near}', '{topic}')] to the Node of {subscriber}",
+        "use the same name in both nodes, or add remappings=[('{topic}', '{near}')] to the Node of {publisher}",
+        'use the same name in the remappings of both nodes',
+    ),
     lesson=LESSON,
     level='error',
     hides=('messages.nobody-listens', 'messages.nobody-publishes'),
@@ -90,7 +97,43 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
                 node=speaker(recording, end.node),
                 other=speaker(recording, other.node),
                 near=other.name,
+                **_repair(recording, end, other),
             )
+
+
+def _repair(recording: Recording, end: EndRecord, other: EndRecord) -> dict[str, str | None]:
+    """Return the facts for the action: who uses the wrong name, or to whose Node a remapping can be added."""
+    facts: dict[str, str | None] = dict.fromkeys(('first', 'right', 'wrong', 'remapped', 'command', 'subscriber', 'publisher'))
+    facts['first'] = _joined(recording, end, other) or _joined(recording, other, end)
+    how, other_how = _how_named(recording, end), _how_named(recording, other)
+    is_slip = nearest_spelling(end.name, [other.name]) is not None
+    if (how is None) != (other_how is None) and (is_slip or 'command' in (how, other_how)):
+        wrong, right = (other, end) if how is None else (end, other)
+        facts |= {'right': right.name, 'wrong': wrong.name, how or other_how or '': speaker(recording, wrong.node)}
+    if other_how is None:
+        facts['subscriber'] = speaker(recording, other.node)
+    elif how is None:
+        facts['publisher'] = speaker(recording, end.node)
+    return facts
+
+
+def _how_named(recording: Recording, end: EndRecord) -> str | None:
+    """Return where a student wrote the name of a topic: 'command', 'remapped', or None for the program itself."""
+    process = next((each for each in recording.processes if each.name == programs(recording).get(end.node)), None)
+    if process is None:
+        return None
+    if process.argv[1:2] == ['topic']:
+        return 'command'
+    namespace, _, name = end.node.rpartition('/')
+    new = {expand_name(one.replacement, name, namespace or '/') for one in remappings(process)}
+    return 'remapped' if end.name in new else None
+
+
+def _joined(recording: Recording, end: EndRecord, other: EndRecord) -> str | None:
+    """Return the first of two names of topics that Python joined to one string, because a comma is missing between them."""
+    first = end.name.removesuffix(other.name)
+    is_namespace = end.node.startswith(f'{first}/')
+    return first if first != end.name and first in recording.topics and not is_namespace else None
 
 
 def _is_outdone(recording: Recording, end: EndRecord, other: EndRecord) -> bool:

@@ -89,7 +89,7 @@ def _driver(recording: Recording, turtle: str) -> str | None:
 @rule(
     'turtlesim.spawn-taken',
     what="{node} cannot spawn '{turtle}', because a turtle with that name already exists",
-    why='the reply then has an empty name, and both nodes control the same turtle',
+    why='the reply then has an empty name, and {node} controls a turtle that another node may control too',
     do="use another name, leave the name empty to get a generated one, or kill '{turtle}' first",
     lesson=LESSON,
     level='error',
@@ -184,7 +184,7 @@ def pen_off(recording: Recording) -> Iterator[Finding]:
         "the turtle '{turtle}' cannot be killed, because it does not exist",
     ),
     do=(
-        "kill '{again}' once only: keep in your node which turtles it has killed",
+        "kill '{again}' only once, and store in your node which turtles it has killed",
         "spawn '{later}' before you kill it",
         "write '{near}' if you mean this name",
         'use the name of an existing turtle: {names}',

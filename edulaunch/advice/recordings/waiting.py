@@ -104,9 +104,9 @@ def slow_callback(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'time.timer-period',
-    what='the timer of {callback}() in {node} has a period of {period_s} s: is this the period that you want?',
+    what='the timer of {callback}() in {node} has an unusual period: {period_s} s',
     why='create_timer() expects seconds: 0.5 means twice a second',
-    do='write the seconds between two calls, such as create_timer(0.1, ...) for ten calls a second',
+    do='if you want another period, write the seconds between two calls, such as create_timer(0.1, ...) for ten calls a second',
     lesson=LESSON,
     confidence='asked',
 )

@@ -248,7 +248,7 @@ def event_class(scripts: list[Script]) -> Iterator[Finding]:
 @rule(
     'launch.event-for-action',
     what='{event} of {module} is an event, but {place} needs an action',
-    why='launch executes actions; an event only says what has happened or should happen',
+    why='launch executes actions; an event only reports what has happened or what should happen',
     do=('write: from launch.actions import {action}', 'write EmitEvent(event={event}(...))'),
     lesson='05_events',
     level='error',

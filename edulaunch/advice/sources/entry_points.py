@@ -105,8 +105,14 @@ def entry_point_colon(source: PackageInWorkspace) -> Iterator[Finding]:
         if not function and path is not None:
             error = "TypeError: 'module' object is not callable"
             yield _of_entry(package, executable, module, function, near=f'{module}:main', error=error)
-        elif not function and module_file(package, above) is not None:
-            yield _of_entry(package, executable, module, function, near=f'{above}:{leaf}', error='ModuleNotFoundError')
+            continue
+        outer = None if function else module_file(package, above)
+        tree = parsed(outer) if outer else None
+        if tree is not None:
+            meant = _meant(package, executable, module)
+            near = f'{above}:{leaf}' if leaf in defined_names(tree) else f'{meant}:main' if meant else None
+            if near is not None:
+                yield _of_entry(package, executable, module, function, near=near, error='ModuleNotFoundError')
 
 
 @rule(

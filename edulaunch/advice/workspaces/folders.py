@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
 
@@ -114,6 +114,7 @@ def package_is_repository(workspace: Workspace) -> Iterator[Finding]:
     do=(
         'create {script}: with metadata in setup.cfg or pyproject.toml, `from setuptools import setup; setup()` is enough',
         'create {absent} in the folder of the package, or remove package.xml if this folder is not a package',
+        'create the empty file {marker}, which marks an installed package',
         'correct line {at} of {file}, and run the check again',
         'correct {file}, and run the check again',
     ),
@@ -126,7 +127,9 @@ def build_file(workspace: Workspace) -> Iterator[Finding]:
             name, line = os.path.basename(warning.file), warning.line or None
             absent = None if os.path.exists(warning.file) else name
             script = absent if absent == 'setup.py' else None
-            yield found('file', name, file=warning.file, line=line, said=warning.sentence, script=script, absent=absent, at=line)
+            marker = re.match(r"data_files lists '(resource/[^']+)', which is not there", warning.sentence)
+            facts: dict[str, Any] = {'script': script, 'absent': absent, 'marker': marker and marker[1], 'at': line}
+            yield found('file', name, file=warning.file, line=line, said=warning.sentence, **facts)
 
 
 @rule(

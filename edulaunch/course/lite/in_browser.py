@@ -1,4 +1,4 @@
-"""The functions that the page in the browser calls: list files, launch, check. Each returns JSON."""
+"""The functions that the page in the browser calls: list files, launch, check. Each function returns JSON."""
 
 from __future__ import annotations
 
@@ -16,13 +16,14 @@ DEMOS = (
     ('turtle_tf2_py', 'turtle_tf2_fixed_frame_demo.launch.py', 'A carrot beside turtle1'),
     ('turtle_tf2_py', 'turtle_tf2_dynamic_frame_demo.launch.py', 'A carrot that moves'),
 )
-"""Launch files that come with edulaunch and start something visible."""
+"""The launch files that come with edulaunch and show something in the browser."""
 
 
 def contents(course: str) -> str:
-    """Return the launch files to work on: exercises of the course that are one file, and some that come with edulaunch.
+    """Return the launch files that the page offers: exercises of the course that are one file, and examples that come with
+    edulaunch.
 
-    :param course: the folder of the course, with course.toml or exercises/course.toml in it.
+    :param course: the folder of the course, which contains course.toml or exercises/course.toml.
     """
     from edugrade.course import read_course
 
@@ -48,22 +49,22 @@ def _file(path: str) -> dict[str, str]:
 
 
 def launch(path: str, text: str, words: str, seconds: float, say: Callable[[str], object]) -> str:
-    """Save and launch a file; return the page that replays the run.
+    """Save and launch a file, and return the page that replays the run.
 
-    :param words: launch arguments, ``name:=value ...``.
-    :param seconds: simulated seconds.
-    :param say: called with printed lines.
+    :param words: launch arguments in the form ``name:=value ...``.
+    :param seconds: the duration of the run, in simulated seconds.
+    :param say: called with each printed line.
     """
     return _answer(lambda: _launched(_saved(path, text), _arguments(words), seconds, say))
 
 
 def check(path: str, text: str) -> str:
-    """Save and grade a file; return the report as a page."""
+    """Save and grade a file, and return the report as a page."""
     return _answer(lambda: _checked(_saved(path, text)))
 
 
 def _answer(work: Callable[[], dict[str, str]]) -> str:
-    """Return the result for the page: `page`, an HTML page, or `error`, a message."""
+    """Return the result for the page: `page` with an HTML page, or `error` with a message."""
     try:
         return json.dumps(work())
     except EdulaunchError as error:

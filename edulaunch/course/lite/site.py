@@ -21,15 +21,15 @@ PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'page')
 LEFT_OUT = ('__pycache__', 'ours')
 BINARY = ('.so', '.pyd', '.pyc')
 WANTED = 'numpy'
-"""Included if the folder of the runtime has it, because messages with arrays of numbers need it."""
+"""A package that is included if the folder of the runtime contains it, because messages with arrays of numbers need it."""
 
 
 def make_site(out: str, runtime: str, course: str) -> list[str]:
-    """Write the edition to a new folder.
+    """Write the browser edition to a new folder.
 
     :param runtime: the folder of Pyodide, such as ``node_modules/pyodide``.
-    :param course: the folder of the course whose exercises it offers, with their rubrics.
-    :returns: warnings about differences to the tested set-up.
+    :param course: the folder of the course whose exercises the page offers, with their rubrics.
+    :returns: warnings about differences from the tested setup.
     :raises UnusableInput: when the folder is not empty, or `runtime` is not a folder of Pyodide.
     """
     lock = _lock(runtime)
@@ -67,8 +67,9 @@ def _exercises(course: str) -> dict[str, bytes]:
 
 
 def _engine() -> dict[str, bytes]:
-    """Return the Python packages for the browser: edulaunch, edugrade with rubrics, PyYAML without C, a replacement for
-    greenlet."""
+    """Return the Python packages for the browser: edulaunch, edugrade with rubrics, PyYAML without C, and a replacement for
+    greenlet.
+    """
     import yaml
     from edugrade.rubrics.catalogue import rubrics_folder
 

@@ -100,6 +100,7 @@ def _possible(words: Sequence[str], typed: str, index: Callable[[], Index] | Non
     parser = argparse.ArgumentParser(prog=verb)
     load_verb(verb)[0](parser)
     _add_plugin_options(verb, parser, words[1:], typed)
+    parser = _command_of(parser, words[1:])
     options = options_of(parser)
     if typed.startswith('-'):
         return options
@@ -117,15 +118,24 @@ def _grading_words(words: Sequence[str], typed: str) -> Iterable[str]:
     parser = plugins.parser_of('edugrade')
     if parser is None:
         return []
-    options = options_of(parser)
+    is_first = not words
     if words[:1] and words[0] in verbs:
-        return _paths(typed)
+        verb, *words = words
+        place = verbs[verb].parser
+        parser = _command_of(plugins.function(place)() if place else argparse.ArgumentParser(), words)
+    options = options_of(parser)
     if typed.startswith('-'):
         return options
     last = options.get(words[-1]) if words else None
     if last is not None and last.nargs != 0:
         return map(str, _option_values(last, typed))
-    return [*([] if words else verbs), *_paths(typed)]
+    return [*(verbs if is_first else _choices(parser)), *_paths(typed)]
+
+
+def _command_of(parser: argparse.ArgumentParser, words: Sequence[str]) -> argparse.ArgumentParser:
+    """Return the parser of the command that the words begin with (`course class`), or this parser if it has no commands."""
+    inner: list[Any] = [action.choices for action in arguments_of(parser) if isinstance(action.choices, dict)]
+    return next((commands[words[0]] for commands in inner if words and words[0] in commands), parser)
 
 
 def _add_plugin_options(command: str, parser: argparse.ArgumentParser, words: Sequence[str], typed: str) -> None:

@@ -47,7 +47,7 @@ def doctor_arguments(parser: argparse.ArgumentParser) -> None:
         metavar='FILE | FOLDER | RECORDING | PACKAGE',
         help='a launch file, package, workspace or recording; or a package, followed by the name of one of its launch files',
     )
-    parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name, launch arguments')
+    parser.add_argument('rest', nargs='*', default=[], metavar='FILE | name:=value', help='launch file name, launch arguments')
     parser.add_argument(
         '--json',
         nargs='?',

@@ -42,6 +42,7 @@ def explain_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         'rest',
         nargs='*',
+        default=[],
         metavar='FILE | name:=value | NODE PARAMETER | ARGUMENT',
         help='launch file name, launch arguments, and the node, parameter or argument to explain (default: everything)',
     )

@@ -37,7 +37,7 @@ from edulaunch.runtime.still_busy import StillBusy
 def launch_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of `ros2 launch`, and options for duration, speed, seed and recording."""
     parser.add_argument('package_or_path', metavar='PACKAGE | PATH', help='package of the launch file, or path of a launch file')
-    parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name, launch arguments')
+    parser.add_argument('rest', nargs='*', default=[], metavar='FILE | name:=value', help='launch file name, launch arguments')
     add_launch_arguments(parser)
     parser.add_argument(
         '--for', dest='seconds', type=_seconds, metavar='SECONDS', help='press Ctrl-C after this many simulated seconds'
@@ -84,7 +84,7 @@ def launch_verb(arguments: argparse.Namespace) -> int:
     package_or_path, file, given = split_words(arguments.package_or_path, arguments.rest)
     for folder in arguments.workspace:
         if not os.path.isdir(folder):
-            raise UnusableInput(f'workspace {folder!r} is not a folder.', help='give --workspace a folder with packages')
+            raise UnusableInput(f'workspace {folder!r} is not a folder.', help='name a folder with packages after --workspace')
     given.update(prefix_arguments(arguments))
     interactive = sys.stdin.isatty() and not arguments.noninteractive
     env = {**os.environ, 'OVERRIDE_LAUNCH_PROCESS_OUTPUT': 'both'} if arguments.show_all_subprocesses_output else None

@@ -1,4 +1,4 @@
-"""The graph of one simulation: publishers and subscriptions find each other, and clients find their servers."""
+"""The graph of one simulation. It connects publishers with subscriptions, and clients with servers."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from edulaunch.engine.graph.topics import Publisher, Subscription, WatchedPublis
 
 
 class Graph(Members):
-    """Nodes and endpoints of one simulation. All names passed to it are fully expanded and remapped already.
+    """The nodes and endpoints of one simulation. All names that are passed to a graph must already be expanded and remapped.
 
     Two nodes may have the same name, as in ROS 2.
     """
@@ -24,7 +24,7 @@ class Graph(Members):
     clients: dict[str, list[ServiceClient]]
 
     def create_publisher(self, node: NodeEntry, topic: str, cls: Any, qos: QoS) -> Publisher:
-        """Return a publisher of `node`, connected to all compatible subscriptions."""
+        """Return a new publisher of `node`, connected to all compatible subscriptions."""
         made = WatchedPublisher if qos.deadline_ns or qos.lease_ns else Publisher
         publisher = made(self, node, topic, cls, qos)
         self.add_end(node, self.publishers, topic, publisher)
@@ -35,8 +35,9 @@ class Graph(Members):
     def create_subscription(
         self, node: NodeEntry, topic: str, cls: Any, qos: QoS, on_ready: Callable[[], object]
     ) -> Subscription:
-        """Add a subscription of `node`, and connect it to all compatible publishers; its queue may receive old samples
-        immediately.
+        """Return a new subscription of `node`, connected to all compatible publishers.
+
+        The queue of the subscription may contain stored messages of transient local publishers from the start.
         """
         subscription = Subscription(self, node, topic, cls, qos, on_ready)
         self.add_end(node, self.subscriptions, topic, subscription)
@@ -45,13 +46,16 @@ class Graph(Members):
         return subscription
 
     def create_service(self, node: NodeEntry, name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]) -> ServiceServer:
-        """Add a server of `node`. All servers of one name get each request, and the client receives the first reply."""
+        """Return a new server of `node`.
+
+        All servers of a service get each request, and the client receives the first reply.
+        """
         server = ServiceServer(self, node, name, cls, qos, on_ready)
         self.add_end(node, self.services, name, server)
         return server
 
     def create_client(self, node: NodeEntry, name: str, cls: Any, qos: QoS, on_ready: Callable[[], object]) -> ServiceClient:
-        """Return a client of `node`."""
+        """Return a new client of `node`."""
         client = ServiceClient(self, node, name, cls, qos, on_ready)
         self.add_end(node, self.clients, name, client)
         return client

@@ -1,5 +1,7 @@
-"""The members of a graph: adds and removes nodes and their endpoints, and reports each change to the programs that wait for it.
-`graph.py` creates endpoints with these classes. An endpoint knows only the part of its graph that this file defines.
+"""The members of a graph. `Members` adds and removes nodes and endpoints, and reports each change to the programs that
+wait for it.
+
+`graph.py` creates the endpoints. An endpoint depends only on the part of its graph that this file defines.
 """
 
 from __future__ import annotations
@@ -15,7 +17,10 @@ from edulaunch.engine.sim.simulation import Simulation
 class Members:
     """Nodes and endpoints of one simulation. `changes` counts the additions and removals.
 
-    :ivar publishers, subscriptions, services, clients: the endpoints by name, in order of creation.
+    :ivar publishers: the publishers by topic name, in order of creation.
+    :ivar subscriptions: the subscriptions by topic name, in order of creation.
+    :ivar services: the servers by service name, in order of creation.
+    :ivar clients: the clients by service name, in order of creation.
     """
 
     def __init__(self, sim: Simulation, tracer: Tracer | None = None) -> None:
@@ -37,12 +42,12 @@ class Members:
         }
 
     def next_index(self) -> int:
-        """Return the next number in the common order of creation of nodes and endpoints."""
+        """Return the next index. Nodes and endpoints share one sequence of indices, in order of creation."""
         self.last_index += 1
         return self.last_index
 
     def add_node(self, process: Any, name: str, namespace: str) -> NodeEntry:
-        """Add a node; `namespace` is absolute ('/' for the root)."""
+        """Add a node, and return it. `namespace` is absolute ('/' for the root)."""
         node = NodeEntry(process, name, namespace, self.next_index())
         self.nodes.append(node)
         self.tracer.node_added(node)
@@ -61,7 +66,7 @@ class Members:
         self._changed()
 
     def remove_process(self, process: Any) -> None:
-        """Remove all nodes of a process, for example after its end."""
+        """Remove all nodes of a process, for example when the process has ended."""
         for node in [node for node in self.nodes if node.process is process]:
             self.remove_node(node)
 
@@ -69,7 +74,7 @@ class Members:
         """Add an endpoint of a node.
 
         :param table: `publishers`, `subscriptions`, `services` or `clients`.
-        :param name: the name of its topic or service.
+        :param name: the name of the endpoint's topic or service.
         """
         table.setdefault(name, []).append(endpoint)
         node.endpoints.append(endpoint)

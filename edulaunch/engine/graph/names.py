@@ -1,4 +1,6 @@
-"""Names of nodes, topics and services: validation with ROS 2's reasons, expansion and remapping."""
+"""Names of nodes, topics and services: validation, expansion and remapping. Invalid names are reported with the reasons
+of ROS 2.
+"""
 
 from __future__ import annotations
 
@@ -27,12 +29,14 @@ def _first_outside(name: str, allowed: frozenset[str]) -> int:
 
 
 def _digit_token(name: str) -> int:
-    """Return the index of the first digit that begins a token after a slash, or -1."""
+    """Return the index of the first digit that directly follows a slash, or -1."""
     return next((index for index in range(1, len(name)) if name[index] in _DIGITS and name[index - 1] == '/'), -1)
 
 
 def node_name_problem(name: str) -> Problem | None:
-    """Return what is wrong with a node's own name, or None."""
+    """Return why a node name (without namespace) is invalid and the index of the wrong character, or None if the name is
+    valid.
+    """
     if not name:
         return 'node name must not be empty', 0
     if name.isascii() and name.isidentifier() and len(name) <= MAX_NODE_NAME:
@@ -63,7 +67,7 @@ def _absolute_path_problem(kind: str, name: str, limit: int, too_long: str) -> P
 
 
 def namespace_problem(namespace: str) -> Problem | None:
-    """Return what is wrong with an absolute namespace, or None."""
+    """Return why an absolute namespace is invalid and the index of the wrong character, or None if it is valid."""
     if not namespace:
         return 'namespace must not be empty', 0
     if namespace[0] != '/':
@@ -77,7 +81,7 @@ def namespace_problem(namespace: str) -> Problem | None:
 
 
 def full_topic_name_problem(name: str) -> Problem | None:
-    """Return what is wrong with an expanded topic or service name, or None."""
+    """Return why an expanded topic or service name is invalid and the index of the wrong character, or None if it is valid."""
     if not name:
         return 'topic name must not be empty', 0
     if name[0] != '/':
@@ -88,7 +92,10 @@ def full_topic_name_problem(name: str) -> Problem | None:
 
 
 def topic_name_problem(name: str) -> Problem | None:
-    """Return what is wrong with a topic or service name as a program writes it (before expansion), or None."""
+    """Return why a topic or service name is invalid and the index of the wrong character, or None if it is valid.
+
+    The name is checked as a program writes it, before expansion.
+    """
     if not name:
         return 'topic name must not be empty string', 0
     if _is_plain(name):
@@ -129,7 +136,7 @@ def _character_problem(name: str) -> Problem | None:
 
 
 def caret_text(kind: str, name: str, problem: Problem) -> str:
-    """Return the three lines in which ROS 2 reports a rejected name: reason, name, and a caret under the offending character."""
+    """Return the three lines with which ROS 2 rejects a name: the reason, the name, and a caret under the invalid character."""
     reason, index = problem
     return f"Invalid {kind}: {reason}:\n  '{name}'\n   {' ' * index}^"
 
@@ -145,14 +152,17 @@ def fully_qualified_name(namespace: str, name: str) -> str:
 
 
 def plain_name(name: str, namespace: str) -> str | None:
-    """Return the absolute form of a valid relative name in a valid namespace; None for any other name, which may be invalid."""
+    """Return the absolute form of a valid relative name in a valid namespace, or None for any other name.
+
+    None does not mean that the name is invalid.
+    """
     if name.__class__ is str and name and _is_plain(name) and len(name) + len(namespace) < MAX_TOPIC_NAME:
         return fully_qualified_name(namespace, name)
     return None
 
 
 class UnknownSubstitution(ValueError):
-    """A name has a substitution in braces that ROS 2 does not know. Programs see it as a ValueError."""
+    """A name contains a substitution in braces that does not exist in ROS 2. Programs receive this error as a ValueError."""
 
 
 UnknownSubstitution.__name__ = UnknownSubstitution.__qualname__ = ValueError.__name__
@@ -160,9 +170,11 @@ UnknownSubstitution.__module__ = ValueError.__module__
 
 
 def expand_name(name: str, node_name: str, namespace: str) -> str:
-    """Return the absolute form of a topic or service name: `~`, relative names and `{node}`, `{ns}`, `{namespace}`.
+    """Return the absolute form of a topic or service name.
 
-    :raises UnknownSubstitution: for a substitution that ROS 2 does not know.
+    The function expands relative names, `~`, and the substitutions `{node}`, `{ns}` and `{namespace}`.
+
+    :raises UnknownSubstitution: for a substitution that does not exist in ROS 2.
     """
     if '{' in name:
         name = _substituted(name, node_name, namespace)
@@ -199,12 +211,15 @@ class RemapRule(NamedTuple):
 
 
 def remapped_node_name(rules: Iterable[RemapRule], name: str) -> str:
-    """Return the node's name after the first `__node` rule that applies to it."""
+    """Return the node name that the first matching `__node` rule sets, or `name` if no rule matches."""
     return _replacement(rules, 'node', name) or name
 
 
 def remapped_namespace(rules: Iterable[RemapRule], node_name: str, namespace: str) -> str:
-    """Return the node's namespace after the first `__ns` rule that applies to it (`node_name` is the renamed one)."""
+    """Return the namespace that the first matching `__ns` rule sets, or `namespace` if no rule matches.
+
+    :param node_name: the name of the node after remapping.
+    """
     return _replacement(rules, 'namespace', node_name) or namespace
 
 
@@ -233,5 +248,5 @@ def remapped_name(rules: Sequence[RemapRule], kind: str, name: str, node_name: s
 
 
 def is_hidden(name: str) -> bool:
-    """Return whether tools leave this name out, because one of its tokens begins with an underscore."""
+    """Return whether tools hide this name. A name is hidden if one of its tokens begins with an underscore."""
     return name.startswith('_') or '/_' in name

@@ -1,4 +1,4 @@
-"""A node as the graph knows it."""
+"""The entry of a node in the graph."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any
 
 
 class NodeEntry:
-    """A node as the graph knows it. `endpoints` are in order of creation.
+    """The entry of a node in the graph. `endpoints` are in order of creation.
 
     :ivar participant: the owner of the DDS participant, which is the process or the context that created the node.
     """
@@ -21,12 +21,12 @@ class NodeEntry:
 
     @property
     def fully_qualified_name(self) -> str:
-        """The namespace and the name, such as '/turtlesim2/sim'."""
+        """The namespace and the name of the node, such as '/turtlesim2/sim'."""
         return ('' if self.namespace == '/' else self.namespace) + '/' + self.name
 
     @property
     def logger_name(self) -> str:
-        """The full name with dots: 'a.b.c' for node c in /a/b."""
+        """The fully qualified name with dots instead of slashes: 'a.b.c' for node c in /a/b."""
         return self.fully_qualified_name[1:].replace('/', '.')
 
     def __repr__(self) -> str:

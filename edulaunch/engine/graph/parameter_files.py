@@ -14,7 +14,7 @@ _YAML_MARKS = frozenset('\'"[]{}!&*#|>:%@`,\n')
 
 
 class ParameterFileError(ValueError):
-    """A parameter file or value that rcl would reject. The message is rcl's reason."""
+    """A parameter file or value that rcl would reject. The message is the reason in the words of rcl."""
 
 
 class Entry(NamedTuple):
@@ -29,7 +29,8 @@ class Entry(NamedTuple):
 def read_parameter_file(text: str) -> list[Entry]:
     """Return all parameters of a parameter file, in order.
 
-    :raises ParameterFileError: with rcl's reason, which names the line.
+    :param text: the content of the file.
+    :raises ParameterFileError: with the reason that rcl gives and, in most cases, the line.
     """
     reader = _Reader(text)
     if not reader.skip_to_root():
@@ -43,9 +44,9 @@ def read_parameter_file(text: str) -> list[Entry]:
 
 
 def read_value(text: str) -> Any:
-    """Return the value of a `-p name:=value` argument.
+    """Return the value of a `-p name:=value` argument, or None if `text` is only a comment.
 
-    :raises ParameterFileError: for anything but a scalar or a list of scalars of one type.
+    :raises ParameterFileError: if `text` is not a scalar or a list of scalars of one type.
     """
     if text.strip() and text == text.strip() and not _YAML_MARKS.intersection(text) and text[:2] not in ('-', '- ', '?', '? '):
         return scalar_from_text(text)
@@ -58,7 +59,7 @@ def read_value(text: str) -> Any:
 
 
 class _Reader:
-    """Yields the YAML events of a string, one at a time."""
+    """A reader that returns the YAML events of a string one at a time."""
 
     def __init__(self, text: str, of_a_file: bool = True) -> None:
         import yaml
@@ -81,7 +82,7 @@ class _Reader:
         return event
 
     def skip_to_root(self, mapping: bool = True) -> bool:
-        """Move to the document's root value; return False without one."""
+        """Move to the root value of the document. Return False if the string contains no document."""
         for skipped in ('StreamStartEvent', 'DocumentStartEvent'):
             if type(self.next()).__name__ != skipped:
                 return False
@@ -103,8 +104,9 @@ def line_of(event: Any) -> int:
 
 
 def _read_nodes(reader: _Reader, path: str, entries: list[Entry]) -> None:
-    """Read a mapping of namespaces and node names at `path`. To rcl, /sim and sim are two patterns, of which the later one
-    counts; both mean the same nodes.
+    """Read a mapping of namespaces and node names at `path`.
+
+    rcl treats /sim and sim as two patterns for the same nodes, and uses the values of the later pattern.
     """
     while type(key := reader.next()).__name__ != 'MappingEndEvent':
         name = _key_text(key)
@@ -122,7 +124,7 @@ def _read_nodes(reader: _Reader, path: str, entries: list[Entry]) -> None:
 
 
 def _no_colon(event: Any) -> ParameterFileError:
-    """Return the error for a value in the place of the parameters; `speed 2.0` is one string."""
+    """Return the error for a scalar in place of the mapping of parameters, such as the string `speed 2.0`."""
     error = _too_early(event, PARAMETERS_KEY)
     name, blank, value = str(getattr(event, 'value', '')).partition(' ')
     if not blank or ':' in name or not name.isidentifier():
@@ -131,7 +133,7 @@ def _no_colon(event: Any) -> ParameterFileError:
 
 
 def _too_early(event: Any, path: str) -> ParameterFileError:
-    """Return the error for a value that is not deep enough; `path` is the place of the value."""
+    """Return the error for a value that is not nested deeply enough; `path` is the place of the value."""
     error = ParameterFileError(f'Cannot have a value before {PARAMETERS_KEY} at line {line_of(event)}')
     name, colon, value = str(getattr(event, 'value', '')).partition(':')
     if name.split()[:1] == [PARAMETERS_KEY]:
@@ -141,7 +143,9 @@ def _too_early(event: Any, path: str) -> ParameterFileError:
             error, 'launch.parameter-no-space', at=line_of(event), squeezed=f'{name}:{value}', spaced=f'{name}: {value}'
         )
     misspelt = next((name for name in path.split('/') if 'param' in name.lower()), None)
-    return with_facts(error, LAYOUT) if misspelt is None else with_facts(error, 'launch.parameters-key', found=misspelt)
+    if misspelt is None:
+        return with_facts(error, LAYOUT)
+    return with_facts(error, 'launch.parameters-key', found=misspelt, at=line_of(event))
 
 
 def _read_parameters(reader: _Reader, pattern: str, prefix: str, entries: list[Entry]) -> None:

@@ -1,4 +1,4 @@
-"""Parameter values: their types, the strings that ROS 2 reads, ranges, and node patterns."""
+"""Parameter values: their types, their conversion from strings, their ranges, and the node patterns of parameter files."""
 
 from __future__ import annotations
 
@@ -34,11 +34,11 @@ _INT64 = range(-(1 << 63), 1 << 63)
 
 
 def type_of_value(value: Any) -> int:
-    """Return the number of the parameter type that `value` has.
+    """Return the number of the parameter type of `value`.
 
     An empty sequence is a byte array, as in rclpy.
 
-    :raises TypeError: when no parameter can hold the value.
+    :raises TypeError: if no parameter type fits `value`.
     """
     if value is None:
         return NOT_SET
@@ -54,7 +54,10 @@ def type_of_value(value: Any) -> int:
 
 
 def precedence(value: Any) -> int:
-    """Return the value that counts among several values of one parameter of a node: the last one with the lowest number."""
+    """Return the rank of a value among several values of one parameter. A lower rank takes precedence.
+
+    The rank is the number of the parameter type. A value without a type has the highest rank.
+    """
     try:
         return type_of_value(value) or STRING_ARRAY + 1
     except TypeError:
@@ -76,9 +79,10 @@ def value_fits(value: Any, number: int) -> bool:
 
 
 def scalar_from_text(text: str) -> Any:
-    """Return the value of an unquoted scalar, by the rules of rcl's parameter parser (YAML 1.1 booleans, C numbers).
+    """Return the value of an unquoted scalar, according to rcl's parameter parser (YAML 1.1 booleans, C numbers).
 
-    `off` is False, `0x10` is 16, `010` is 8, `1e3` is 1000.0, anything else is a string.
+    `off` is False, `0x10` is 16, `010` is 8, `1e3` is 1000.0. A scalar that is neither a boolean nor a number is a
+    string.
     """
     if text in _TRUE:
         return True
@@ -117,12 +121,15 @@ def _c_float(text: str) -> float | str:
 
 
 def sequence_type_name(value: Any) -> str:
-    """Return what rcl's parser calls the type of a scalar in its messages about lists."""
+    """Return the name of a scalar's type in rcl's error messages about lists."""
     return {BOOL: 'bool', INTEGER: 'integer', DOUBLE: 'double', STRING: 'string'}[type_of_value(value)]
 
 
 def integer_range_problem(name: str, value: int, lowest: int, highest: int, step: int) -> str | None:
-    """Return why an integer is refused by its range, in rclpy's words, or None. Both ends are always allowed, in either order."""
+    """Return why an integer is outside its range, in the words of rclpy, or None if it is allowed.
+
+    Both limits are always allowed. `lowest` may be greater than `highest`.
+    """
     lowest, highest = min(lowest, highest), max(lowest, highest)
     if value in (lowest, highest):
         return None
@@ -134,9 +141,9 @@ def integer_range_problem(name: str, value: int, lowest: int, highest: int, step
 
 
 def float_range_problem(name: str, value: float, lowest: float, highest: float, step: float) -> str | None:
-    """Return why a float is refused by its range, in rclpy's words, or None.
+    """Return why a float is outside its range, in the words of rclpy, or None if it is allowed.
 
-    Ends (in either order) and steps have a relative tolerance of 1e-6.
+    Limits and steps have a relative tolerance of 1e-6. `lowest` may be greater than `highest`.
     """
     lowest, highest = min(lowest, highest), max(lowest, highest)
     if _close(value, lowest) or _close(value, highest):
@@ -158,9 +165,9 @@ def _close(first: float, second: float) -> bool:
 
 
 def pattern_matches(pattern: str, fully_qualified_name: str) -> bool:
-    """Return whether a node pattern of a parameter file (`/sim`, `/*/sim`, `/**`) matches the node of that name.
+    """Return whether a node pattern of a parameter file (`/sim`, `/*/sim`, `/**`) matches a fully qualified node name.
 
-    `*` stands for exactly one token, `**` for any number of them.
+    `*` matches exactly one token, and `**` matches any number of tokens.
     """
     return _tokens_match(pattern.strip('/').split('/'), fully_qualified_name.strip('/').split('/'))
 

@@ -13,7 +13,7 @@ INFINITE_NS = 0
 
 
 class QoS(NamedTuple):
-    """The policies of one endpoint; times in nanoseconds, 0 for infinite.
+    """The QoS policies of one endpoint. Times are in nanoseconds, and 0 means infinite.
 
     All values are resolved: `rclpy` replaces system defaults and `best_available` before it creates an endpoint.
     """
@@ -29,15 +29,16 @@ class QoS(NamedTuple):
 
     @property
     def queue_length(self) -> int | None:
-        """How many messages a queue of this endpoint holds; None for no limit."""
+        """The number of messages that a queue of this endpoint can contain, or None for no limit."""
         return None if self.history == KEEP_ALL else max(1, self.depth)
 
 
 def incompatible_policy(offered: QoS, requested: QoS) -> str | None:
-    """Return ROS 2's name of the policy that makes a publisher and a subscription incompatible, or None if they match.
+    """Return the ROS 2 name of the policy that makes a publisher and a subscription incompatible, or None if they are
+    compatible.
 
-    The rule is "offered at least as good as requested"; history and depth never matter (facts_rclpy.md section 9).
-    If several do not fit, return the one that Fast DDS reports last.
+    Each offered policy must be at least as good as the requested one; history and depth never matter (facts_rclpy.md section
+    9). If several policies are incompatible, return the one that Fast DDS reports last.
     """
     if offered.reliability == BEST_EFFORT and requested.reliability == RELIABLE:
         return 'RELIABILITY'

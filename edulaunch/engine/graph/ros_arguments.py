@@ -1,4 +1,4 @@
-"""The part of a command line between `--ros-args` and `--`: remap rules, parameters and log levels, by rcl's rules."""
+"""Parses the part of a command line between `--ros-args` and `--` as rcl does: remap rules, parameters and log levels."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class RosArgumentsError(UnusableInput):
 
 
 class Override(NamedTuple):
-    """A parameter value given from outside, and where it came from ('command line' or 'file.yaml line 12')."""
+    """A parameter override and its origin ('command line' or 'file.yaml line 12')."""
 
     value: Any
     origin: str
@@ -49,13 +49,13 @@ class Override(NamedTuple):
 class RosArguments:
     """The ROS arguments of a command line.
 
-    :ivar remap_rules: in order of appearance; the first that matches is used.
+    :ivar remap_rules: the remap rules in order of appearance; the first matching rule is used.
     :ivar parameters: node pattern -> parameter name -> :class:`Override`; patterns in order of first appearance.
     :ivar log_levels: logger name -> severity number; the name '' is the default level.
-    :ivar outputs: which of 'stdout', 'rosout', 'external-lib' logs were switched on or off.
-    :ivar others: the arguments outside any `--ros-args` section, the program's own name included.
-    :ivar deprecated: the remap rules among the `others`.
-    :ivar unknown: unknown tokens inside a section.
+    :ivar outputs: whether 'stdout', 'rosout' and 'external-lib' logs are on, for each of these outputs that a flag sets.
+    :ivar others: the arguments outside any `--ros-args` section, including the name of the program.
+    :ivar deprecated: the remap rules outside any `--ros-args` section.
+    :ivar unknown: the unknown tokens inside a section.
     """
 
     def __init__(self) -> None:
@@ -69,7 +69,7 @@ class RosArguments:
         self.unknown: list[str] = []
 
     def overrides_for(self, fully_qualified_name: str) -> dict[str, Override]:
-        """Return the parameters for one node: later patterns overwrite earlier ones."""
+        """Return the parameter overrides for one node. Later patterns take precedence over earlier ones."""
         found: dict[str, Override] = {}
         for pattern, values in self.parameters.items():
             if pattern_matches(pattern, fully_qualified_name):
@@ -78,10 +78,11 @@ class RosArguments:
 
 
 def parse_ros_arguments(arguments: Sequence[str], entries_of: Callable[[str], Sequence[Entry]] | None = None) -> RosArguments:
-    """Read a whole command line.
+    """Parse a whole command line, and return its ROS arguments.
 
-    :param entries_of: returns the entries of a parameter file, given its path as written (default: reads the file).
-    :raises RosArgumentsError: with rcl's message, for an invalid rule or file.
+    :param entries_of: a function that returns the entries of a parameter file, given its path as written (default: read
+        the file).
+    :raises RosArgumentsError: with rcl's message, for an invalid rule, flag or parameter file.
     """
     result = RosArguments()
     tokens = iter(arguments)
@@ -99,7 +100,7 @@ def parse_ros_arguments(arguments: Sequence[str], entries_of: Callable[[str], Se
 
 
 def _read_other(result: RosArguments, token: str) -> None:
-    """Read an argument outside of `--ros-args`. A remap rule also counts there, but rcl calls that deprecated."""
+    """Read an argument outside of `--ros-args`. A remap rule also takes effect there, but rcl reports it as deprecated."""
     try:
         if ':=' in token:
             result.remap_rules.append(remap_rule(token))
@@ -113,7 +114,9 @@ def _read_other(result: RosArguments, token: str) -> None:
 def entries_of_file(path: str) -> Sequence[Entry]:
     """Return the entries of a parameter file.
 
-    :raises OSError, UnicodeDecodeError, ParameterFileError: when it cannot be read.
+    :raises OSError: if the file cannot be opened.
+    :raises UnicodeDecodeError: if the file is not UTF-8.
+    :raises ParameterFileError: if rcl would reject the content.
     """
     with open(path, encoding='utf-8') as file:
         return read_parameter_file(file.read())
@@ -184,9 +187,9 @@ def _remap_rule(flag: str, text: str) -> RemapRule:
 
 
 def remap_rule(text: str) -> RemapRule:
-    """Return the rule for `from:=to`.
+    """Return the remap rule that a string such as `from:=to` describes.
 
-    :raises RuleError: when it is invalid.
+    :raises RuleError: if the rule is invalid.
     """
     plain = _PLAIN_RULE.fullmatch(text)
     if plain is not None:
@@ -233,7 +236,10 @@ def _add_parameter(result: RosArguments, flag: str, text: str) -> None:
 
 
 def _keep(values: dict[str, Override], name: str, override: Override) -> None:
-    """Add a value. rcl keeps one value of each type, and rclpy takes the first type: a bool before a number before a string."""
+    """Add a parameter override, unless the stored value of the parameter takes precedence.
+
+    rcl stores one value of each type, and rclpy uses the first type: bool, integer, double, string, then arrays.
+    """
     kept = values.get(name)
     if kept is None or precedence(override.value) <= precedence(kept.value):
         values[name] = override
@@ -271,9 +277,9 @@ def _add_log_level(result: RosArguments, flag: str, text: str) -> None:
 
 
 def _log_level(text: str) -> tuple[str, int]:
-    """Return the logger ('' for the default level) and the severity that `level` or `logger:=level` names.
+    """Parse `level` or `logger:=level`, and return the logger ('' for the default level) and the severity number.
 
-    :raises RuleError: when the severity is invalid.
+    :raises RuleError: if the logger name or the severity is invalid.
     """
     name, separator, level = text.partition(':=')
     if not separator:

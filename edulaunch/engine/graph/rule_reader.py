@@ -1,4 +1,4 @@
-"""Read one argument for ROS, as `from:=to` or `name:=value`: tokens, and rcl's error messages."""
+"""Reads one ROS argument, such as `from:=to` or `name:=value`: its lexemes, and the error messages of rcl."""
 
 from __future__ import annotations
 
@@ -26,11 +26,13 @@ TOKEN, SLASH, WILD_ONE, WILD_ANY, DOT = range(18, 23)
 
 
 class RuleError(Exception):
-    """An argument that rcl rejects. The message is rcl's message after `Error:`."""
+    """An argument that rcl rejects. The message is the part of rcl's message after `Error:`."""
 
 
 class RuleReader:
-    """Reads an argument lexeme by lexeme. The numbers of the lexemes are those of rcl, because its messages show them."""
+    """A reader that splits an argument into lexemes. The kinds of lexemes have rcl's numbers, because rcl's messages show
+    them.
+    """
 
     def __init__(self, text: str, position: int = 0) -> None:
         self.text = text
@@ -38,7 +40,7 @@ class RuleReader:
         self.kind, self._end = self._lexeme_at(position)
 
     def _lexeme_at(self, start: int) -> tuple[int, int]:
-        """Return the lexeme that begins there, and where it ends."""
+        """Return the kind of the lexeme that begins at `start`, and the position of its end."""
         if start == len(self.text):
             return END, start
         for words, kind in _LEXEMES:
@@ -51,16 +53,16 @@ class RuleReader:
         return NOTHING, start
 
     def take(self) -> str:
-        """Move past the next lexeme, and return it."""
+        """Move past the next lexeme, and return its string."""
         taken = self.text[self.position : self._end]
         self.position = self._end
         self.kind, self._end = self._lexeme_at(self.position)
         return taken
 
     def expect(self, kind: int) -> str:
-        """Move past the next lexeme, which must be of that kind, and return it.
+        """Move past the next lexeme, which must be of the given kind, and return its string.
 
-        :raises RuleError: when it is of another kind.
+        :raises RuleError: if the lexeme is of another kind.
         """
         if self.kind != kind:
             if self.kind in (NOTHING, END):
@@ -69,7 +71,7 @@ class RuleReader:
         return self.take()
 
     def node_prefix(self) -> str | None:
-        """Return the name before a single colon at the beginning, or None."""
+        """Move past `name:` at the beginning, and return the name. Return None if there is no such prefix."""
         if self.kind != TOKEN or self._lexeme_at(self._end)[0] != COLON:
             return None
         name = self.take()
@@ -77,7 +79,10 @@ class RuleReader:
         return name
 
     def expect_name_token(self) -> None:
-        """Move past a token of a name to match. Raise RuleError for a wildcard, or anything else."""
+        """Move past a token of a name to match.
+
+        :raises RuleError: if the next lexeme is a wildcard, or not a token.
+        """
         if self.kind in (WILD_ONE, WILD_ANY):
             raise RuleError(f"Wildcard '{self.take()}' is not implemented")
         if self.kind != TOKEN:
@@ -85,7 +90,10 @@ class RuleReader:
         self.take()
 
     def expect_new_token(self) -> None:
-        """Move past a token of a new name. Raise RuleError without one, and without a reason, as rcl does."""
+        """Move past a token of a new name.
+
+        :raises RuleError: if the next lexeme is not a token. The message contains no reason, like rcl's message.
+        """
         if BACK_REFERENCE <= self.kind < TOKEN:
             raise RuleError('Backreferences are not implemented')
         if self.kind != TOKEN:
@@ -94,9 +102,9 @@ class RuleReader:
 
 
 def read_parameter_name(reader: RuleReader) -> str:
-    """Read the parameter's name up to `:=`, and move past it. Slashes are allowed anywhere in it.
+    """Move past a parameter name and the `:=` after it, and return the name. Slashes are allowed anywhere in the name.
 
-    :raises RuleError: when it breaks the rules.
+    :raises RuleError: if the name is invalid.
     """
     start = reader.position
     while True:
@@ -114,7 +122,7 @@ def read_parameter_name(reader: RuleReader) -> str:
 def read_matched_name(reader: RuleReader) -> str:
     """Move past a topic or service name and the `:=` after it, and return the name.
 
-    :raises RuleError: when it breaks the rules.
+    :raises RuleError: if the name is invalid.
     """
     start = reader.position
     if reader.kind in (TILDE_SLASH, SLASH):
@@ -129,9 +137,9 @@ def read_matched_name(reader: RuleReader) -> str:
 
 
 def read_new_name(reader: RuleReader) -> str:
-    """Return the topic or service name to the right of `:=`, up to the end.
+    """Return the topic or service name to the right of `:=`, which is the rest of the argument.
 
-    :raises RuleError: when it breaks the rules.
+    :raises RuleError: if the name is invalid.
     """
     start = reader.position
     if reader.kind in (TILDE_SLASH, SLASH):
@@ -144,9 +152,9 @@ def read_new_name(reader: RuleReader) -> str:
 
 
 def read_new_namespace(reader: RuleReader) -> str:
-    """Return the absolute namespace to the right of `:=`, up to the end.
+    """Return the absolute namespace to the right of `:=`, which is the rest of the argument.
 
-    :raises RuleError: when it breaks the rules.
+    :raises RuleError: if the namespace is invalid.
     """
     start = reader.position
     reader.expect(SLASH)

@@ -1,4 +1,6 @@
-"""Services: requests find their server by name, replies find their client by number."""
+"""Services. The service name connects a request with its servers, and the request number connects a reply with its
+request.
+"""
 
 from __future__ import annotations
 
@@ -41,7 +43,7 @@ class ServiceEnd:
 
 
 class ServiceServer(ServiceEnd):
-    """One server of a service; `queue` has the waiting requests, oldest first."""
+    """One server of a service; `queue` contains the waiting requests, oldest first."""
 
     kind = 'service'
 
@@ -66,14 +68,14 @@ class ServiceServer(ServiceEnd):
         client.on_ready()
 
     def destroy(self) -> None:
-        """Stop serving; waiting requests are never answered."""
+        """Remove the server from the service. Requests that are still waiting never get a reply."""
         self.graph.remove_end(self)
 
 
 class ServiceClient(ServiceEnd):
-    """One client of a service; `queue` holds (sequence, wire) of replies, oldest first.
+    """One client of a service; `queue` contains the replies as (sequence, wire), oldest first.
 
-    :ivar lost: how many requests found no server.
+    :ivar lost: the number of requests for which there was no server.
     :ivar unanswered: the numbers of the requests that wait for a reply.
     """
 
@@ -89,7 +91,7 @@ class ServiceClient(ServiceEnd):
         self._sequence = 0
 
     def server_is_ready(self) -> bool:
-        """Return whether a server of this name and type exists now."""
+        """Return whether a server with the name and type of this client exists now."""
         return bool(self.servers())
 
     def servers(self) -> list[ServiceServer]:
@@ -97,8 +99,9 @@ class ServiceClient(ServiceEnd):
         return [server for server in self.graph.services.get(self.service_name, ()) if server.type_name == self.type_name]
 
     def send(self, wire: Any) -> int:
-        """Send a request and return its number. All servers of the name get it, and the first reply counts. Without a server it
-        is lost, as in ROS 2.
+        """Send a request to all servers of the service, and return the number of the request.
+
+        The client receives only the first reply. Without a server, the request is lost, as in ROS 2.
         """
         self._sequence = sequence = self._sequence + 1
         servers = self.servers()
@@ -118,5 +121,5 @@ class ServiceClient(ServiceEnd):
         return self.queue.popleft() if self.queue else None
 
     def destroy(self) -> None:
-        """Remove the client from the service, and drop later replies."""
+        """Remove the client from the service. Later replies are dropped."""
         self.graph.remove_end(self)

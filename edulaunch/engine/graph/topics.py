@@ -1,4 +1,4 @@
-"""Topics: publishers, subscriptions, and the delivery between them."""
+"""Topics: publishers, subscriptions, and the delivery of messages between them."""
 
 from __future__ import annotations
 
@@ -66,11 +66,11 @@ class Publisher(Endpoint):
 
     @property
     def subscription_count(self) -> int:
-        """The number of subscriptions that this publisher reaches."""
+        """The number of subscriptions that are matched with this publisher."""
         return len(self.matched)
 
     def publish(self, wire: Any) -> None:
-        """Deliver a snapshot. Afterwards, it is in all matched queues, and their nodes are marked as ready."""
+        """Record a wire tuple, add it to the queue of each matched subscription, and call `on_ready` of the subscription."""
         now = self._sim.now_ns
         self.published = number = self.published + 1
         self.record((now, self.index, wire))
@@ -81,16 +81,20 @@ class Publisher(Endpoint):
             subscription.on_ready()
 
     def late_samples(self) -> list[Sample]:
-        """Return the messages that a late subscription gets, whose lifespan is not over."""
+        """Return the stored messages for a subscription that joins late, without messages whose lifespan is over."""
         return [sample for sample in self.history or () if self.is_current(sample[1])]
 
     def is_current(self, published_ns: int) -> bool:
-        """Return whether a message is younger than the lifespan."""
+        """Return whether a message is younger than the lifespan that this publisher sets.
+
+        :param published_ns: the simulated time at which the message was published, in nanoseconds.
+        """
         return not self.qos.lifespan_ns or self._sim.now_ns < published_ns + self.qos.lifespan_ns
 
     def destroy(self) -> None:
-        """Remove the publisher from the topic; do nothing the second time. Later messages of an ending program are not
-        recorded.
+        """Remove the publisher from the topic; a second call has no effect.
+
+        Messages that an ending program publishes afterwards are not recorded.
         """
         self.record = _forget
         for subscription in list(self.matched):
@@ -99,7 +103,11 @@ class Publisher(Endpoint):
 
 
 class WatchedPublisher(Publisher):
-    """A publisher that offers a deadline or a lease: `on_publish` is called for each message, `on_life` for each sign of life."""
+    """A publisher that offers a deadline or a lease duration.
+
+    :ivar on_publish: the functions to call for each message.
+    :ivar on_life: the functions to call for each message, and whenever the publisher reports that it is alive.
+    """
 
     def __init__(self, graph: Members, node: NodeEntry, topic_name: str, cls: Any, qos: QoS) -> None:
         super().__init__(graph, node, topic_name, cls, qos)
@@ -122,8 +130,8 @@ class WatchedPublisher(Publisher):
 class Subscription(Endpoint):
     """One subscription of one node.
 
-    `queue` has the waiting samples, oldest first. When it is full (QoS depth), it drops the oldest one. `on_ready()` is called
-    in the publisher's turn after each delivery, and may only mark or wake something.
+    `queue` contains the waiting samples, oldest first. When the queue is full (QoS depth), it drops the oldest sample.
+    `on_ready()` is called after each delivery, while the publisher's code runs. It may only set a mark or wake a task.
     """
 
     kind = 'subscription'
@@ -148,11 +156,11 @@ class Subscription(Endpoint):
 
     @property
     def publisher_count(self) -> int:
-        """The number of publishers that reach this subscription."""
+        """The number of publishers that are matched with this subscription."""
         return len(self.publishers)
 
     def take(self) -> Sample | None:
-        """Return the oldest waiting message, or None."""
+        """Return the oldest waiting sample, or None."""
         if self.may_expire:
             self.drop_expired()
         return self.queue.popleft() if self.queue else None
@@ -166,7 +174,10 @@ class Subscription(Endpoint):
 
 
 def connect(publisher: Publisher, subscription: Subscription) -> None:
-    """Match two endpoints of one topic, or inform both why they do not match."""
+    """Match a publisher and a subscription of one topic.
+
+    If they are incompatible, record the policy instead, and report it to both endpoints.
+    """
     policy = 'TYPE' if publisher.type_name != subscription.type_name else incompatible_policy(publisher.qos, subscription.qos)
     if policy is not None:
         publisher.graph.tracer.incompatible(publisher, subscription, policy)
@@ -186,7 +197,7 @@ def connect(publisher: Publisher, subscription: Subscription) -> None:
 
 
 def disconnect(publisher: Publisher, subscription: Subscription) -> None:
-    """Undo `connect`, if it made a match."""
+    """End the match between a publisher and a subscription. Do nothing if they were not matched."""
     if subscription in publisher.matched:
         publisher.matched.remove(subscription)
         subscription.publishers.remove(publisher)
@@ -195,4 +206,4 @@ def disconnect(publisher: Publisher, subscription: Subscription) -> None:
 
 
 def _forget(record: Any) -> None:
-    """Record nothing. This replaces the function that records the messages of a destroyed publisher."""
+    """Record nothing. This function replaces the recording function of a destroyed publisher."""

@@ -1,9 +1,9 @@
 """Message, service and action classes from .msg, .srv and .action files, and wire tuples.
 
-Read the files in this order: `spec` (definition of an interface), `notation` and `parser` (reading text), and `layout` (flat
-fields). Then read `generator` and `services` (the classes), `registry` (finds files, creates each class once), `importer`
-(`import geometry_msgs.msg`), and `texts` (kept in recordings). `edulaunch.ros.serialization` has the forms that leave the
-simulation, such as CDR.
+Read the files in this order: `spec` (definition of an interface), `notation` and `parser` (reading interface files), and `layout`
+(flat fields). Then read `generator` and `services` (the classes), `registry` (finds files, creates each class once), `importer`
+(`import geometry_msgs.msg`), and `texts` (definitions that recordings store). `edulaunch.ros.serialization` has the forms that
+leave the simulation, such as CDR.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 
 def install(registry: Registry | None = None) -> None:
-    """Make imports such as `import geometry_msgs.msg` work, with the interfaces of a registry (default: those of
-    the underlay).
+    """Make imports such as `import geometry_msgs.msg` work, with the interfaces of a registry (default: the underlay's
+    registry).
     """
     from edulaunch.engine.interfaces.importer import install as install_finder
     from edulaunch.engine.interfaces.registry import underlay_registry
@@ -25,8 +25,10 @@ def install(registry: Registry | None = None) -> None:
 
 
 def current_registry() -> Registry:
-    """Return the registry of importable interfaces: the running program's workspace and the underlay. Outside programs, it is the
-    installed registry, or that of the underlay.
+    """Return the registry of importable interfaces.
+
+    For a running program, it contains the interfaces of the program's workspace and of the underlay. Outside programs, return the
+    installed registry or, if none is installed, the underlay's registry.
     """
     from edulaunch.engine.interfaces.importer import installed_registry
     from edulaunch.engine.interfaces.registry import running_registry, underlay_registry

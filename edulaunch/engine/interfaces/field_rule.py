@@ -15,12 +15,14 @@ from edulaunch.engine.interfaces.spec import Field, Primitive
 
 
 def python_values(values: Any, kind: Primitive) -> Any:
-    """Convert values as Jazzy does. An `array.array` or numpy array of the field's kind accepts integers for floats, numpy's
-    numbers for Python's, and any iterable.
+    """Convert values to a list or an array of Python numbers, as Jazzy does.
 
+    Integers are accepted for floats, and numpy's numbers for Python's.
+
+    :param values: any iterable, such as a list, an `array.array` or a numpy array.
     :param kind: the kind of the field's elements.
-    :return: an array for a numpy array of exactly that kind (an image), otherwise a list of Python's numbers. Values that Jazzy
-        refuses are returned unchanged, such as an array with rows, floats for integers, or strings.
+    :return: an array for a numpy array of exactly that kind (such as an image), otherwise a list of Python numbers. Values
+        that Jazzy rejects are returned unchanged, such as an array with several dimensions, floats for integers, or strings.
     """
     numpy = sys.modules.get('numpy')
     numbers: tuple[type, ...] = (int, float) if kind.python is float else (int,)
@@ -42,7 +44,7 @@ _INF = float('inf')
 
 
 class FieldRule:
-    """The rule of one field; `message` is the class of a nested message, or None.
+    """The rule that checks the values of one field. `message` is the class of a nested message, or None.
 
     Generated setters handle the most common valid values themselves, and call `accept` for all others.
     """
@@ -56,10 +58,10 @@ class FieldRule:
         self.message = message
 
     def accept(self, value: Any) -> Any:
-        """Return the value as the slot stores it.
+        """Check a value, and return it in the form in which the slot stores it.
 
-        :raises AssertionError: in rclpy's words, when the value has a wrong type, length or range.
-        :raises TypeError, ValueError, OverflowError: those of `array.array`, for values that a sequence of numbers cannot have.
+        :raises AssertionError: with rclpy's message, if the value has a wrong type, length or range.
+        :raises TypeError, ValueError, OverflowError: from `array.array`, if a sequence of numbers cannot contain the value.
         """
         if not self.type.array:
             return self._accept_one(value)
@@ -137,7 +139,7 @@ class FieldRule:
         return self._are_plain_numbers(values) or all(self._is_one(value) and self._is_in_range(value) for value in values)
 
     def _are_plain_numbers(self, values: Collection[Any]) -> bool:
-        """Return whether a quick check finds only plain numbers, which it nearly always does. An image has a million values."""
+        """Return whether a quick check finds only plain numbers, which is nearly always so. An image has a million values."""
         kind = self.kind
         if kind is None or not kind.is_number or not values:
             return False
@@ -167,9 +169,9 @@ class FieldRule:
         return value
 
     def _array_of(self, value: Any, **facts: Any) -> array[Any]:
-        """Return the array that Python itself makes of unusual values, because Jazzy assigns this one.
+        """Return the array that Python creates from unusual values, because Jazzy assigns the same array.
 
-        :param facts: facts that replace the usual ones of the error.
+        :param facts: facts that replace the usual facts of the error.
         """
         from edulaunch.engine.interfaces.mistakes import value_facts
 
@@ -183,8 +185,9 @@ class FieldRule:
         return made
 
     def _accept_fixed_numbers(self, value: Any) -> Any:
-        """Return the value to store: a numpy array itself, or the wire value of a list. It becomes a numpy array when it is
-        first read.
+        """Return the value to store. A numpy array is stored as it is, and any other value as its wire value.
+
+        A wire value becomes a numpy array when the field is first read.
         """
         assert self.kind is not None
         numpy = sys.modules.get('numpy')
@@ -239,7 +242,7 @@ class FieldRule:
         return b''.join(values) if is_byte_like(self.type) else tuple(values)
 
     def refuse_elements(self, values: Any) -> None:
-        """Check that every message in the list is an instance of the right class, and that the length is valid."""
+        """Raise an AssertionError unless every message in the list is of the right class and the length of the list is valid."""
         if not self._are_right(values):
             self._refuse(f'must be {self._several_words()}', values)
 
@@ -249,14 +252,14 @@ class FieldRule:
         return values.tobytes() if is_byte_like(self.type) else tuple(values)
 
     def fixed_to_wire(self, values: Any) -> tuple[Any, ...] | bytes:
-        """Return the wire value of a fixed array of numbers that became a numpy array because it was read."""
+        """Return the wire value of a fixed array of numbers that is stored as a numpy array."""
         raw = self._accept_fixed_numbers(values)
         if isinstance(raw, (tuple, bytes)):
             return raw
         return raw.tobytes() if is_byte_like(self.type) else tuple(raw.ravel().tolist())
 
     def to_numpy(self, wire: Any) -> Any:
-        """Return a new numpy array with the wire value of a fixed array of numbers."""
+        """Return the wire value of a fixed array of numbers as a new numpy array."""
         import numpy  # imported here, because few runs read a covariance
 
         assert self.kind is not None

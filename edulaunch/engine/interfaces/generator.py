@@ -1,7 +1,8 @@
-"""Creates message classes: their Python source, and the objects that the source needs. A simulation spends most of its time in
-snapshots, so each class gets its own straight-line code. Nested messages are inlined and
-their slots are stored directly without checks. All single values move in one tuple, and float32 values are rounded together in
-one struct round trip.
+"""Creates message classes: their Python source, and the objects that the source needs.
+
+A simulation spends most of its time in snapshots, so each class has generated code without loops and calls. The code for nested
+messages is inlined, and their slots are set directly without checks. All single values move in one tuple. All float32 values are
+rounded together, with one call of `pack` and `unpack` of `struct`.
 """
 
 from __future__ import annotations
@@ -29,10 +30,9 @@ from edulaunch.engine.interfaces.spec import KINDS, Field, FieldType, MessageSpe
 
 
 class ClassSource:
-    """Writes the source of one class; afterwards, `names` has the globals that the code needs.
+    """The generator of the source of one class. Call :meth:`text` first; then `names` contains the globals that the source needs.
 
-    `names` maps a global name to its meaning: ('class', type), ('rule', type, field name), ('default',
-    wire value).
+    `names` maps a global name to its meaning: ('class', type), ('rule', type, field name), or ('default', wire value).
     """
 
     def __init__(self, spec: MessageSpec, layout: Layout) -> None:
@@ -44,7 +44,7 @@ class ClassSource:
 
     @property
     def names(self) -> dict[str, tuple[object, ...]]:
-        """The global names that the code uses, each with its meaning."""
+        """The global names in the generated source, each with its meaning."""
         return {name: key for key, name in self._ids.items()}
 
     def text(self) -> str:
@@ -130,7 +130,9 @@ class ClassSource:
         return [*lines, f' return ({values})']
 
     def _check_elements(self, leaf: Leaf) -> list[str]:
-        """Add code that checks lists of messages, because these are ordinary lists to which a student may append anything."""
+        """Add code that checks lists of messages, because such a list is an ordinary list, to which a student may append any
+        object.
+        """
         cls, refuse = (self._global('class', leaf.type.base), f'{self._rule(leaf)}.refuse_elements({leaf.target})')
         lines = [f' for i in {leaf.target}:', f'  if type(i) is not {cls}: {refuse}']
         if leaf.type.array != 'unbounded':
@@ -205,7 +207,9 @@ class ClassSource:
         return [*lines, f'{field.name} = _property({getter}, {field.name})']
 
     def _is_right(self, field_type: FieldType) -> str:
-        """Return a quick test that accepts the most common valid values; the field's rule checks all others."""
+        """Return the source of a quick test that accepts the most common valid values. The rule of the field checks all
+        others.
+        """
         kind = field_type.kind
         if field_type.array or field_type.string_bound is not None or field_type.base == 'byte':
             return ''
@@ -219,7 +223,11 @@ MessageOf = Callable[[str], type[Message]]
 
 
 def make_message(spec: MessageSpec, message_of: MessageOf) -> type[Message]:
-    """Return the class of a message; `message_of` gives the classes of the types it contains."""
+    """Return the class of a message.
+
+    :param spec: the definition of the message.
+    :param message_of: a function that returns the class of a nested message type.
+    """
     nested = {field.name: message_of(field.type.base) for field in spec.fields if field.type.kind is None}
     layout = layout_of(spec, lambda type_name: message_of(type_name)._SPEC)
     rules = {field.name: FieldRule(field, nested.get(field.name)) for field in spec.fields}
@@ -262,7 +270,7 @@ def _meaning(key: tuple[Any, ...], own: str, rules: dict[str, FieldRule], messag
 
 
 def _complete(cls: type[Message], spec: MessageSpec) -> None:
-    """Add all attributes that need no generated code."""
+    """Add all attributes that are not part of the generated source."""
     cls.TYPE = spec.type
     cls._SPEC = spec
     cls._FIELDS = {field.name: field.type.ros_text for field in spec.fields}
@@ -290,7 +298,7 @@ def _slot_types(spec: MessageSpec) -> tuple[object, ...]:
 
 
 def default_object(field: Field) -> Any:
-    """Return the default of a field in the form that a reader of the field gets."""
+    """Return the default of a field as the object that a program gets when it reads the field."""
     if is_fixed_numbers(field.type):
         return FieldRule(field, None).to_numpy(default_wire(field))
     if is_number_sequence(field.type):
@@ -299,8 +307,9 @@ def default_object(field: Field) -> Any:
 
 
 def module_of(type_name: str) -> str:
-    """Return the value for the `__module__` of a class: 'geometry_msgs.msg._transform_stamped'. Parts of a service
-    share its module.
+    """Return the `__module__` of the class of a type: 'geometry_msgs.msg._transform_stamped'.
+
+    The parts of a service have the same module as the service.
     """
     package, kind, name = type_name.split('/')
     return f'{package}.{kind}._{module_name(name.partition("_")[0])}'

@@ -1,4 +1,4 @@
-"""Makes `import geometry_msgs.msg` work for packages that have interface files; it creates each class on its first use."""
+"""Makes `import geometry_msgs.msg` work for packages that have interface files. Each class is created on its first use."""
 
 from __future__ import annotations
 
@@ -20,11 +20,10 @@ else:
 
 
 class InterfaceFinder(Loader):
-    """A finder for `sys.meta_path`: provides `<package>.msg|srv|action` and, unless Python finds a real one,
-    `<package>` itself.
+    """A finder for `sys.meta_path` that provides `<package>.msg`, `<package>.srv` and `<package>.action`.
 
-    It must come before Python's path finder, because the folder `my_interfaces/msg` of a workspace looks like a namespace
-    package.
+    It also provides `<package>` itself, unless Python finds a real package with this name. The finder must come before
+    Python's path finder, because the folder `my_interfaces/msg` of a workspace looks like a namespace package.
     """
 
     def __init__(self, registry: Registry) -> None:
@@ -47,7 +46,7 @@ class InterfaceFinder(Loader):
         return ModuleSpec(fullname, self) if self._interface(fullname) else None
 
     def create_module(self, spec: ModuleSpec) -> ModuleType | None:
-        """Implement the import protocol: return the module."""
+        """Return the module for a spec. This method implements the import protocol."""
 
         depth = spec.name.count('.')
         if depth == 0:
@@ -58,14 +57,14 @@ class InterfaceFinder(Loader):
         return PartModule(spec.name, self.registry, interface) if interface else None
 
     def exec_module(self, module: ModuleType) -> None:
-        """Implement the import protocol: run nothing, because each class is created on its first use."""
+        """Do nothing, because each class is created on its first use. This method implements the import protocol."""
 
     def invalidate_caches(self) -> None:
-        """Read the folders again; importlib.invalidate_caches() calls this."""
+        """Read the folders of the registry again; `importlib.invalidate_caches()` calls this method."""
         self.registry.refresh()
 
     def _interface(self, fullname: str) -> str | None:
-        """Return the type of a module name: 'turtlesim/srv/TeleportAbsolute' for 'turtlesim.srv._teleport_absolute'."""
+        """Return the type that a module defines: 'turtlesim/srv/TeleportAbsolute' for 'turtlesim.srv._teleport_absolute'."""
         from edulaunch.engine.interfaces.spec import module_name
 
         package, kind, module = fullname.split('.')
@@ -75,7 +74,7 @@ class InterfaceFinder(Loader):
 
 
 def install(registry: Registry) -> InterfaceFinder:
-    """Make the interfaces of a registry importable, and remove those of an earlier one."""
+    """Make the interfaces of a registry importable, and return the new finder. An earlier finder and its modules are removed."""
     uninstall()
     finder = InterfaceFinder(registry)
     sys.meta_path.insert(0, finder)
@@ -83,12 +82,12 @@ def install(registry: Registry) -> InterfaceFinder:
 
 
 def installed_registry() -> Registry | None:
-    """Return the registry whose interfaces are importable now, if any."""
+    """Return the registry whose interfaces are importable now, or None."""
     return next((finder.registry for finder in sys.meta_path if isinstance(finder, InterfaceFinder)), None)
 
 
 def uninstall() -> None:
-    """Remove the finder, and the modules that it has created."""
+    """Remove the finder, and the modules that the finder has created."""
     finders = [finder for finder in sys.meta_path if isinstance(finder, InterfaceFinder)]
     for finder in finders:
         sys.meta_path.remove(finder)
@@ -98,15 +97,16 @@ def uninstall() -> None:
 
 
 def _is_real_package(name: str) -> bool:
-    """Return whether Python itself finds a module of this name; a bare folder (namespace package) does not count."""
+    """Return whether Python itself finds a module with this name. A bare folder (namespace package) is ignored."""
     spec = PathFinder.find_spec(name)
     return spec is not None and spec.loader is not None and spec.origin is not None
 
 
 class InterfaceModule(ModuleType):
-    """`<package>.msg`, `.srv` or `.action`: one class for each interface file.
+    """The module `<package>.msg`, `.srv` or `.action`, with one class for each interface file.
 
-    A wrong name raises Python's own ImportError or AttributeError, with the nearest name or the place of the type as facts.
+    A wrong name raises Python's own ImportError or AttributeError. The nearest name, or the module that has the type, is attached
+    as a fact.
     """
 
     def __init__(self, name: str, registry: Registry) -> None:
@@ -142,7 +142,7 @@ class InterfaceModule(ModuleType):
 
 
 class PartModule(ModuleType):
-    """`<package>.msg._twist`, the `__module__` of a class, where pickle finds the class."""
+    """A module such as `<package>.msg._twist`. This is the `__module__` of a class, where pickle finds the class."""
 
     def __init__(self, name: str, registry: Registry, interface: str) -> None:
         super().__init__(name)

@@ -1,8 +1,8 @@
 """The layout of a message in a flat wire tuple.
 
-A wire tuple has the message's single values in order, with the fields of nested messages in place of the nested message. A Twist
-is `(linear.x, linear.y, linear.z, angular.x, angular.y, angular.z)`. Only repeated fields are tuples (or bytes) inside it; each
-element of a repeated message field is such a flat tuple again.
+A wire tuple contains the single values of a message in order. The values of a nested message are inserted at the place of the
+nested message. A Twist is `(linear.x, linear.y, linear.z, angular.x, angular.y, angular.z)`. Only repeated fields are tuples (or
+bytes) inside it. Each element of a repeated message field is again a flat tuple.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ SpecOf = Callable[[str], MessageSpec]
 
 
 class Branch:
-    """A nested message: its variable in generated code, the variable and the slot of its outer message, and its type."""
+    """A nested message: its variable in generated code, the variable of the outer message and the slot there, and its type."""
 
     __slots__ = ('variable', 'holder', 'slot', 'type')
 
@@ -29,7 +29,9 @@ class Branch:
 
 
 class Leaf:
-    """One entry of the wire tuple: its dotted path, the variable and the type of its message, and the field itself."""
+    """One entry of the wire tuple: its dotted path, the variable and the type of the message that has the field, and the
+    field.
+    """
 
     __slots__ = ('path', 'holder', 'owner', 'field', 'type')
 
@@ -42,11 +44,11 @@ class Leaf:
 
     @property
     def target(self) -> str:
-        """The slot in generated code."""
+        """The expression for the slot in generated code."""
         return f'{self.holder}._{self.field.name}'
 
     def held_by(self, variable: str) -> Leaf:
-        """Return the same leaf of a message in another variable."""
+        """Return the same leaf for a message that is in another variable."""
         return Leaf(self.path, variable, self.owner, self.field)
 
 
@@ -61,7 +63,11 @@ class Layout:
 
 
 def layout_of(spec: MessageSpec, spec_of: SpecOf) -> Layout:
-    """Return the flat layout of a message; `spec_of` gives the spec of a nested type."""
+    """Return the flat layout of a message.
+
+    :param spec: the definition of the message.
+    :param spec_of: a function that returns the spec of a nested type.
+    """
     branches: list[Branch] = []
     leaves: list[Leaf] = []
 
@@ -80,17 +86,17 @@ def layout_of(spec: MessageSpec, spec_of: SpecOf) -> Layout:
 
 
 def is_byte_like(field_type: FieldType) -> bool:
-    """Return whether a repeated field is one bytes object in the wire tuple."""
+    """Return whether a repeated field is a bytes object in the wire tuple."""
     return bool(field_type.array) and field_type.base in BYTE_LIKE
 
 
 def is_fixed_numbers(field_type: FieldType) -> bool:
-    """Return whether a reader of the field gets a numpy array."""
+    """Return whether a program that reads the field gets a numpy array."""
     return field_type.array == 'fixed' and field_type.kind is not None and field_type.kind.is_number
 
 
 def is_number_sequence(field_type: FieldType) -> bool:
-    """Return whether a reader of the field gets an array.array."""
+    """Return whether a program that reads the field gets an `array.array`."""
     return field_type.array in ('bounded', 'unbounded') and field_type.kind is not None and field_type.kind.is_number
 
 

@@ -1,4 +1,4 @@
-"""The base of all generated message classes, and class attributes that are computed when first read."""
+"""The base class of all generated message classes, and class attributes that are computed on first use."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Lazy:
-    """A class attribute that is computed when it is first read, and then stored on the class that owns it."""
+    """A class attribute that is computed when it is first read. The result is then stored on the class."""
 
     def __init__(self, compute: Callable[[], Any]) -> None:
         self._compute = compute
@@ -29,7 +29,7 @@ class Lazy:
 
 
 class ConstantsStay(type):
-    """The base of the metaclasses of messages: the constants of a message type cannot be assigned to, as in rclpy."""
+    """The base of the metaclasses of messages. A program cannot assign to the constants of a message type, as in rclpy."""
 
     _TYPE_SUPPORT: Any = None
     _constants: frozenset[str] = frozenset()
@@ -42,7 +42,7 @@ class ConstantsStay(type):
 
     @classmethod
     def __import_type_support__(mcs) -> None:
-        """Do nothing, because type support in C is needed by the real rclpy only."""
+        """Do nothing, because only the real rclpy needs type support in C."""
 
 
 class Message(metaclass=ConstantsStay):
@@ -68,17 +68,17 @@ class Message(metaclass=ConstantsStay):
 
     @classmethod
     def get_fields_and_field_types(cls) -> dict[str, str]:
-        """Return field names with their types as strings, in order, such as {'linear': 'geometry_msgs/Vector3'}."""
+        """Return the type of each field as a string, by field name, such as {'linear': 'geometry_msgs/Vector3'}."""
         return dict(cls._FIELDS)
 
     @classmethod
     def wire_type(cls) -> tuple[tuple[str, str], ...]:
-        """Return (dotted path, type in .msg notation) of each entry of a wire tuple, in order."""
+        """Return the entries of a wire tuple, in order, as pairs (dotted path, type in .msg notation)."""
         return tuple((leaf.path, leaf.type.text) for leaf in cls.LAYOUT.leaves)
 
     @property
     def _check_fields(self) -> bool:
-        """Whether fields are checked: always, although ROS 2 Jazzy can switch these checks off with `check_fields`."""
+        """True, because fields are always checked. In ROS 2 Jazzy, `check_fields` can switch these checks off."""
         return True
 
     def __repr__(self) -> str:
@@ -94,7 +94,7 @@ class Message(metaclass=ConstantsStay):
 
 
 def spec_of(message: Message | type[Message]) -> MessageSpec:
-    """Return the definition of a message. It is not a public attribute of the class, because those are fields."""
+    """Return the definition of a message. The class has no public attribute for it, because a field could have the same name."""
     return message._SPEC
 
 
@@ -104,19 +104,21 @@ def rules_of(message: Message | type[Message]) -> dict[str, Any]:
 
 
 class Notices:
-    """The functions to call for mistakes that a message accepts silently.
+    """The functions to call for mistakes that a message class accepts without an error.
 
-    :ivar ignored: called with the class, the ignored name, and the nearest field or None.
+    :ivar ignored: called with the class, the ignored name, and the nearest field name or None.
     """
 
     ignored: ClassVar[Callable[[type[Message], str, str | None], None] | None] = None
 
 
 def set_fields(message: Message, values: dict[str, Any]) -> None:
-    """Set the keyword arguments of a constructor.
+    """Set the fields of a message from the keyword arguments of its constructor.
 
     As in Jazzy, unknown names are ignored, unless `check_fields` is true.
-    :raises AssertionError: with rclpy's message, for the first value of a wrong type; with `check_fields`, for unknown names.
+
+    :raises AssertionError: with rclpy's message, for the first value of a wrong type. With `check_fields`, also for unknown
+        names.
     """
     fields = message._FIELDS
     if not values.keys() <= fields.keys():

@@ -1,8 +1,8 @@
 """Facts about mistakes with messages, as plain data: a rejected value, a misspelt field, or an unknown type.
 
-`twist.linaer = 1` must raise Python's own AttributeError, as with real rclpy. A hook that extends its message at that moment
-(`__setattr__`) would make each correct assignment three times slower. So the code that reports an error to the user asks this
-module for more facts.
+`twist.linaer = 1` must raise Python's own AttributeError, as with the real rclpy. A hook that extends the message of this error
+(`__setattr__`) would make each correct assignment three times slower. So the code that reports an error to the user gets more
+facts from this module.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ Facts = dict[str, Any]
 
 
 class KnownTypes(Protocol):
-    """The part of a registry in which a wrong type name is searched."""
+    """The part of a registry that is needed to suggest a type for a wrong type name."""
 
     def has(self, package: str, /) -> bool:
         """Return whether a package has interfaces."""
 
     def homes(self, name: str, kind: str | None, /) -> list[str]:
-        """Return the modules that have an interface of this name."""
+        """Return the modules that have an interface with this name."""
 
     def packages(self) -> list[str]:
         """Return the names of all packages that have interfaces."""
@@ -35,12 +35,14 @@ class KnownTypes(Protocol):
         """Return all full type names."""
 
     def classes(self) -> list[type[Any]]:
-        """Return all classes that exist so far."""
+        """Return all classes that have been created so far."""
 
 
 def value_facts(field_type: FieldType, message: type[Message] | None, name: str, value: Any) -> Facts:
-    """Return the facts of `messages.field-value`: `field`, `wanted`, `given`, and one of `write`, `fields`, `value`, or
-    `count` with `size`.
+    """Return the facts about a rejected value, for the rule `messages.field-value`.
+
+    The facts are `field`, `wanted` and `given`. Depending on the value, `write`, `fields`, `value`, `convert`, `commas`, or
+    `count` and `size` are added.
     """
     kind = field_type.kind
     wanted = message.__name__ if message is not None else kind.python.__name__ if kind is not None else 'str'
@@ -119,10 +121,11 @@ _TEXT = re.compile(r"'(?P<type>\w+)' object has no attribute '(?P<name>\w+)'", r
 
 
 def field_facts(error: BaseException, registry: KnownTypes) -> dict[str, Any]:
-    """Return the facts of an AttributeError about a message (its type and its fields); for other errors, return no facts.
+    """Return the facts of an AttributeError about a message: its type, its fields and the nearest one. Return {} for other
+    errors.
 
-    :param registry: the registry whose existing classes are searched by name, because the error has no object before Python
-        3.13.
+    :param registry: the registry whose existing classes are searched by name, because before Python 3.13 the error may not
+        contain the object.
     """
     match = _TEXT.match(str(error)) if isinstance(error, AttributeError) else None
     if match is None:
@@ -144,12 +147,12 @@ def _candidates(error: BaseException, name: str, registry: KnownTypes) -> list[t
 
 
 def unknown_type(registry: KnownTypes, type_name: str) -> InterfaceError:
-    """Return the error for an unknown type name, with the nearest known name."""
+    """Return the error for an unknown type name, with a suggestion if there is one."""
     return InterfaceError(f"unknown interface '{type_name}'", help=type_help(registry, type_name))
 
 
 def type_help(registry: KnownTypes, type_name: str) -> str | None:
-    """Return a line that suggests the intended type for a wrong type name."""
+    """Return a line that suggests the intended type for a wrong type name, or None."""
     package, _, name = type_name.partition('/')
     kind, _, name = name.rpartition('/')
     elsewhere = registry.homes(name, kind or None)

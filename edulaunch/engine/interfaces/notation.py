@@ -1,5 +1,5 @@
-"""The notation of interface files: their sections between `---`, types (`float64`, `string<=10`, `geometry_msgs/Point[]`),
-and the values of constants and defaults.
+"""The notation of interface files: sections between `---`, types (`float64`, `string<=10`, `geometry_msgs/Point[]`), and the
+values of constants and defaults.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from edulaunch.errors import InterfaceError
 
 
 class Line(NamedTuple):
-    """One line without its comment."""
+    """One line of an interface file, without its comment."""
 
     file: str
     number: int
@@ -26,13 +26,13 @@ class Line(NamedTuple):
 
 
 def sections_of(text: str, file: str, kind: str, wanted: int) -> list[list[Line]]:
-    """Return the lines between the `---`, without comments and blanks.
+    """Return the lines of each section of an interface file, without comments and blank lines. `---` separates the sections.
 
     :param text: the content of an interface file.
-    :param file: its path, for error messages.
+    :param file: the path of the file, for error messages.
     :param kind: 'msg', 'srv' or 'action'.
     :param wanted: the number of sections of that kind: 1, 2 or 3.
-    :raises InterfaceError: for another number of `---`, or for a longer line of hyphens.
+    :raises InterfaceError: if the number of `---` is wrong, or for a longer line of hyphens.
     """
     sections: list[list[Line]] = [[]]
     number = 0
@@ -81,7 +81,7 @@ _OTHER_WORDS = {
 
 
 def split_type(text: str) -> FieldType | None:
-    """Return the type that a string describes, with its base name as written; None for a string of another form."""
+    """Return the type that a string describes, or None if the string is not a type. The base name stays as written."""
     match = _TYPE.match(text)
     if match is None:
         return None
@@ -95,9 +95,9 @@ def split_type(text: str) -> FieldType | None:
 
 
 def field_type(line: Line, text: str, package: str) -> FieldType:
-    """Return the type of a field, its base resolved to a primitive kind or a full type name.
+    """Return the type of a field. Its base is a primitive kind or a full type name.
 
-    :raises InterfaceError: when the string does not describe a type; types of other files are checked later.
+    :raises InterfaceError: if the string does not describe a type. This function does not check whether a nested type exists.
     """
     written = split_type(text)
     if written is None:
@@ -113,7 +113,7 @@ def field_type(line: Line, text: str, package: str) -> FieldType:
 
 
 def _base(line: Line, name: str, package: str) -> str:
-    """Return the full name of a type: a primitive, or 'pkg/msg/Type'."""
+    """Return the full name of a type: the name of a primitive kind, or 'pkg/msg/Type'."""
     if primitive_name(name) in KINDS:
         return primitive_name(name)
     if name == 'Header':
@@ -131,7 +131,7 @@ def _refuse_name(line: Line, name: str) -> NoReturn:
 
 
 def constant_value(base: str, text: str) -> Any:
-    """Return the value of a constant. A string needs no quotation marks, as in ROS.
+    """Return the value of a constant. A string does not need quotation marks, as in ROS.
 
     :raises ValueError: with the expected form.
     """
@@ -159,7 +159,7 @@ def default_value(field_type: FieldType, text: str) -> Any:
 
 
 def _items(text: str) -> list[str]:
-    """Split at the commas outside quotation marks."""
+    """Split a string at the commas that are outside quotation marks."""
     items, start, quote = [], 0, ''
     for index, char in enumerate(text):
         if quote:

@@ -1,4 +1,4 @@
-"""Reads the text of .msg, .srv and .action files."""
+"""Parses the content of .msg, .srv and .action files."""
 
 from __future__ import annotations
 
@@ -21,10 +21,12 @@ _RESERVED = frozenset(
 
 
 def parse(text: str, type_name: str, file: str = '') -> InterfaceSpec:
-    """Return the interface that `text` describes. `type_name`, such as 'turtlesim/srv/Spawn', contains its kind.
+    """Return the interface that `text` defines.
 
-    :param file: the file for error messages (default: the type name).
-    :raises InterfaceError: with file, line, the expected form and the nearest known name.
+    :param text: the content of the interface file.
+    :param type_name: the full name, such as 'turtlesim/srv/Spawn', which contains the kind of interface.
+    :param file: the path of the file, for error messages (default: the type name).
+    :raises InterfaceError: with file, line, the expected form and, for a misspelt name, the nearest known name.
     """
     package, kind, name = type_name.split('/')
     file = file or type_name

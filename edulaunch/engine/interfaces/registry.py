@@ -1,6 +1,7 @@
-"""Find interface files in share folders, and create each class once. The interfaces of the running program's workspace count, if
-there is one. This layer knows no programs, so the code that runs programs sets a function that returns the registry of the
-running one.
+"""Finds interface files in share folders, and creates each class once.
+
+If a program runs, the interfaces of its workspace are found, too. This layer does not depend on programs. So the code that runs
+programs sets a function that returns the registry of the running program.
 """
 
 from __future__ import annotations
@@ -24,11 +25,13 @@ KINDS_OF_INTERFACE = ('msg', 'srv', 'action')
 
 
 class Registry:
-    """The interfaces under some share folders, over those of another registry.
+    """The interfaces in some share folders, and the interfaces of a base registry.
 
-    :param roots: folders laid out as `<package>/{msg,srv,action}/<Name>.{msg,srv,action}`; the first one with a package counts.
-    :param base: the registry for packages that no root has (that of the underlay for a workspace), whose classes are shared.
-    :param leave: packages that come from the base although a root has them, too.
+    :param roots: folders laid out as `<package>/{msg,srv,action}/<Name>.{msg,srv,action}`; the first folder with a package is
+        used.
+    :param base: the registry for packages that are not in `roots`, whose classes are shared. For a workspace, this is the
+        underlay's registry.
+    :param leave: the packages that are read from `base` although `roots` contains them, too.
     """
 
     def __init__(self, roots: Sequence[str | os.PathLike[str]], base: Registry | None = None, leave: Iterable[str] = ()) -> None:
@@ -50,27 +53,25 @@ class Registry:
         return sorted({*own, *(self.base.packages() if self.base else ())})
 
     def has(self, package: str, kind: str | None = None) -> bool:
-        """Return whether a package has interfaces (of a kind)."""
+        """Return whether a package has interfaces; with `kind`, whether it has interfaces of this kind."""
         files = self._files(package)
         if not files and self.base is not None:
             return self.base.has(package, kind)
         return bool(files) if kind is None else kind in files
 
     def owns(self, package: str) -> bool:
-        """Return whether the interfaces of a package belong to this registry, not to its base."""
+        """Return whether this registry, and not its base, has the interfaces of a package."""
         return bool(self._files(package))
 
     def names(self, package: str, kind: str) -> list[str]:
-        """Return the interface names of one kind in a package, sorted: names('turtlesim', 'srv') -> ['Kill',
-        'SetPen', ...].
-        """
+        """Return the sorted names of one kind of interface in a package: names('turtlesim', 'srv') -> ['Kill', 'SetPen', ...]."""
         files = self._files(package)
         if not files and self.base is not None:
             return self.base.names(package, kind)
         return sorted(files.get(kind, ()))
 
     def types(self, kind: str | None = None) -> list[str]:
-        """Return all full type names (of one kind), sorted."""
+        """Return all full type names, sorted; with `kind`, only those of this kind."""
         return sorted(
             f'{package}/{each}/{name}'
             for package in self.packages()
@@ -80,13 +81,13 @@ class Registry:
         )
 
     def homes(self, name: str, kind: str | None = None) -> list[str]:
-        """Return the modules that have an interface of this name: homes('Twist') -> ['geometry_msgs.msg']."""
+        """Return the modules that have an interface with this name: homes('Twist') -> ['geometry_msgs.msg']."""
         return [full.rpartition('/')[0].replace('/', '.') for full in self.types(kind) if full.endswith(f'/{name}')]
 
     def path(self, type_name: str) -> str:
-        """Return the file that defines 'pkg/kind/Name'.
+        """Return the path of the file that defines 'pkg/kind/Name'.
 
-        :raises InterfaceError: with the nearest type name when there is no such file.
+        :raises InterfaceError: with the nearest type name, if there is no such file.
         """
         package, kind, name = self._split(type_name)
         files = self._files(package)
@@ -98,9 +99,9 @@ class Registry:
             raise self._unknown(type_name) from None
 
     def text(self, type_name: str) -> str:
-        """Return the text of the file that defines a type, from which `ros2 interface show` starts.
+        """Return the content of the file that defines a type. `ros2 interface show` starts with this content.
 
-        :raises InterfaceError: when there is no such type or its file cannot be read as UTF-8.
+        :raises InterfaceError: if the type does not exist.
         """
         path = self.path(type_name)
         with open(path, encoding='utf-8-sig', errors='replace', newline=None) as file:
@@ -109,9 +110,9 @@ class Registry:
     # Specs and classes
 
     def spec(self, type_name: str) -> InterfaceSpec:
-        """Return the spec of a type, or of a part such as 'turtlesim/srv/Spawn_Request'.
+        """Return the definition of a type, or of a part such as 'turtlesim/srv/Spawn_Request'.
 
-        :raises InterfaceError: when there is no such type or its file is invalid.
+        :raises InterfaceError: if the type does not exist or its file is invalid.
         """
         if type_name not in self._specs:
             owner = self._owner(type_name)
@@ -121,8 +122,10 @@ class Registry:
         return self._specs[type_name]
 
     def get(self, type_name: str) -> type[Any]:
-        """Return the class of 'pkg/kind/Name' (message, service, action, or a part of one), which is created by the first call.
-        :raises InterfaceError: when there is no such type, its file is invalid, or it contains itself.
+        """Return the class of 'pkg/kind/Name': a message, a service, an action, or a part of one. The first call creates the
+        class.
+
+        :raises InterfaceError: if the type does not exist, its file is invalid, or the type contains itself.
         """
         cls = self._classes.get(type_name)
         if cls is not None:
@@ -145,18 +148,18 @@ class Registry:
         return cls
 
     def classes(self) -> list[type[Any]]:
-        """Return all classes that exist so far in the order of their creation, those of the base first."""
+        """Return all classes that have been created so far, in order of creation. The classes of the base come first."""
         return [*(self.base.classes() if self.base else ()), *self._classes.values()]
 
     def refresh(self) -> None:
-        """Read the folders again, because files may have been added; existing classes stay."""
+        """Read the folders again on the next use, because files may have been added. Existing classes do not change."""
         self._folders = None
         self._packages.clear()
 
     # Internal
 
     def _package_folders(self) -> dict[str, str]:
-        """Return the folder of each package. They are read only once, because every import needs them."""
+        """Return the folder of each package. The roots are listed only once, because every import needs this result."""
         if self._folders is None:
             folders: dict[str, str] = {}
             for root in reversed(self.roots):
@@ -186,8 +189,9 @@ class Registry:
         return self
 
     def _load(self, type_name: str) -> None:
-        """Read a file and keep the specs of everything it defines. The name of a part is the name of its interface, an
-        underscore and a word.
+        """Parse a file, and store the specs of everything that the file defines.
+
+        The name of a part consists of the name of its interface, an underscore and a word.
         """
         from edulaunch.engine.interfaces.parser import parse
         from edulaunch.engine.interfaces.services import parts_of
@@ -209,7 +213,7 @@ class Registry:
         return make_service(spec, self.get) if isinstance(spec, ServiceSpec) else make_action(spec, self.get)
 
     def _nested(self, spec: MessageSpec, type_name: str) -> type[Message]:
-        """Return the class of a field's type. The error for an unknown type names the line of the field."""
+        """Return the class of a field's type. An error for an unknown type contains the line of the field."""
         try:
             return self.get(type_name)
         except InterfaceError as error:
@@ -238,8 +242,9 @@ def _interface_files(folder: str, kind: str) -> dict[str, str]:
 
 @cache
 def underlay_registry() -> Registry:
-    """Return the one registry of the underlay's interfaces. Its files never change while a program runs, so all
-    simulations share it.
+    """Return the registry of the underlay's interfaces.
+
+    All simulations share this registry, because the underlay's files do not change while edulaunch runs.
     """
     return Registry([os.path.join(underlay_prefix(), 'share')])
 
@@ -248,10 +253,10 @@ _sources: list[Callable[[], Registry | None]] = []
 
 
 def answer_with(source: Callable[[], Registry | None]) -> None:
-    """From now on, call `source` to get the registry of the running program."""
+    """Set the function that returns the registry of the running program."""
     _sources[:] = [source]
 
 
 def running_registry() -> Registry | None:
-    """Return the registry of the running program; None outside any program, or if its workspace has no interfaces."""
+    """Return the registry of the running program. Return None outside any program, or if its workspace has no interfaces."""
     return _sources[0]() if _sources else None

@@ -1,5 +1,6 @@
-"""Services and actions: their classes, which contain message classes and have no instances, and the messages that ROS derives
-from them.
+"""Services and actions: their classes, and the message types that ROS derives from them.
+
+A class of a service or an action contains message classes, and cannot be instantiated.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ _GOAL_ID = Field('goal_id', FieldType('unique_identifier_msgs/msg/UUID'))
 
 
 def event_of(service: ServiceSpec) -> MessageSpec:
-    """Return the introspection event of a service."""
+    """Return the message type of a service's introspection events."""
     return MessageSpec(
         f'{service.type}_Event',
         (
@@ -44,7 +45,7 @@ def send_goal_of(action: ActionSpec) -> ServiceSpec:
 
 
 def get_result_of(action: ActionSpec) -> ServiceSpec:
-    """Return the service that answers with the result once a goal has ended."""
+    """Return the service that returns the result of a goal when the goal has ended."""
     name, file = f'{action.type}_GetResult', action.goal.file
     return ServiceSpec(
         name,
@@ -56,14 +57,14 @@ def get_result_of(action: ActionSpec) -> ServiceSpec:
 
 
 def feedback_message_of(action: ActionSpec) -> MessageSpec:
-    """Return the message of the feedback topic."""
+    """Return the message type of the feedback topic."""
     return MessageSpec(
         f'{action.type}_FeedbackMessage', (_GOAL_ID, Field('feedback', FieldType(action.feedback.type))), (), action.goal.file
     )
 
 
 def parts_of(spec: MessageSpec | ServiceSpec | ActionSpec) -> dict[str, MessageSpec | ServiceSpec | ActionSpec]:
-    """Return the interface itself and everything derived from it, by full type name."""
+    """Return the interface itself and every interface derived from it, by full type name."""
     if isinstance(spec, MessageSpec):
         return {spec.type: spec}
     if isinstance(spec, ServiceSpec):
@@ -84,11 +85,11 @@ class InterfaceMeta(type):
 
     @classmethod
     def __import_type_support__(mcs) -> None:
-        """Do nothing, because type support in C is needed by the real rclpy only."""
+        """Do nothing, because only the real rclpy needs type support in C."""
 
 
 class Service(metaclass=InterfaceMeta):
-    """Base of service classes such as `turtlesim.srv.Spawn`."""
+    """The base class of service classes such as `turtlesim.srv.Spawn`."""
 
     TYPE: ClassVar[str]
     Request: ClassVar[type[Message]]
@@ -97,7 +98,7 @@ class Service(metaclass=InterfaceMeta):
 
 
 class Action(metaclass=InterfaceMeta):
-    """Base of action classes such as `turtlesim.action.RotateAbsolute`."""
+    """The base class of action classes such as `turtlesim.action.RotateAbsolute`."""
 
     TYPE: ClassVar[str]
     Goal: ClassVar[type[Message]]
@@ -107,7 +108,7 @@ class Action(metaclass=InterfaceMeta):
 
 
 def _make(kind: str, base: type[Any], type_name: str, attributes: dict[str, Any]) -> type[Any]:
-    """Return a class without instances, and give it a metaclass of its own."""
+    """Return a class that cannot be instantiated and has its own metaclass."""
     name, module = _name(type_name), module_of(type_name)
 
     def refuse(self: object) -> None:
@@ -120,13 +121,13 @@ def _make(kind: str, base: type[Any], type_name: str, attributes: dict[str, Any]
 
 
 def make_service(spec: ServiceSpec, class_of: ClassOf) -> type[Service]:
-    """Return the class of a service; its parts are created when first read."""
+    """Return the class of a service. The classes of its parts are created when a program first reads them."""
     parts = {part: f'{spec.type}_{part}' for part in ('Request', 'Response', 'Event')}
     return _make('Service', Service, spec.type, _lazy(class_of, parts))
 
 
 def make_action(spec: ActionSpec, class_of: ClassOf) -> type[Action]:
-    """Return the class of an action; its parts are created when first read."""
+    """Return the class of an action. The classes of its parts are created when a program first reads them."""
     impl = type(
         'Impl',
         (),

@@ -1,4 +1,4 @@
-"""The entries of `SLOT_TYPES`, with the names of rosidl_parser.definition."""
+"""The entries of `SLOT_TYPES`. The classes have the same names as in rosidl_parser.definition."""
 
 from __future__ import annotations
 
@@ -14,54 +14,54 @@ class BasicType(NamedTuple):
 
 
 class UnboundedString(NamedTuple):
-    """`string`."""
+    """The type `string`."""
 
 
 class BoundedString(NamedTuple):
-    """`string<=N`."""
+    """The type `string<=N`."""
 
     maximum_size: int
 
 
 class UnboundedWString(NamedTuple):
-    """`wstring`."""
+    """The type `wstring`."""
 
 
 class BoundedWString(NamedTuple):
-    """`wstring<=N`."""
+    """The type `wstring<=N`."""
 
     maximum_size: int
 
 
 class NamespacedType(NamedTuple):
-    """Another interface: namespaces ('geometry_msgs', 'msg') and name 'Point'."""
+    """The type of another interface, such as ('geometry_msgs', 'msg') as namespaces and 'Point' as name."""
 
     namespaces: tuple[str, ...]
     name: str
 
 
 class Array(NamedTuple):
-    """`T[N]`."""
+    """The type `T[N]`."""
 
     value_type: object
     size: int
 
 
 class BoundedSequence(NamedTuple):
-    """`T[<=N]`."""
+    """The type `T[<=N]`."""
 
     value_type: object
     maximum_size: int
 
 
 class UnboundedSequence(NamedTuple):
-    """`T[]`."""
+    """The type `T[]`."""
 
     value_type: object
 
 
 def slot_types(spec: MessageSpec) -> tuple[object, ...]:
-    """Return one entry for each field, in order."""
+    """Return the `SLOT_TYPES` of a message: one entry for each field, in order."""
     return tuple(_slot_type(field.type) for field in spec.fields)
 
 

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 class Primitive:
     """One primitive type.
 
-    `code` is the type code of both `array` and `struct`. `python` is the type of the field's values, and `low` and `high` are the
-    inclusive range of numbers. `ros` is the name in `get_fields_and_field_types()`, and `type_id` the number in a type
+    `code` is the type code in both `array` and `struct`. `python` is the Python type of the values. `low` and `high` are the
+    inclusive limits of numbers. `ros` is the name in `get_fields_and_field_types()`, and `type_id` is the number in a type
     description.
     """
 
@@ -29,12 +29,14 @@ class Primitive:
 
     @property
     def is_number(self) -> bool:
-        """Whether it is a number. Repeated numbers are stored in array.array or numpy arrays, other values in lists."""
+        """Whether the type is a number. Repeated numbers are stored in an `array.array` or a numpy array, and other values in
+        lists.
+        """
         return self.python is int or self.python is float
 
     @property
     def range_words(self) -> str:
-        """Return the range as ROS writes it in its assertions; empty without a range."""
+        """Return the range in the words of ROS's assertions, or '' for a type without a range."""
         if self.python is float:
             return f'{self.ros} in [{self.low!r}, {self.high!r}]'
         if self.python is int:
@@ -78,15 +80,15 @@ BYTE_LIKE = frozenset({'byte', 'int8', 'uint8'})
 
 
 def primitive_name(name: str) -> str:
-    """Return the kind for the name of a primitive type: `char` is uint8 in ROS 2."""
+    """Return the kind that belongs to the name of a primitive type. In ROS 2, `char` is uint8."""
     return 'uint8' if name == 'char' else name
 
 
 class FieldType(NamedTuple):
     """The type of a field.
 
-    `base` is a primitive kind or a full type name ('geometry_msgs/msg/Point'). `string_bound` is the N of `string<=N` or None.
-    `array` is '' (a single value), 'fixed', 'bounded' or 'unbounded', and `size` is the N of `T[N]` and `T[<=N]`.
+    `base` is a primitive kind or a full type name ('geometry_msgs/msg/Point'). `string_bound` is the N of `string<=N`, or None.
+    `array` is '' (a single value), 'fixed', 'bounded' or 'unbounded'. `size` is the N of `T[N]` and of `T[<=N]`.
     """
 
     base: str
@@ -96,17 +98,17 @@ class FieldType(NamedTuple):
 
     @property
     def kind(self) -> Primitive | None:
-        """The primitive kind, or None when the base is another interface."""
+        """The primitive kind, or None if the base is another interface."""
         return KINDS.get(self.base)
 
     @property
     def element(self) -> FieldType:
-        """The type of one value of a repeated field."""
+        """The type of one element of a repeated field."""
         return FieldType(self.base, self.string_bound)
 
     @property
     def text(self) -> str:
-        """The type in .msg notation: 'string<=10[<=5]'."""
+        """The type in .msg notation, such as 'string<=10[<=5]'."""
         bound = '' if self.string_bound is None else f'<={self.string_bound}'
         return self.base + bound + self._brackets
 
@@ -116,7 +118,7 @@ class FieldType(NamedTuple):
 
     @property
     def ros_text(self) -> str:
-        """The type as `get_fields_and_field_types()` shows it: 'sequence<double>', 'double[36]',
+        """The type as `get_fields_and_field_types()` returns it, such as 'sequence<double>', 'double[36]' or
         'geometry_msgs/Point'.
         """
         kind = self.kind
@@ -134,7 +136,10 @@ class FieldType(NamedTuple):
 
 
 class Field(NamedTuple):
-    """One field. `default` is a Python value (a tuple for repeated fields) or None, and `line` is its line in the file."""
+    """One field of a message.
+
+    `default` is a Python value, a tuple for a repeated field, or None. `line` is the line of the field in its file.
+    """
 
     name: str
     type: FieldType
@@ -143,7 +148,7 @@ class Field(NamedTuple):
 
 
 class Constant(NamedTuple):
-    """One constant: `uint8 INFO=20`."""
+    """One constant of a message, such as `uint8 INFO=20`."""
 
     name: str
     base: str
@@ -151,8 +156,9 @@ class Constant(NamedTuple):
 
 
 class MessageSpec(NamedTuple):
-    """One message, or the request or response of a service: its full type name, fields, constants and the file it was read
-    from.
+    """The definition of a message, or of a part such as the request of a service.
+
+    It contains the full type name, the fields, the constants and the path of the file.
     """
 
     type: str
@@ -162,7 +168,7 @@ class MessageSpec(NamedTuple):
 
 
 class ServiceSpec(NamedTuple):
-    """One service."""
+    """The definition of a service."""
 
     type: str
     request: MessageSpec
@@ -170,7 +176,7 @@ class ServiceSpec(NamedTuple):
 
 
 class ActionSpec(NamedTuple):
-    """One action."""
+    """The definition of an action."""
 
     type: str
     goal: MessageSpec
@@ -182,7 +188,7 @@ InterfaceSpec = MessageSpec | ServiceSpec | ActionSpec
 
 
 def module_name(type_name: str) -> str:
-    """Return the module that ROS generates for a type name: 'TransformStamped' -> 'transform_stamped', 'Pose2D' ->
+    """Return the name of the module that ROS generates for a type: 'TransformStamped' -> 'transform_stamped', 'Pose2D' ->
     'pose2_d'.
     """
     spaced = re.sub('(.)([A-Z][a-z]+)', r'\1_\2', type_name)

@@ -1,4 +1,4 @@
-"""Interfaces stored as text, so that messages of a student's own types in a recording can be read anywhere."""
+"""Interface definitions as strings. Recordings store them, so that every computer can read messages of a student's own types."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ if TYPE_CHECKING:
 
 
 class TextRegistry(Registry):
-    """Interfaces with these definitions, on top of those of another registry.
+    """The interfaces with the given definitions, and the interfaces of a base registry.
 
-    :param texts: the text of each file, by type name such as 'my_interfaces/msg/Num'.
+    :param texts: the content of each interface file, by type name such as 'my_interfaces/msg/Num'.
     :param base: the registry for all other packages.
     """
 
@@ -27,9 +27,9 @@ class TextRegistry(Registry):
             self._packages.setdefault(package, {}).setdefault(kind, {})[short] = f'{name}.{kind}'
 
     def text(self, type_name: str) -> str:
-        """Return the text of a type.
+        """Return the definition of a type.
 
-        :raises InterfaceError: when there is no such type.
+        :raises InterfaceError: if the type does not exist.
         """
         if type_name in self._texts:
             return self._texts[type_name]
@@ -46,9 +46,11 @@ class TextRegistry(Registry):
 
 
 def texts_of(registry: Registry, names: Iterable[str]) -> dict[str, str]:
-    """Return the definitions of the named types and of all types in them, except for types of the registry's base.
+    """Return the definitions of the named types and of all types that they contain, by type name.
 
-    :param names: type names; parts such as 'pkg/srv/Catch_Request' stand for the whole type.
+    Types of the registry's base are left out.
+
+    :param names: type names; a part such as 'pkg/srv/Catch_Request' means the whole type.
     """
     found: dict[str, str] = {}
     waiting = sorted({*map(_whole, names)}, reverse=True)
@@ -79,5 +81,7 @@ def _parts(registry: Registry, name: str) -> list[str]:
 
 
 def _nested(spec: InterfaceSpec) -> list[str]:
-    """Return the names of the types of the fields of a message; services and actions come as their parts."""
+    """Return the type names of the fields that are messages; a service or an action has no fields, because its parts are
+    separate.
+    """
     return [field.type.base for field in getattr(spec, 'fields', ()) if field.type.kind is None]

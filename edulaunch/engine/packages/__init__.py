@@ -1,7 +1,8 @@
-"""Finds packages: an ament index over install prefixes, source workspaces and the built-in underlay. This package neither imports
-nor runs a student's file, and it knows no build tool. An `Index` of source workspaces uses a `SourceReader` for their build
-files. First read `index.py`, then the kinds of place that it searches (`prefix.py`, `workspace.py`). `reading.py` finds a source
-package, and defines what a reader of it returns.
+"""Finds packages: an ament index over install prefixes, source workspaces and the built-in underlay.
+
+This package neither imports nor runs a student's file, and it does not depend on a build tool. An `Index` of source
+workspaces gets a `SourceReader`, which reads their build files. First read `index.py`, then the kinds of place that it
+searches (`prefix.py`, `workspace.py`). `reading.py` finds source packages, and defines what a `SourceReader` returns.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Packages and modules that a robot's machine may have and edulaunch lacks.
 
 A student's ROS machine has such packages, so a launch that names them continues there. It also continues here: their programs end
-immediately with an explanation. The modules are not found, whatever is installed on the real machine, and the error names what is
-missing. The names are data beside the built-in packages.
+immediately with an explanation. The modules are never found, even if they are installed on the real machine, and the error names
+the missing software. The names are in a data file beside the built-in packages.
 """
 
 from __future__ import annotations
@@ -20,7 +20,10 @@ found even where they are installed. `tkinter` has a view.
 
 
 def absent_kind(package: str) -> str | None:
-    """Return the software that an absent package belongs to; None for an unknown name, which is a mistake in ROS 2, too."""
+    """Return the software that an absent package belongs to.
+
+    Return None for an unknown name, which would be an error in ROS 2, too.
+    """
     from fnmatch import fnmatchcase  # imported here, because most launches do not need it
 
     return next(
@@ -29,5 +32,5 @@ def absent_kind(package: str) -> str | None:
 
 
 def absent_module_kind(module: str) -> str | None:
-    """Return the software that a missing module belongs to; None for an unknown name."""
+    """Return the software that a missing module belongs to, or None for an unknown name."""
     return next((kind for kind, names in KINDS.items() if module in names.get('modules', ())), None)

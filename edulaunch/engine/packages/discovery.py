@@ -1,4 +1,4 @@
-"""Finds the workspaces for a command that does not name one. A user of a real ROS 2 would have sourced them."""
+"""Finds the workspaces for a command that does not name one. In ROS 2, the user would have sourced these workspaces."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ _DISTRIBUTION_SIGNS = (os.path.join('share', 'rclpy'), os.path.join('share', 'ro
 
 
 def install_folders(folders: Iterable[str | os.PathLike[str]]) -> tuple[list[str], list[str]]:
-    """Separate folders that colcon built (`install/`) from folders with source packages; return absolute paths, in the given
-    order.
+    """Return the `install/` folders that colcon built, and the other folders. All paths are absolute, in the given order.
 
-    A workspace with both is read from source, because the student means the current source files, built or not.
+    A workspace folder with sources is one of the other folders, even if colcon built it, because the student means the
+    current source files.
     """
     paths = [os.path.abspath(os.fspath(folder)) for folder in folders]
     built = [path for path in paths if any(os.path.exists(os.path.join(path, sign)) for sign in INSTALL_SIGNS)]
@@ -25,15 +25,15 @@ def install_folders(folders: Iterable[str | os.PathLike[str]]) -> tuple[list[str
 
 
 def find_workspaces(folder: str, env: Mapping[str, str], launch_file: str | None = None) -> list[str]:
-    """Return the absolute paths of the workspaces for a command in order of search, each of them once.
+    """Return the absolute paths of the workspaces for a command, without duplicates, in order of search.
 
-    The search covers EDULAUNCH_WORKSPACES, the parents of the launch file, and the parents of the current folder. If no parent
-    has a workspace, it covers one level below the current folder. AMENT_PREFIX_PATH and COLCON_PREFIX_PATH come last, as a real
-    `install/setup.bash` sets them.
+    The search covers EDULAUNCH_WORKSPACES, the parents of the launch file, and the parents of the current folder. If no
+    parent has a workspace, the search covers one level below the current folder. AMENT_PREFIX_PATH and COLCON_PREFIX_PATH
+    come last, as a real `install/setup.bash` sets them.
 
     :param folder: the current folder of the command.
-    :param env: its environment.
-    :param launch_file: path of the launch file that it names, if it names one.
+    :param env: the environment of the command.
+    :param launch_file: the path of the launch file that the command names, or None.
     """
     here = os.path.abspath(folder)
     found = [os.path.join(here, path) for path in _listed(env, 'EDULAUNCH_WORKSPACES') if os.path.isdir(os.path.join(here, path))]
@@ -46,8 +46,11 @@ def find_workspaces(folder: str, env: Mapping[str, str], launch_file: str | None
 
 
 def workspaces_of_command(given: Sequence[str | os.PathLike[str]], target: str | os.PathLike[str]) -> list[str]:
-    """Return the workspaces that `--workspace` names or, without the option, the ones for a command that launches `target`
-    here.
+    """Return the workspaces that `--workspace` names. Without this option, find the workspaces for a command in the current
+    folder.
+
+    :param given: the values of `--workspace`.
+    :param target: the launch file or the package that the command names.
     """
     if given:
         return [os.fspath(path) for path in given]
@@ -55,13 +58,15 @@ def workspaces_of_command(given: Sequence[str | os.PathLike[str]], target: str |
 
 
 def folder_of(target: str | os.PathLike[str]) -> str:
-    """Return the folder of the launch file that a command names by its path, or the current folder for a package."""
+    """Return the folder of a launch file. If `target` is not a file, return the current folder."""
     return os.path.dirname(os.path.abspath(target)) if os.path.isfile(target) else os.getcwd()
 
 
 def workspace_around(path: str) -> str | None:
-    """Return the workspace of a file or folder, which has the package in `src`. Without `src`, it is the folder above the package
-    if that has further packages, otherwise the package. Return None outside any package.
+    """Return the workspace of a file or folder, or None outside any package.
+
+    The workspace is the folder with the `src` folder that contains the package. Without `src`, it is the folder above the package
+    if that folder has further packages. Otherwise, it is the package itself.
     """
     package = package_around(path)
     if package is None or package.startswith(underlay_prefix()):
@@ -77,12 +82,12 @@ def workspace_around(path: str) -> str | None:
 
 
 def package_around(path: str) -> str | None:
-    """Return the innermost folder with a `package.xml` among a path and its parents."""
+    """Return the innermost folder with a `package.xml` among a path and its parents, or None."""
     return next((folder for folder in _upwards(os.path.abspath(path)) if _has_manifest(folder)), None)
 
 
 def _above(folder: str) -> list[str]:
-    """Return the innermost workspace around a folder, as a list that may be empty."""
+    """Return a list with the innermost workspace around a folder, or an empty list."""
     around = workspace_around(folder)
     if around is not None:
         return [around]
@@ -90,8 +95,9 @@ def _above(folder: str) -> list[str]:
 
 
 def _around(here: str, launch_file: str | None) -> list[str]:
-    """Return the current folder if the launch file is in a package below it, because `colcon build` finds all packages
-    there.
+    """Return a list with the current folder if the launch file is in a package below it, otherwise an empty list.
+
+    The current folder is then a workspace, because `colcon build` would find all packages there.
     """
     path = os.path.join(here, launch_file or '')
     is_inside = path.startswith(here + os.sep) and here != os.path.expanduser('~')
@@ -99,7 +105,7 @@ def _around(here: str, launch_file: str | None) -> list[str]:
 
 
 def _below(folder: str) -> list[str]:
-    """Return the folder itself if it contains packages, otherwise the workspaces in it."""
+    """Return a list with the folder itself if it contains packages, otherwise the workspaces that are directly in it."""
     if _with_manifest(folder):
         return [folder]
     return [path for name in _names(folder) if _holds_sources(path := os.path.join(folder, name))]
@@ -115,14 +121,15 @@ def _upwards(folder: str) -> Iterator[str]:
 
 
 def _root_of(outer: str) -> str:
-    """Return the workspace with the sources `outer`/src. If `outer` is a home folder or the whole disk, return only the folder
-    `src`.
+    """Return the workspace `outer`, whose sources are in `outer`/src.
+
+    If `outer` is a home folder or the root of the file system, return only its folder `src`.
     """
     return os.path.join(outer or os.sep, 'src') if outer in ('', os.sep, os.path.expanduser('~')) else outer
 
 
 def _holds_sources(folder: str) -> bool:
-    """Return whether `src` contains packages, also one level further down, where repositories are cloned."""
+    """Return whether the folder `src` contains packages, directly or one level deeper, where repositories are cloned."""
     sources = os.path.join(folder, 'src')
     return bool(_with_manifest(sources)) or any(_with_manifest(os.path.join(sources, name)) for name in _names(sources))
 
@@ -136,7 +143,7 @@ def _has_manifest(folder: str) -> bool:
 
 
 def _names(folder: str) -> list[str]:
-    """Return the contents of a folder without hidden entries; nothing if it cannot be read."""
+    """Return the names in a folder, sorted and without hidden ones. Return an empty list if the folder cannot be read."""
     try:
         return sorted(name for name in os.listdir(folder) if not name.startswith('.'))
     except OSError:
@@ -153,8 +160,9 @@ def _is_overlay(prefix: str) -> bool:
 
 
 def _of_prefix(prefix: str) -> str:
-    """Return the workspace that was built into a prefix, if its sources exist; otherwise the `install` folder, or the
-    prefix.
+    """Return the workspace from which a prefix was built, if its sources exist.
+
+    Otherwise, return the `install` folder that contains the prefix, or the prefix itself.
     """
     path = os.path.abspath(prefix)
     install = os.path.dirname(path) if install_folders([os.path.dirname(path)])[0] else path

@@ -1,4 +1,4 @@
-"""The index: one view of source workspaces, install prefixes and the underlay, and of their interfaces."""
+"""The index, which combines source workspaces, install prefixes, the underlay, and their interfaces."""
 
 from __future__ import annotations
 
@@ -18,33 +18,34 @@ if TYPE_CHECKING:
 
 
 class Place(Protocol):
-    """A prefix, or a folder that is presented as one.
+    """A prefix, or a folder that is presented as a prefix.
 
-    :attr:`path` is the prefix folder; all methods take names of packages that :meth:`packages` lists.
+    :attr:`path` is the prefix folder. Methods with a parameter `package` need the name of a package that :meth:`packages`
+        returns.
     """
 
     path: str
 
     def packages(self) -> list[str]:
-        """Return the names of the packages here, sorted."""
+        """Return the names of the packages in this place, sorted."""
 
     def install(self, package: str) -> None:
         """Make sure that the package's files exist below :attr:`path`."""
 
     def executables(self, package: str) -> list[str]:
-        """Return the names of the executables in lib/<package>, sorted."""
+        """Return the names of the package's executables in `lib/<package>`, sorted."""
 
     def program(self, package: str, executable: str) -> Program | None:
-        """Return the Python program of that name; None for an unknown one, or one that is not Python."""
+        """Return the Python program of an executable. Return None if the executable is unknown or not a Python program."""
 
     def modules(self) -> dict[str, str]:
-        """Return the top-level import names of the packages here, with the path of each folder or .py file."""
+        """Return the folder or .py file of each top-level module of these packages, by import name."""
 
     def interface_packages(self) -> list[str]:
-        """Return the packages with msg/, srv/ or action/ files in their share folder, sorted."""
+        """Return the packages with msg/, srv/ or action/ in their share folder, sorted."""
 
     def source_path(self, path: str) -> str | None:
-        """Return the file as the student wrote it, for a path below :attr:`path`."""
+        """Return the student's own file for a path below :attr:`path`, or None if there is no such file."""
 
 
 _ON_PATH = ('rviz2', 'xacro')
@@ -58,17 +59,18 @@ _OWN_MODULES = frozenset(
 
 
 class Index:
-    """Finds packages, their share folders, executables, modules and interfaces.
+    """An index that finds packages, their share folders, executables, modules and interfaces.
 
-    Searches overlays first: the workspaces in the given order, then the prefixes, and the built-in underlay last. Paths are
-    strings. A package of a source workspace is presented as if installed, in a generated prefix of links; use
-    :meth:`source_path` to get back to the student's own file.
+    The search begins with the workspaces in the given order, continues with the prefixes, and ends with the built-in
+    underlay. Paths are strings. A package of a source workspace is presented as if it were installed, in a generated prefix
+    of links. Use
+    :meth:`source_path` to get the student's own file.
 
     :param prefixes: install prefixes, or colcon `install/` folders of either layout.
     :param workspaces: folders with source packages.
-    :param read_source: reads their build files; not needed without workspaces.
-    :param underlay: the prefix of the built-in packages; None for an index without them.
-    :param near: a folder; if a workspace has two packages with one name, the one nearer to this folder counts.
+    :param read_source: the function that reads the build file of a package; not needed without workspaces.
+    :param underlay: the prefix of the built-in packages, or None for an index without these packages.
+    :param near: a folder. If a workspace has two packages with one name, the package that is nearer to this folder is used.
     :ivar workspaces: the source workspaces, in order of search.
     """
 
@@ -97,15 +99,15 @@ class Index:
 
     @property
     def warnings(self) -> tuple[PackageWarning, ...]:
-        """The problems of the packages that were read so far."""
+        """The problems of the packages that have been read so far."""
         return tuple(self._warnings)
 
     def search_paths(self) -> list[str]:
-        """Return the prefixes in order of search, as AMENT_PREFIX_PATH would list them."""
+        """Return the prefixes in order of search, as in AMENT_PREFIX_PATH."""
         return [place.path for place in self._places]
 
     def packages(self) -> dict[str, str]:
-        """Return each package's prefix, by name; the first place with a package counts."""
+        """Return the prefix of each package, by package name. If several places have a package, the first one is used."""
         found: dict[str, str] = {}
         for place in self._places:
             for name in place.packages():
@@ -113,7 +115,7 @@ class Index:
         return dict(sorted(found.items()))
 
     def prefix(self, package: str) -> str | None:
-        """Return the prefix that has the package, or None. Make sure that its files exist there."""
+        """Return the prefix that has the package, or None. The package's files exist there after this call."""
         place = self._place(package)
         if place is None:
             return None
@@ -121,26 +123,30 @@ class Index:
         return place.path
 
     def share(self, package: str) -> str | None:
-        """Return `<prefix>/share/<package>`, or None when there is no such package. The folder itself may be
-        missing, as in ROS."""
+        """Return `<prefix>/share/<package>`, or None if there is no such package.
+
+        The folder itself may be missing, as in ROS.
+        """
         prefix = self.prefix(package)
         return None if prefix is None else os.path.join(prefix, 'share', package)
 
     def absent(self, package: str) -> str | None:
-        """Return the software that a missing well-known package belongs to ('Gazebo'); None for an existing or unknown package.
+        """Return the software that a missing well-known package belongs to ('Gazebo'). Return None for an existing or unknown
+        package.
 
-        Its files would be below :attr:`absent_prefix`.
+        The files of a missing package would be below :attr:`absent_prefix`.
         """
         return None if self._underlay is None or self._place(package) is not None else absent_kind(package)
 
     @property
     def absent_prefix(self) -> str:
-        """The prefix in which missing packages would be: the one of the built-in packages."""
+        """The prefix in which missing packages would be: the prefix of the built-in packages, or '' without an underlay."""
         return self._underlay or ''
 
     def executables(self, package: str) -> list[str]:
-        """Return the names of the package's executables, sorted; an unknown package has none. If a workspace has the C++ source
-        of a built-in package, these are the built-in executables.
+        """Return the names of the package's executables, sorted. An unknown package has none.
+
+        If a workspace contains the C++ source of a built-in package, the built-in executables are included.
         """
         place = self._place(package)
         if place is None:
@@ -150,14 +156,17 @@ class Index:
         return sorted({*place.executables(package), *(name for name in built_in if self._stand_in(place, package, name))})
 
     def find_executable(self, package: str, executable: str) -> str | None:
-        """Return `<prefix>/lib/<package>/<executable>` if the package has it. For an entry point, there may be no such file."""
+        """Return `<prefix>/lib/<package>/<executable>`, or None if the package does not have this executable.
+
+        For an entry point, the file may not exist.
+        """
         place = self._place(package)
         if place is None or executable not in self.executables(package):
             return None
         return os.path.join(place.path, 'lib', package, executable)
 
     def native_executables(self, package: str) -> dict[str, str]:
-        """Return the executables that are built from C++, which cannot run here: name -> 'file:line'."""
+        """Return the executables that would be built from C++ and cannot run here, as name -> 'file:line'."""
         place = self._place(package)
         if not isinstance(place, Workspace):
             return {}
@@ -165,18 +174,21 @@ class Index:
         return {name: f'{os.path.join(folder, "CMakeLists.txt")}:{line}' for name, line in place.contents(package).native.items()}
 
     def contents(self, package: str) -> Contents | None:
-        """Return what the build file of a source package installs; None for any other package."""
+        """Return the files and programs that a source package installs according to its build file. Return None for any other
+        package.
+        """
         place = self._place(package)
         return place.contents(package) if isinstance(place, Workspace) else None
 
     def source_folder(self, package: str) -> str | None:
-        """Return the folder with the package.xml of a source package; None for any other package."""
+        """Return the folder with the package.xml of a source package. Return None for any other package."""
         place = self._place(package)
         return place.package_folder(package) if isinstance(place, Workspace) else None
 
     def find_program(self, path: str) -> Program | None:
-        """Return the program behind `<prefix>/lib/<package>/<executable>`, or None if it is a program of the computer. `rviz2`
-        and `xacro` are also on the PATH, with any folder.
+        """Return the program that `<prefix>/lib/<package>/<executable>` starts, or None for a program of the real machine.
+
+        `rviz2` and `xacro` are found with any folder, because ROS has them on the PATH, too.
         """
         folder, executable = os.path.split(path)
         lib, package = os.path.split(folder)
@@ -196,12 +208,12 @@ class Index:
         return None if kind is None else Program('absent', package, executable, path, file=kind)
 
     def _native(self, package: str, executable: str, path: str) -> Program | None:
-        """Return a program of the workspace that only a C++ compiler could build."""
+        """Return a program of the workspace that only a C++ compiler could build, or None."""
         line = self.native_executables(package).get(executable)
         return None if line is None else Program('native', package, executable, path, file=line)
 
     def _stand_in(self, place: Place, package: str, executable: str) -> Program | None:
-        """Return the built-in program for one that a workspace would build from C++."""
+        """Return the built-in program that replaces a C++ program of a workspace, or None."""
         if not isinstance(place, Workspace) or place.contents(package).entry_points:
             return None
         for other in self._places[self._places.index(place) + 1 :]:
@@ -218,8 +230,9 @@ class Index:
             self._warnings.append(warning)
 
     def python_modules(self) -> dict[str, str]:
-        """Return the top-level modules that are private to each program, by name, with the path of each folder or .py file.
-        Modules of ROS itself are always the built-in ones, because clones in a workspace need the real middleware.
+        """Return the folder or .py file of each top-level module that every program loads separately, by module name.
+
+        ROS's own modules are always the built-in ones, because clones of them in a workspace need the real middleware.
         """
         found: dict[str, str] = {}
         for place in self._places:
@@ -228,12 +241,12 @@ class Index:
         return found
 
     def python_roots(self) -> list[str]:
-        """Return the folders in workspaces and prefixes that hold :meth:`python_modules`, in order of search."""
+        """Return the folders in workspaces and prefixes that contain :meth:`python_modules`, in order of search."""
         places = [place for place in self._places if place.path != self._underlay]
         return list(dict.fromkeys(os.path.dirname(path) for place in places for path in _modules(place).values()))
 
     def interface_roots(self) -> list[str]:
-        """Return the share folders with msg/, srv/ or action/ files; the folder's name is the package."""
+        """Return the share folder of each package with interface files. The name of the folder is the name of the package."""
         found: dict[str, str] = {}
         for place in self._places:
             for package in place.interface_packages():
@@ -241,7 +254,7 @@ class Index:
         return list(found.values())
 
     def source_path(self, path: str) -> str:
-        """Return the file as the student wrote it: follow links of generated prefixes, and return other paths unchanged."""
+        """Return the student's own file for a path in a generated prefix of links, and any other path unchanged."""
         for place in self._places:
             found = place.source_path(path)
             if found is not None:
@@ -253,16 +266,16 @@ class Index:
 
 
 def _modules(place: Place) -> dict[str, str]:
-    """Return the modules of a place, without clones of ROS's own ones in a workspace."""
+    """Return the modules of a place. A workspace's clones of ROS's own modules are left out."""
     is_own = isinstance(place, Workspace)
     return {name: path for name, path in place.modules().items() if not (is_own and name in _OWN_MODULES)}
 
 
 def interfaces_of(index: Index) -> tuple[frozenset[str], Registry]:
-    """Return the packages whose interfaces come from a workspace, and the registry of all.
+    """Return the packages whose interfaces come from a workspace, and a registry of all interfaces.
 
-    Packages that the underlay has too keep the underlay's interfaces, because its programs communicate with them. The workspace's
-    interfaces are used only if they have types which the underlay lacks.
+    If the underlay has the same package, its interfaces are used, because its programs communicate with them. The workspace's
+    interfaces replace them only if the workspace has types that the underlay lacks.
     """
     shared, inside = underlay_registry(), os.path.join(underlay_prefix(), 'share')
     folders = {os.path.basename(folder): folder for folder in index.interface_roots() if os.path.dirname(folder) != inside}
@@ -274,7 +287,7 @@ def interfaces_of(index: Index) -> tuple[frozenset[str], Registry]:
 
 
 def _adds(folder: str, package: str, shared: Registry) -> bool:
-    """Return whether a share folder has an interface that the underlay's package of that name lacks."""
+    """Return whether a share folder contains an interface that is missing in the underlay's package of the same name."""
     return any(
         name.removesuffix(f'.{kind}') not in shared.names(package, kind)
         for kind in ('msg', 'srv', 'action')

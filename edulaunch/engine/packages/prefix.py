@@ -1,8 +1,9 @@
-"""An install prefix, as colcon or a package manager creates it, and the built-in packages, which have the same layout. Every
-folder of the underlay's `share/` is a package, and so is every import package of `python/` that ROS has as a package.
-Executables are in `share/<package>/console_scripts.txt`, one `name = module:function` on a line. The modules are in the
-underlay's `python/` folder, on the ordinary path. Modules in `programs/` are written in the way of students: they sleep, or
-have threads or an event loop. Each process gets its own copy of them, as with modules of a workspace.
+"""Install prefixes, as colcon or a package manager creates them, and the prefix of the built-in packages.
+
+Every folder of the underlay's `share/` is a package, and so is every import package of `python/` that ROS has as a package.
+Executables are in `share/<package>/console_scripts.txt`, with one `name = module:function` on each line. The modules are in the
+underlay's `python/` folder, which is on the ordinary path. Modules in `programs/` sleep, or have threads or an event loop, like
+the programs of students. So each process gets its own copy of them, as with modules of a workspace.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ _KINDS = ('msg', 'srv', 'action')
 
 
 def interface_packages(prefix: str, packages: list[str]) -> list[str]:
-    """Return those of `packages` whose share folder has msg/, srv/ or action/."""
+    """Return the packages in `packages` whose share folder contains msg/, srv/ or action/."""
     return [
         package for package in packages if any(os.path.isdir(os.path.join(prefix, 'share', package, kind)) for kind in _KINDS)
     ]
@@ -27,7 +28,10 @@ MARKERS = os.path.join('share', 'ament_index', 'resource_index', 'packages')
 
 
 def expand_prefixes(path: str) -> list[str]:
-    """Return the prefixes at a path: the path itself, or the folder of each package in an isolated colcon `install/`."""
+    """Return the prefixes at a path.
+
+    These are the folders of the packages in an isolated colcon `install/`. For any other path, return only the path itself.
+    """
     if os.path.isdir(os.path.join(path, MARKERS)) or not os.path.isdir(path):
         return [path]
     return [
@@ -44,7 +48,7 @@ class Prefix:
         self._entries: dict[str, tuple[str, str]] | None = None
 
     def packages(self) -> list[str]:
-        """Return the names with a marker in the resource index."""
+        """Return the names of the packages that have a marker in the resource index."""
         if self._packages is None:
             folder = os.path.join(self.path, MARKERS)
             names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
@@ -52,16 +56,16 @@ class Prefix:
         return self._packages
 
     def install(self, package: str) -> None:
-        """Do nothing: the files exist."""
+        """Do nothing, because the files exist already."""
 
     def executables(self, package: str) -> list[str]:
-        """Return the executable files in lib/<package>."""
+        """Return the names of the executable files in `lib/<package>`."""
         folder = os.path.join(self.path, 'lib', package)
         names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
         return [name for name in names if os.path.isfile(file := os.path.join(folder, name)) and os.access(file, os.X_OK)]
 
     def program(self, package: str, executable: str) -> Program | None:
-        """Return an entry point of an installed Python package, or a Python script."""
+        """Return an entry point of an installed Python package, or a Python script. Return None for any other file."""
         path = os.path.join(self.path, 'lib', package, executable)
         if not os.path.isfile(path) or not os.access(path, os.X_OK):
             return None
@@ -73,7 +77,7 @@ class Prefix:
         return Program('script', package, executable, path, file=os.path.realpath(path), python_roots=tuple(self._site_folders()))
 
     def modules(self) -> dict[str, str]:
-        """Return every module in the prefix's site-packages."""
+        """Return the path of every module in the site-packages of the prefix, by import name."""
         found: dict[str, str] = {}
         for folder in self._site_folders():
             for name in sorted(os.listdir(folder)):
@@ -89,12 +93,13 @@ class Prefix:
         return interface_packages(self.path, self.packages())
 
     def source_path(self, path: str) -> str | None:
-        """Return the file behind a link of `colcon build --symlink-install`."""
+        """Return the file behind a link of `colcon build --symlink-install`, or None for a path outside the prefix."""
         return os.path.realpath(path) if path.startswith(self.path + os.sep) else None
 
     def _site_folders(self) -> list[str]:
-        """Return the folders site-packages (Debian: dist-packages), and the targets of their .egg-link files from a symlink
-        install.
+        """Return the site-packages folders (dist-packages on Debian) of the prefix.
+
+        The targets of .egg-link files from a symlink install are included.
         """
         found = []
         lib = os.path.join(self.path, 'lib')
@@ -116,14 +121,14 @@ class Prefix:
 
 
 def is_python(path: str) -> bool:
-    """Return whether a file is Python, judged by its first line or its name."""
+    """Return whether a file is a Python file. The first line decides if it begins with `#!`, otherwise the name of the file."""
     with open(path, 'rb') as stream:
         first = stream.readline(200)
     return first.startswith(b'#!') and b'python' in first or not first.startswith(b'#!') and path.endswith('.py')
 
 
 def _starts_entry_point(path: str) -> bool:
-    """Return whether setuptools generated a script to call an entry point."""
+    """Return whether a file is a script that setuptools generated to call an entry point."""
     with open(path, 'rb') as stream:
         text = stream.read(4000)
     return b'console_scripts' in text or b'EASY-INSTALL' in text
@@ -141,7 +146,7 @@ def _egg_links(folder: str) -> list[str]:
 
 
 def _console_scripts(file: str) -> dict[str, tuple[str, str]]:
-    """Return the [console_scripts] of an entry_points.txt."""
+    """Return (module, function) for each console script of an entry_points.txt, by name."""
     from configparser import ConfigParser
 
     parser = ConfigParser(delimiters=('=',), interpolation=None)
@@ -158,7 +163,7 @@ _SIGNS = ('package.xml', 'console_scripts.txt', 'interfaces', 'msg', 'srv', 'act
 
 
 class Underlay:
-    """The underlay: the prefix that contains the built-in packages."""
+    """The prefix that contains the built-in packages."""
 
     def __init__(self, path: str) -> None:
         self.path = path
@@ -170,14 +175,14 @@ class Underlay:
         return list(_built_in(self.path)[0])
 
     def install(self, package: str) -> None:
-        """Do nothing: the files exist."""
+        """Do nothing, because the files exist already."""
 
     def executables(self, package: str) -> list[str]:
-        """Return the names in the package's console_scripts.txt."""
+        """Return the names in the package's console_scripts.txt, sorted."""
         return sorted(self._entries(package))
 
     def program(self, package: str, executable: str) -> Program | None:
-        """Return a built-in program."""
+        """Return a built-in program, or None if the package does not have this executable."""
         entry = self._entries(package).get(executable)
         if entry is None:
             return None
@@ -187,7 +192,7 @@ class Underlay:
         return Program('entry_point', package, executable, path, entry[0], entry[1], python_roots=roots)
 
     def modules(self) -> dict[str, str]:
-        """Return the modules of `programs/`; the other ones are shared and on the ordinary path."""
+        """Return the path of each module in `programs/`. All other built-in modules are shared, and are on the ordinary path."""
         if self._modules is None:
             folder = os.path.join(self.path, 'programs')
             names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
@@ -199,7 +204,7 @@ class Underlay:
         return list(_built_in(self.path)[1])
 
     def source_path(self, path: str) -> str | None:
-        """Return the path itself, because built-in files are not links."""
+        """Return None, because built-in files are not links."""
         return None
 
     def _entries(self, package: str) -> dict[str, tuple[str, str]]:
@@ -220,8 +225,10 @@ class Underlay:
 
 @cache
 def _built_in(path: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Return the packages of an underlay, and the packages with interface files. It is searched once, because it does not change
-    while it runs. The search of its 350 files took a third of a run of one node.
+    """Return the packages of an underlay, and the packages with interface files.
+
+    The underlay is searched only once, because it does not change while edulaunch runs. This search of 350 files would take a
+    third of the time of a short run.
     """
     share = os.path.join(path, 'share')
     names = sorted(os.listdir(share)) if os.path.isdir(share) else []
@@ -231,6 +238,6 @@ def _built_in(path: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
 
 
 def _faces(python: str) -> list[str]:
-    """Return the names of the import packages that are ROS packages."""
+    """Return the names of the import packages that are also ROS packages."""
     names = os.listdir(python) if os.path.isdir(python) else []
     return [name for name in names if name not in _NO_PACKAGES and os.path.isfile(os.path.join(python, name, '__init__.py'))]

@@ -1,4 +1,6 @@
-"""Find the packages of a source workspace, as colcon does, and define what reading one returns: programs, files, problems."""
+"""Finds the packages of a source workspace, as colcon does, and defines the result of reading a package: programs, files,
+problems.
+"""
 
 from __future__ import annotations
 
@@ -10,14 +12,14 @@ from edulaunch.engine.underlay_place import help_text
 
 
 class PackageWarning(NamedTuple):
-    """Something in a package that a build would reject, or that cannot be known without running it.
+    """A problem of a package: a build would reject the package, or only a build can determine a value.
 
-    `line` counts from 1; 0 means the file as a whole. `about` is the kind of problem:
-    - 'unknown': nothing is wrong, but only a build knows a value
-    - 'same name': one of two packages with this name
+    `line` counts from 1; 0 means the whole file. `about` is the kind of problem:
+    - 'unknown': nothing is wrong, but only a build can determine a value
+    - 'same name': another package has the same name
     - 'ROS 1': ROS 2 does not build the package
     - `stand-in`: a built-in program is used instead
-    - '': anything else
+    - '': any other problem
     """
 
     file: str
@@ -37,12 +39,12 @@ class Contents:
     :param entry_points: path below the prefix (`lib/<package>/<executable>`) -> (module, function).
     :param programs: the entries of `files` that are installed as executables.
     :param python_modules: top-level import name -> absolute path of its folder or .py file.
-    :param native: executables built from C++ or C (name -> line of the build file), which cannot run here.
+    :param native: executables that are built from C++ or C and cannot run here (name -> line of the build file).
     :param announced: group of entry points -> lines `name = package.module:attribute`.
-    :param version: the version in setup(), or ''.
-    :param unread: the part of the build file that only a build can follow, '' if everything is known.
-    :param broken: why a build would stop before it installs anything; `warnings` contains this, too.
-    :param interfaces: whether there are .msg, .srv or .action files among `files`.
+    :param version: the version in `setup()`, or ''.
+    :param unread: the part of the build file that only a build can evaluate, or '' if there is no such part.
+    :param broken: the reason why a build would stop before it installs anything, or ''. `warnings` contains this reason, too.
+    :param interfaces: whether `files` contains .msg, .srv or .action files.
     """
 
     def __init__(self) -> None:
@@ -58,17 +60,17 @@ class Contents:
 
 
 class Program(NamedTuple):
-    """A program of a package; all but native ones run in the simulation.
+    """A program of a package. All programs except native and absent ones run in the simulation.
 
-    :param kind: the kind of program. 'entry_point' is a function of a module, 'script' a file run as `__main__`, and 'module'
-        is for `python3 -m`. With 'shell', `file` is a line of commands. A 'native' or 'absent' program ends immediately with an
-        explanation. A 'native' one is built from C++, and `file` is its line in CMakeLists.txt. An 'absent' one is in a missing
-        package, and `file` is the software that it belongs to.
+    :param kind: the kind of program. 'entry_point' is a function of a module, 'script' a file that runs as `__main__`, and
+        'module' is for `python3 -m`. With 'shell', `file` is a shell line. A 'native' or 'absent' program ends immediately
+        with an explanation. A 'native' program is built from C++, and `file` is its line in CMakeLists.txt. An 'absent'
+        program is in a missing package, and `file` is the software that the package belongs to.
     :param path: `<prefix>/lib/<package>/<executable>`, the first word of a command line.
     :param module: dotted module name of an entry point, otherwise ''.
     :param function: name of the entry point's function, otherwise ''.
-    :param file: the script as the student wrote it (never a generated link), otherwise ''.
-    :param python_roots: folders from which this program's own modules are imported; the first match counts.
+    :param file: the student's own script (never a generated link), otherwise ''.
+    :param python_roots: folders from which this program's own modules are imported; the first folder with a module is used.
     """
 
     kind: str
@@ -85,7 +87,9 @@ _NAME = re.compile(r'[a-zA-Z0-9][a-zA-Z0-9_-]*')
 
 
 class Manifest(NamedTuple):
-    """Name, build type ('ament_python', 'ament_cmake', ...) and folder of a source package."""
+    """The content of a source package's package.xml: name and build type ('ament_python', 'ament_cmake', ...), with its
+    folder.
+    """
 
     name: str
     build_type: str
@@ -93,14 +97,19 @@ class Manifest(NamedTuple):
 
 
 class SourceReader(Protocol):
-    """Reads the build file of a source package, without running it; `edulaunch.ros.sources` has one for setup.py and CMake."""
+    """A function that reads the build file of a source package without running it.
+
+    `edulaunch.ros.sources` has one for setup.py and CMake.
+    """
 
     def __call__(self, manifest: Manifest, /) -> Contents:
-        """Return what the package installs. The warnings of the contents include everything that a build would reject."""
+        """Return the files and programs that the package installs. Its warnings include everything that a build would reject."""
 
 
 def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | None:
-    """Read `folder`/package.xml; add its problems to `warnings`, and return None if it has no name."""
+    """Read `folder`/package.xml, and add its problems to `warnings`. Return None if the file is invalid or has no package
+    name.
+    """
     from xml.etree import ElementTree
 
     file = os.path.join(folder, 'package.xml')
@@ -127,7 +136,7 @@ def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | Non
 
 
 def _what_colcon_does(folder: str) -> str:
-    """Return what colcon does with a folder without a usable package.xml, as a sentence."""
+    """Return the end of a sentence: what colcon does with a folder without a usable package.xml."""
     for file, kind in (('setup.py', 'Python'), ('CMakeLists.txt', 'CMake')):
         if os.path.isfile(os.path.join(folder, file)):
             return help_text('plain-package', kind=kind)
@@ -135,7 +144,10 @@ def _what_colcon_does(folder: str) -> str:
 
 
 def _guess_build_type(folder: str) -> str:
-    """Return the build type of a package that names none: ament_python with a lone setup.py, otherwise ament_cmake."""
+    """Return the build type of a package without <build_type>.
+
+    The build type is ament_python for a package with setup.py and no CMakeLists.txt, otherwise ament_cmake.
+    """
     has_cmake = os.path.isfile(os.path.join(folder, 'CMakeLists.txt'))
     return 'ament_python' if not has_cmake and os.path.isfile(os.path.join(folder, 'setup.py')) else 'ament_cmake'
 
@@ -146,7 +158,7 @@ _MAX_FOLDERS = 5000
 
 
 def find_packages(workspace: str, warnings: list[PackageWarning], most: int = _MAX_FOLDERS) -> list[str]:
-    """Return the folders below (or equal to) `workspace` that have a package.xml, sorted by depth and name.
+    """Return the folders with a package.xml in `workspace` or below, sorted by depth and name.
 
     The search does not enter packages, build/ install/ log/, hidden folders, virtual environments, and folders with a
     COLCON_IGNORE. It follows links to folders, as colcon does, but visits no folder twice. It stops with a warning after `most`
@@ -181,8 +193,9 @@ def find_packages(workspace: str, warnings: list[PackageWarning], most: int = _M
 
 
 def _list(folder: str) -> tuple[frozenset[str], list[str]]:
-    """Return the names of the files, and of the folders to enter. Real folders come before links, so that a folder that can be
-    reached both ways gets its real path.
+    """Return the names of the files in a folder, and of the folders to search.
+
+    Real folders come before links. So a folder that can be reached in both ways gets its real path.
     """
     files: list[str] = []
     folders: list[str] = []

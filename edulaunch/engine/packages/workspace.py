@@ -1,14 +1,15 @@
-"""A folder of source packages, read without building it, and presented as if it were installed: a prefix folder of symbolic
-links.
+"""A folder of source packages, read without a build, and presented as if it were installed in a prefix folder of symbolic links.
 
-The prefix is in the user's temporary folder. Its name is made from the workspace's path, so that the paths which programs see
-repeat from run to run. It is deleted with the last index that uses it.
+The prefix is in the user's temporary folder. Its name is derived from the workspace's path, so that programs get the same paths
+in each run. The prefix is deleted with the last index that uses it.
 """
 
 from __future__ import annotations
 
 import os
 import weakref
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 from edulaunch.engine.packages.prefix import is_python
 from edulaunch.engine.packages.reading import (
@@ -24,9 +25,9 @@ from edulaunch.engine.underlay_place import help_text
 
 
 class Image:
-    """The generated prefix of one workspace. Packages are added to it on their first use.
+    """The generated prefix of one workspace. Each package is added on its first use.
 
-    :param workspace: the folder with the sources; :attr:`path` is the prefix, which need not exist yet.
+    :param workspace: the folder with the sources; :attr:`path` is the prefix, which may not exist yet.
     """
 
     def __init__(self, workspace: str) -> None:
@@ -35,9 +36,9 @@ class Image:
         self._claimed = False
 
     def add(self, package: str, contents: Contents) -> None:
-        """Install a package: links to its files, and folders for its entry points.
+        """Install a package: create links to its files, and folders for its entry points.
 
-        Delete files of an earlier reading of the package, because another process may have used the folder since.
+        Files from an earlier version of the package are deleted, because another process may have used the folder.
         """
         self._claim()
         self._clear(package, contents)
@@ -49,7 +50,7 @@ class Image:
             self.add_folder(os.path.dirname(name))
 
     def _clear(self, package: str, contents: Contents) -> None:
-        """Remove the links that the package does not install any more."""
+        """Remove the links to files that the package no longer installs."""
         wanted = {os.path.join(self.path, name) for name in contents.files}
         for place in ('share', 'lib'):
             for folder, _, names in os.walk(os.path.join(self.path, place, package)):
@@ -65,7 +66,7 @@ class Image:
         return path
 
     def source_path(self, path: str) -> str | None:
-        """Return the real file behind a path of the image, or None for any other path."""
+        """Return the source file or folder behind a path of the image, or None for any other path."""
         if not path.startswith(self.path + os.sep):
             return None
         source = self._sources.get(path)
@@ -78,29 +79,46 @@ class Image:
         return self._sources[inside[0]].rsplit(os.sep, depth)[0]
 
     def _claim(self) -> None:
-        """Use the folder, with fresh content if no other process uses it. It is released when this object is deleted, or at
-        exit.
+        """Mark the folder as used by this process, and empty it first if no other process uses it.
+
+        The mark is removed when this object is deleted, or at exit.
         """
         if self._claimed:
             return
         self._claimed = True
         users = os.path.join(self.path, '.users')
-        if not _living(users):
-            _remove(self.path)
-        os.makedirs(users, exist_ok=True)
         claim = os.path.join(users, f'{os.getpid()}-{id(self):x}')
-        with open(claim, 'w', encoding='ascii'):
-            pass
+        with _locked(os.path.dirname(self.path)):  # another process must not remove the folder in between
+            if not _living(users):
+                _remove(self.path)
+            os.makedirs(users, exist_ok=True)
+            with open(claim, 'w', encoding='ascii'):
+                pass
         weakref.finalize(self, _release, self.path, claim, os.getpid())
 
 
 def _release(path: str, claim: str, pid: int) -> None:
     if os.getpid() != pid:
         return  # the folder belongs to the parent process, not to a forked child
-    if os.path.exists(claim):
+    if not os.path.exists(claim):
+        return
+    with _locked(os.path.dirname(path)):
         os.unlink(claim)
-    if not _living(os.path.dirname(claim)):
-        _remove(path)
+        if not _living(os.path.dirname(claim)):
+            _remove(path)
+
+
+@contextmanager
+def _locked(folder: str) -> Iterator[None]:
+    """Keep other processes of this user from claiming or removing a prefix in this folder."""
+    if os.name == 'nt':
+        yield
+        return
+    import fcntl
+
+    with open(os.path.join(folder, '.lock'), 'w', encoding='ascii') as file:
+        fcntl.lockf(file, fcntl.LOCK_EX)  # closing the file releases it; flock is refused in a sandbox
+        yield
 
 
 def _remove(path: str) -> None:
@@ -111,7 +129,7 @@ def _remove(path: str) -> None:
 
 
 def _living(users: str) -> bool:
-    """Return whether any claim belongs to a process that still runs."""
+    """Return whether any process that uses the folder is still running."""
     try:
         claims = os.listdir(users)
     except OSError:
@@ -132,7 +150,7 @@ def _runs(pid: int) -> bool:
 
 
 def _base() -> str:
-    """Return a folder below the temporary folder that belongs only to this user."""
+    """Return a folder in the temporary folder that belongs only to this user."""
     import tempfile
 
     user = str(os.getuid()) if hasattr(os, 'getuid') else 'user'
@@ -153,7 +171,7 @@ def _digest(workspace: str) -> str:
 
 
 def _link(source: str, target: str) -> None:
-    """Make `target` a link to `source`, or a copy if the file system has no symbolic links."""
+    """Make `target` a link to `source`, or a copy of it if the file system has no symbolic links."""
     try:
         if os.readlink(target) == source:
             return
@@ -173,12 +191,12 @@ def _link(source: str, target: str) -> None:
 
 
 class Workspace:
-    """One source workspace. It finds its packages on first use, and reads them one by one.
+    """One source workspace. It finds its packages on first use, and reads each package when the package is first used.
 
     :param folder: the workspace, its `src/`, or a single package.
-    :param read_source: reads the build file of a package.
-    :param warnings: the list for everything that a build would reject.
-    :param near: a folder; of two packages with one name, the one nearer to it counts.
+    :param read_source: the function that reads the build file of a package.
+    :param warnings: the list to which everything is added that a build would reject.
+    :param near: a folder; if two packages have one name, the package that is nearer to this folder is used.
     """
 
     def __init__(self, folder: str, read_source: SourceReader, warnings: list[PackageWarning], near: str = '') -> None:
@@ -193,7 +211,7 @@ class Workspace:
         self._installed: set[str] = set()
 
     def packages(self) -> list[str]:
-        """Return the names from the package.xml files."""
+        """Return the names in the package.xml files, sorted."""
         return sorted(self._manifests())
 
     def install(self, package: str) -> None:
@@ -203,7 +221,7 @@ class Workspace:
             self._installed.add(package)
 
     def executables(self, package: str) -> list[str]:
-        """Return the entry points and installed programs."""
+        """Return the names of the entry points and of the installed programs."""
         folder = f'lib/{package}'
         contents = self.contents(package)
         return sorted(
@@ -211,7 +229,7 @@ class Workspace:
         )
 
     def program(self, package: str, executable: str) -> Program | None:
-        """Return a console script, or an installed Python file."""
+        """Return a console script, or an installed Python file. Return None for any other executable."""
         name = f'lib/{package}/{executable}'
         contents = self.contents(package)
         path = os.path.join(self.path, name)
@@ -232,18 +250,20 @@ class Workspace:
         return found
 
     def interface_packages(self) -> list[str]:
-        """Return the packages whose build file generates or installs interfaces; add their files to the prefix."""
+        """Return the packages whose build file generates or installs interfaces, and add the files of these packages to the
+        prefix.
+        """
         found = [package for package in self.packages() if self.contents(package).interfaces]
         for package in found:
             self.install(package)
         return found
 
     def source_path(self, path: str) -> str | None:
-        """Return the student's own file."""
+        """Return the student's own file for a path in the generated prefix, or None for any other path."""
         return self._image.source_path(path)
 
     def contents(self, package: str) -> Contents:
-        """Return what the package installs; its build file is read on first use."""
+        """Return the files and programs that the package installs. The first call reads the build file of the package."""
         contents = self._contents.get(package)
         if contents is None:
             contents = self._contents[package] = self._read_source(self._manifests()[package])
@@ -251,7 +271,7 @@ class Workspace:
         return contents
 
     def package_folder(self, package: str) -> str:
-        """Return the folder with the package.xml."""
+        """Return the folder with the package.xml of a package."""
         return self._manifests()[package].folder
 
     def _manifests(self) -> dict[str, Manifest]:
@@ -264,7 +284,7 @@ class Workspace:
         return self._found
 
     def _distance(self, folder: str) -> int:
-        """Return how many folders lead up from `near` to the first one that also has the package in it."""
+        """Return the number of steps upwards from `near` to the first folder that also contains the package."""
         shared = os.path.commonpath([self._near, os.path.realpath(folder)]) if self._near else ''
         return self._near.count(os.sep) - shared.rstrip(os.sep).count(os.sep)
 

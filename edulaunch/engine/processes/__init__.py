@@ -1,10 +1,10 @@
 """Launched programs: descriptions (`spec`), running processes (`process` with its parts `lifecycle`, `streams`, `signals`,
-`limits`), and the host that starts them (`host`). `commands` has the simulated commands, and `loader` the private modules of a
-program.
+`limits`), and the host that starts them (`host`). `commands` finds the simulated commands, and `loader` loads the private
+modules of a program.
 
-Imports point one way: a process knows its machine only by the protocol in `host_face`. Some imports are inside functions. They
-are for files that many runs do not need: `loader` (4 ms), `error_facts` (7 ms), `traceback_text` (4 ms) and `real` (5 ms). Others
-are for modules that views replace, and for modules that only Unix has.
+Imports point in one direction: a process uses its machine only through the protocol in `host_face`. Some imports are inside
+functions. These imports load files that many runs do not need: `loader` (4 ms), `error_facts` (7 ms), `traceback_text` (4 ms) and
+`real` (5 ms). Others load modules that views replace, or modules that only Unix has.
 """
 
 from __future__ import annotations

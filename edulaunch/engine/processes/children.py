@@ -1,4 +1,4 @@
-"""Programs that a simulated program starts itself: `subprocess.Popen` inside the simulation."""
+"""Programs that a simulated program starts itself, with `subprocess.Popen` inside the simulation."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 def spec_of(
     process: Process, args: Any, *, shell: bool = False, cwd: Any = None, env: Mapping[str, str] | None = None, **_: Any
 ) -> ProcessSpec:
-    """Return the program to start for the arguments of `subprocess.Popen`."""
+    """Return the spec of the program that `subprocess.Popen` would start with these arguments."""
     words = [args] if isinstance(args, (str, bytes)) or not isinstance(args, Sequence) else list(args)
     return ProcessSpec(
         argv=tuple(word.decode() if isinstance(word, bytes) else str(word) for word in words),
@@ -34,11 +34,12 @@ def spec_of(
 
 
 class Child:
-    """The simulated `subprocess.Popen`; waiting for it lets simulated time pass.
+    """The simulated `subprocess.Popen`. Simulated time passes while a program waits for its child.
 
-    :param process: the program that starts it.
-    :param input: the input of a simulated program; `stdin=PIPE` lets it read what is written to `stdin`.
-    :raises FileNotFoundError: when there is no such command.
+    :param process: the program that starts the child.
+    :param input: the whole input of a simulated child, as a string or bytes.
+    :param stdin: with `PIPE`, a simulated child reads what is written to the attribute `stdin`.
+    :raises FileNotFoundError: if there is no such command.
     """
 
     def __init__(
@@ -101,11 +102,15 @@ class Child:
             task.wake()
 
     def poll(self) -> int | None:
-        """Return the return code, or None while it runs."""
+        """Return the return code of the child, or None while the child runs."""
         return self.returncode
 
     def wait(self, timeout: float | None = None) -> int:
-        """Wait for its end. Raise `subprocess.TimeoutExpired` after `timeout` simulated seconds."""
+        """Wait until the child has ended, and return its return code.
+
+        :param timeout: simulated seconds, or None for no limit.
+        :raises subprocess.TimeoutExpired: if the child still runs after `timeout` seconds.
+        """
         if not wait_until(lambda: self.returncode is not None, self.waiters, timeout):
             assert timeout is not None
             raise subprocess.TimeoutExpired(self.args, timeout)
@@ -113,7 +118,12 @@ class Child:
         return self.returncode
 
     def communicate(self, input: Any = None, timeout: float | None = None) -> tuple[Any, Any]:
-        """Wait for its end. Return its output on stdout and stderr, as far as these are pipes."""
+        """Wait until the child has ended, and return (stdout, stderr). A stream that is not a pipe has the value None.
+
+        :param input: the string or bytes to write to the pipe `stdin` first.
+        :param timeout: simulated seconds, or None for no limit.
+        :raises subprocess.TimeoutExpired: if the child still runs after `timeout` seconds.
+        """
         if self.stdin is not None:
             if input is not None:
                 self.stdin.write(input)
@@ -123,7 +133,7 @@ class Child:
 
     @property
     def is_passed_on(self) -> bool:
-        """Whether the program that started it passes on its own Ctrl-C."""
+        """Whether the parent passes a Ctrl-C that it receives on to the child."""
         return bool(self._program.is_passed_on)
 
     @is_passed_on.setter
@@ -131,7 +141,7 @@ class Child:
         self._program.is_passed_on = passed_on
 
     def send_signal(self, signum: int) -> None:
-        """Send a signal; do nothing after the end."""
+        """Send a signal to the child. Do nothing if the child has ended."""
         if self.returncode is None:
             self._program.send_signal(signum)
 
@@ -145,7 +155,7 @@ class Child:
 
 
 class InputEnd:
-    """The writing end of a child's input."""
+    """The end of a child's input pipe to which the parent writes."""
 
     closed = False
 
@@ -153,7 +163,7 @@ class InputEnd:
         self._pipe = pipe
 
     def write(self, data: Any) -> int:
-        """Write text or bytes, which the child can read immediately, and return their length."""
+        """Write a string or bytes, which the child can read immediately, and return the length of `data`."""
         self._pipe.feed(data if isinstance(data, str) else bytes(data).decode('utf-8', 'replace'))
         return len(data)
 
@@ -161,20 +171,23 @@ class InputEnd:
         """Do nothing, because nothing is buffered."""
 
     def close(self) -> None:
-        """End the input of the child."""
+        """Close the pipe, so that the input of the child ends."""
         self.closed = True
         self._pipe.feed('', last=True)
 
 
 class Pipe:
-    """The reading end of a child's output: reading waits in simulated time until there is something, or the child has ended."""
+    """The end of a child's output pipe from which the parent reads.
+
+    Reading waits in simulated time until there is enough output, or until the child has ended.
+    """
 
     def __init__(self, child: Child) -> None:
         self._child = child
         self._text = ''
 
     def feed(self, text: str) -> None:
-        """Add output of the child."""
+        """Add output of the child to the pipe."""
         self._text += text
 
     def _cut(self, length: int) -> Any:
@@ -186,41 +199,43 @@ class Pipe:
         wait_until(lambda: child.returncode is not None or ready(), child.waiters, None)
 
     def read(self, size: int = -1) -> Any:
-        """Return everything until the end, or `size` characters."""
+        """Return `size` characters, or, without `size`, all output until the child ends."""
         self._wait(lambda: 0 <= size <= len(self._text))
         return self._cut(len(self._text) if size < 0 else size)
 
     def readline(self) -> Any:
-        """Return the next line; empty at the end."""
+        """Return the next line, or an empty string at the end of the output."""
         self._wait(lambda: '\n' in self._text)
         end = self._text.find('\n')
         return self._cut(len(self._text) if end < 0 else end + 1)
 
     def readlines(self) -> list[Any]:
-        """Return all lines until the end."""
+        """Return all lines until the end of the output."""
         return list(self)
 
     def __iter__(self) -> Iterator[Any]:
         return iter(self.readline, '' if self._child.text else b'')
 
     def close(self) -> None:
-        """Do nothing."""
+        """Do nothing, because a simulated pipe does not use a resource of the operating system."""
 
 
 def inherit_terminal(process: Process, child: Any) -> None:
-    """Let a program read the keyboard of the program that started it, if there is one."""
+    """Make a child read from the keyboard of the program that started it, if that program reads from a keyboard."""
     if getattr(process.streams.stdin, 'is_inherited', False):
         _give_input(child, process.streams.stdin)
 
 
 def _give_input(child: Any, stdin: Any) -> None:
-    """Let a simulated program read from `stdin`; a real one has its own stream."""
+    """Make a simulated child read from `stdin`. A real child has its own stream."""
     if isinstance(child, Process):
         child.streams.stdin = stdin
 
 
 def _sink(process: Process, stream: str, where: Any, pipe: Pipe | None) -> Callable[[str], object]:
-    """Return the target of the child's output: a pipe, a file, nothing, or the stream of the program itself."""
+    """Return the function that receives the child's output and writes it to a pipe, a file, nowhere, or the parent's own
+    stream.
+    """
     if pipe is not None:
         return pipe.feed
     if where == subprocess.DEVNULL:

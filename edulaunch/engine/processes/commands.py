@@ -1,8 +1,7 @@
 """Finds the commands that the simulation runs itself: programs of packages, Python files, tools and shell lines.
 
-Any other command is a real program.
-
-The engine knows no tool and no shell. The creator of a machine passes in both, as a :class:`CommandSet`.
+Any other command is a real program. The engine contains no tool and no shell: the creator of a machine passes both in, as a
+:class:`CommandSet`.
 """
 
 from __future__ import annotations
@@ -58,25 +57,29 @@ Main = Callable[[Process], object]
 
 
 class Shell(Protocol):
-    """Reads and runs shell lines."""
+    """A shell that parses and runs shell lines."""
 
     def needs_shell(self, line: str) -> bool:
-        """Return whether a line has characters with a meaning in a shell; otherwise, its words are the command."""
+        """Return whether a line contains characters with a special meaning in a shell. Otherwise, the words of the line are
+        the command.
+        """
 
     def script_of(self, words: Sequence[str]) -> Sequence[str] | None:
-        """Return the line and its arguments of a command such as `sh -c LINE ARGUMENT...`, or None."""
+        """Return the shell line of a command such as `sh -c LINE ARGUMENT...`, followed by its arguments. Return None for
+        other commands.
+        """
 
     def main_of(self, line: str, arguments: Sequence[str], knows: Callable[[Sequence[str]], bool]) -> Main | None:
-        """Return the function that runs a line in simulated time; None if a real shell must run it.
+        """Return the function that runs a shell line in simulated time, or None if a real shell must run the line.
 
-        :param knows: returns whether the simulation runs the command of some words.
+        :param knows: a function that returns whether the simulation runs the command that consists of the given words.
         """
 
 
 class Known(NamedTuple):
     """A command that the simulation runs.
 
-    :ivar argv: the words that its process sees.
+    :ivar argv: the command line as the process gets it.
     :ivar main: the function that runs in the process.
     :ivar program: the program of a package or the Python file; None for a tool and for a shell line.
     :ivar tool: the name of the tool, or ''.
@@ -91,8 +94,8 @@ class Known(NamedTuple):
 class CommandSet:
     """The commands that a machine runs in addition to the programs of its packages.
 
-    :ivar tools: the functions for command lines by their first word.
-    :ivar shell: runs shell lines; with None, a real shell runs all of them.
+    :ivar tools: the function that runs each tool, by the first word of the command line.
+    :ivar shell: the shell that runs shell lines in the simulation; with None, a real shell runs all of them.
     """
 
     def __init__(self, tools: Mapping[str, Main] = MappingProxyType({}), shell: Shell | None = None) -> None:
@@ -100,9 +103,9 @@ class CommandSet:
         self.shell = shell
 
     def find(self, spec: ProcessSpec, index: Index, modules: Callable[[], Mapping[str, Any]]) -> Known | None:
-        """Return the command of a spec, if the simulation runs it.
+        """Return the command of a spec, or None if the simulation does not run it.
 
-        :param modules: returns the top-level modules of the workspaces, which `python3 -m` may name.
+        :param modules: a function that returns the top-level modules of the workspaces, which `python3 -m` may name.
         """
         words: Sequence[str] = spec.argv
         if spec.shell:
@@ -126,7 +129,7 @@ class CommandSet:
         return _python(words, spec.cwd, modules)
 
     def _line(self, script: Sequence[str], index: Index, modules: Callable[[], Mapping[str, Any]]) -> Known | None:
-        """Return the command for a shell line, if the simulation knows a command in it."""
+        """Return the command for a shell line, or None if the simulation runs no command in the line."""
 
         def knows(words: Sequence[str]) -> bool:
             return self.find(ProcessSpec(argv=tuple(words), name=''), index, modules) is not None
@@ -138,7 +141,7 @@ class CommandSet:
 
 
 def _python(words: Sequence[str], cwd: str | None, modules: Callable[[], Mapping[str, Any]]) -> Known | None:
-    """Return the command for words that begin with Python or a Python file."""
+    """Return the command for words that begin with Python or a Python file, or None for other words."""
     first = os.path.basename(words[0]) if words else ''
     if not first.endswith('.py') and not first.startswith('python'):
         return None

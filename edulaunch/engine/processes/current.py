@@ -1,4 +1,4 @@
-"""The process whose code runs now."""
+"""The process whose code is running now."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from edulaunch.engine.sim.task import current_task
 
 
 def current_process() -> Process:
-    """Return the process whose code runs now.
+    """Return the process whose code is running now.
 
-    Outside any simulation (a plain script, a notebook cell that uses `rclpy` directly), it is the *ambient* process of this
-    thread. It is created at first use, with its own simulation, graph and host. Waiting in it runs that simulation.
+    Outside any simulation (a plain script, a notebook cell that uses `rclpy` directly), return the *ambient* process of this
+    thread. It is created on first use, with its own simulation, graph and host. When code waits in it, that simulation runs.
     """
     task = current_task()
     process: Process | None = task.owner

@@ -1,7 +1,7 @@
-"""Deferred hints: the hint for an error appears later than the error arises, where the last line of its text reaches a console.
+"""Deferred hints: the hint for an error appears later than the error, when the last line of the error reaches a console.
 
-A hint is not output of a program and is not recorded. So recordings are the same in every language, and a launch file's handlers
-of output receive the same output as in ROS 2.
+A hint is not output of a program and is not recorded. So recordings are the same in every language, and a launch file's output
+event handlers receive the same output as in ROS 2.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ HintOf = Callable[[dict[str, Any], Mapping[str, str]], 'str | None']
 
 
 class _Pending(NamedTuple):
-    """An error whose last line is on its way to the consoles.
+    """An error whose last line has not yet reached all consoles.
 
-    :ivar group: the number of the program in whose terminal the error happened.
+    :ivar group: the number of the program in whose terminal the error occurred.
     :ivar shown_to: the numbers of the programs below whose output the hint has appeared.
     """
 
@@ -33,9 +33,9 @@ class _Pending(NamedTuple):
 
 
 class DeferredHints:
-    """The hints of one simulated machine.
+    """The hints of one simulated machine, which wait until their errors appear on a console.
 
-    :param hint_of: returns the line below an error; with None, no error has a hint.
+    :param hint_of: a function that returns the hint for an error; with None, no error has a hint.
     """
 
     def __init__(self, hint_of: HintOf | None = None) -> None:
@@ -44,28 +44,29 @@ class DeferredHints:
         self._hint_of = hint_of
 
     def expect(self, text: str, error: dict[str, Any], group: int) -> None:
-        """Record an error that will be written.
+        """Record an error that is about to be written.
 
-        :param text: the output; the hint waits for its last line.
-        :param error: type, message, file, line, facts and process, as plain data.
-        :param group: number of the program that the terminal of the error started.
+        :param text: the output; the hint is shown below its last line.
+        :param error: type, message, file, line, facts and process of the error, as plain data.
+        :param group: the number of the program that was started in the terminal in which the error occurs.
         """
         lines = [line for line in text.splitlines() if line.strip()]
         if lines and self._hint_of is not None:
             self.pending.append(_Pending(lines[-1], group, error, set()))
 
     def helped(self, group: int) -> set[str]:
-        """Return the programs of one terminal below whose error a hint has appeared.
+        """Return the names of the programs in one terminal for whose error a hint has appeared.
 
-        :param group: number of that program.
+        :param group: the number of the program that was started in the terminal.
         """
         return {process for pid, process in self._helped if pid == group}
 
     def below(self, text: str, pid: int, env: Mapping[str, str]) -> str:
-        """Return the hint below the last output in the console of a program, or ''.
+        """Return the hint to show below the last output in the console of a program, or '' without a hint.
 
-        :param pid: the number of that program.
-        :param env: its environment, which sets the language of the reader.
+        :param text: the last output.
+        :param pid: the number of the program.
+        :param env: the environment of the program, which sets the language of the hint.
         """
         lines = _COLOUR.sub('', text).splitlines()
         # Prefer this terminal's error: another terminal may have shown the same last line for another reason.

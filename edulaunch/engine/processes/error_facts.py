@@ -1,7 +1,7 @@
-"""Facts about an error that ended a program, beyond its message, as plain data for `edulaunch.advice`.
+"""Facts about an error that ended a program, in addition to its message, as plain data for `edulaunch.advice`.
 
-For example, a module of the workspace may be compiled code, or would be after a build. Or a `with` statement uses an object of
-ROS that is not a context manager.
+For example, a missing module may exist as compiled code, or a build may create it. Another example is a `with` statement with a
+ROS object that is not a context manager.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 class Program(Protocol):
-    """The parts of a program that an error ended which this module reads."""
+    """The parts of a program that this module needs to find facts about an error."""
 
     index: Index
 
@@ -55,7 +55,10 @@ ENDED_BY = {
 
 
 def with_facts_at(error: BaseException) -> dict[str, Any]:
-    """Return facts for `with rclpy.init():`, and for `with node:` where Python names the class of the object (since 3.11)."""
+    """Return facts about `with rclpy.init():`, or about `with node:` if Python names the class of the object (since 3.11).
+
+    Return {} for any other error.
+    """
     if '__enter__' not in str(error) and 'context manager' not in str(error):
         return {}
     trace = _innermost(error.__traceback__)
@@ -75,8 +78,9 @@ def _innermost(trace: TracebackType | None) -> TracebackType | None:
 
 
 def _kind(name: str, trace: TracebackType) -> str:
-    """Return the class of rclpy for the name of a class: its nearest base there, or the name if the program does not have
-    it.
+    """Return the name of the rclpy class from which a class is derived, or '' without such a class.
+
+    If the program has no class with this name, return the name itself.
     """
     known = trace.tb_frame.f_locals.get(name) or trace.tb_frame.f_globals.get(name)
     if not isinstance(known, type):
@@ -91,8 +95,10 @@ _LIBRARY = re.compile(r'(\S+): cannot open shared object file')
 
 
 def compiled_module(process: Program, name: str) -> str | None:
-    """Return the path of a module's compiled code that Python did not find ('robo/fast.so'), or of the file that builds it, or
-    None.
+    """Return the compiled code of a module that Python did not find ('robo/fast.so'), or the line of CMakeLists.txt that builds
+    it.
+
+    Return None if there is neither.
     """
     parent, _, leaf = name.rpartition('.')
     if parent:
@@ -107,7 +113,7 @@ def compiled_module(process: Program, name: str) -> str | None:
 
 
 def missing_library(error: BaseException) -> str | None:
-    """Return the native library that the operating system did not find while it loaded a module."""
+    """Return the native library that the operating system did not find while it loaded a module, or None for another error."""
     found = _LIBRARY.match(str(error))
     return found[1] if found is not None else None
 
@@ -129,8 +135,9 @@ SPELLING = ('rclpy', 'launch', 'launch_ros', 'tf2_ros', 'tf_transformations')
 
 
 def error_facts(process: Program, error: BaseException) -> Found:
-    """Return the facts of an error with `about`, the rule with the sentences for it. Facts that the error itself carries come
-    first.
+    """Return the facts of an error, in which `about` is the name of the rule that explains the error.
+
+    Facts that are attached to the error itself take precedence. Return {} if there are no facts.
     """
     carried = facts_of(error)
     if carried:
@@ -149,7 +156,7 @@ def error_facts(process: Program, error: BaseException) -> Found:
 
 
 def _hiding(process: Program, name: Any) -> Found:
-    """Return facts about a name of a standard module, if a file of the student hides the module."""
+    """Return facts about a standard module that a student's file with the same name hides, or {}."""
     own = process.loader.modules.get(name) if name in sys.stdlib_module_names else None
     file = getattr(own, '__file__', None)
     if file is None or file == getattr(PathFinder.find_spec(name), 'origin', None):
@@ -158,7 +165,7 @@ def _hiding(process: Program, name: Any) -> Found:
 
 
 def _module(process: Program, name: str) -> Found:
-    """Return facts about an unknown module: the software that it belongs to, and the nearest name."""
+    """Return facts about an unknown module, such as the software that it belongs to, or the nearest name."""
     top = name.partition('.')[0]
     if compiled := compiled_module(process, name):
         return {'about': 'programs.compiled-module', 'module': name, 'compiled': compiled}
@@ -170,7 +177,9 @@ def _module(process: Program, name: str) -> Found:
 
 
 def _package(process: Program, top: str) -> Found:
-    """Return facts about a package of the workspace whose interfaces or modules are not installed."""
+    """Return facts about a package whose modules are not installed, or which has only interfaces. Return {} if it does not
+    exist.
+    """
     if top not in process.index.packages():
         return {}
     if top not in process.overlay.interface_packages:
@@ -180,9 +189,7 @@ def _package(process: Program, top: str) -> Found:
 
 
 def _imported_name(process: Program, error: ImportError) -> Found:
-    """Return facts about a name that a module of the program does not have: the nearest name, or that two modules import each
-    other.
-    """
+    """Return facts about a name that a module does not have: the nearest name, or that two modules import each other."""
     found = re.match("cannot import name '(.+?)' from (partially initialized module )?", str(error))
     if found is None:
         return {}
@@ -215,7 +222,7 @@ def _is_module(path: str) -> bool:
 
 
 def _part(process: Program, name: str) -> Found:
-    """Return facts about a missing module of an existing package: the modules beside it."""
+    """Return facts about a missing module of an existing package: the other modules of the package, and the nearest name."""
     parent, _, leaf = name.rpartition('.')
     module: Any = process.loader.modules.get(parent) or sys.modules[parent]
     beside = sorted(
@@ -242,5 +249,7 @@ def _unknown_module(process: Program, top: str) -> Found:
 
 
 def _alike(name: str, near: str) -> bool:
-    """Return whether two names differ by at most two letters, because modules of other projects have names similar to ROS's."""
+    """Return whether two names are nearly equal. A looser match would be wrong, because other projects have similar module
+    names.
+    """
     return SequenceMatcher(None, name, near).ratio() >= 0.8

@@ -1,5 +1,7 @@
-"""Find a program's own modules in its script's folder, its package, the workspaces, and its changes to `sys.path`, together with
-their compiled code. The additions of a workspace to the underlay are read once per index, at first use.
+"""Finds a program's own modules in its script's folder, its package, the workspaces, and its changes to `sys.path`.
+
+The module also returns the compiled code of these modules. The additions of a workspace to the underlay are read once per index,
+on first use.
 """
 
 from __future__ import annotations
@@ -31,15 +33,15 @@ class Found(NamedTuple):
 
 
 class Finder:
-    """Looks for private modules, in Python's order.
+    """A finder of the private modules of one program. It searches in the same order as Python.
 
-    :param installed: returns the modules of the workspaces, name -> folder or .py file.
-    :param loaded: the modules that the program has loaded privately, including its `sys`, to whose `path` it may have added
-        folders.
-    :ivar roots: folders that come first, such as the folder of a script.
-    :ivar last: folders that are searched after everything shared: the program's package folder, although only the files in its
-        build file would be installed.
-    :ivar own: the top-level module of the program's entry point, which comes from its own folders.
+    :param installed: a function that returns the modules of the workspaces, name -> folder or .py file.
+    :param loaded: the modules that the program has loaded privately. This includes its `sys`, to whose `path` the program may
+        have added folders.
+    :ivar roots: folders that are searched first, such as the folder of a script.
+    :ivar last: folders that are searched after all shared modules. One of them is the program's package folder, although only the
+        files in its build file would be installed.
+    :ivar own: the top-level module of the program's entry point, which is loaded from the program's own folders.
     """
 
     def __init__(self, installed: Callable[[], Mapping[str, str]], loaded: Mapping[str, Any]) -> None:
@@ -52,7 +54,7 @@ class Finder:
         self._absent: dict[str, tuple[str, ...]] = {}
 
     def first_match(self, top: str) -> Found | None:
-        """Return a top-level module that comes before the shared ones."""
+        """Return a private top-level module that takes precedence over a shared module, or None."""
         before, _ = self._program_path()
         folders = (*before, *self.roots)
         if self._absent.get(top) == folders:
@@ -72,20 +74,22 @@ class Finder:
         return found
 
     def last_match(self, top: str) -> Found | None:
-        """Return a top-level module for a name that no shared module has."""
+        """Return a private top-level module for a name that no shared module has, or None."""
         _, after = self._program_path()
         path = [*after, *self.roots, *self.last]
         return regular(top, path) or namespace(top, path)
 
     def folders(self) -> list[str]:
-        """Return every folder that may hold a top-level module of the program, each once."""
+        """Return every folder that may contain a top-level module of the program, without duplicates."""
         before, after = self._program_path()
         places = [os.path.dirname(place) for place in self._installed().values()]
         return list(dict.fromkeys([*before, *self.roots, *after, *self.last, *places]))
 
     def _may_have(self, folder: str, top: str) -> bool:
-        """Return whether a module can be in a folder. Each folder is listed once, because most imports are of other modules.
-        Files that are written later are found last.
+        """Return whether a folder may contain a module.
+
+        Each folder is listed only once, because most imports are of other modules. Files that a program writes later are found by
+        :meth:`last_match`.
         """
         names = self._listed.get(folder)
         if names is None:
@@ -97,13 +101,15 @@ class Finder:
         return top in names or f'{top}.py' in names
 
     def _program_path(self) -> tuple[list[str], list[str]]:
-        """Return the folders that the program added to its `sys.path`, before and after the shared ones."""
+        """Return two lists of folders that the program added to its `sys.path`: before the shared folders, and after them."""
         view = self._loaded.get('sys')
         return ([], []) if view is None else view.private_path()
 
 
 def regular(leaf: str, path: list[str]) -> Found | None:
-    """Return a package with `__init__.py`, or a module, in the first folder that has one."""
+    """Return a module, or a package with `__init__.py`, from the first folder that contains one. Return None if no folder
+    does.
+    """
     for folder in path:
         base = os.path.join(folder, leaf)
         package = os.path.join(base, '__init__.py')
@@ -115,7 +121,7 @@ def regular(leaf: str, path: list[str]) -> Found | None:
 
 
 def namespace(leaf: str, path: list[str]) -> Found | None:
-    """Return a folder without `__init__.py` that has Python code in it, or in the folders below."""
+    """Return a package without `__init__.py` that has Python files in its folder or one level deeper, or None."""
     for folder in path:
         base = os.path.join(folder, leaf)
         if _has_code(base) or any(_has_code(os.path.join(base, name)) for name in _names(base)):
@@ -139,14 +145,14 @@ def _at(place: str) -> Found | None:
 
 
 class Overlay:
-    """The importable part of one index."""
+    """The modules and interfaces of one index that its programs can import."""
 
     def __init__(self, index: Index) -> None:
         self._index = index
 
     @cached_property
     def modules(self) -> dict[str, str]:
-        """Top-level modules of the workspaces, as their build files install them: name -> folder or .py file."""
+        """The top-level modules of the workspaces, as their build files install them: name -> folder or .py file."""
         return self._index.python_modules()
 
     @cached_property
@@ -155,7 +161,7 @@ class Overlay:
 
     @property
     def interface_packages(self) -> frozenset[str]:
-        """Packages whose interfaces come from a workspace."""
+        """The packages whose interfaces come from a workspace."""
         return self._interfaces[0]
 
     @property
@@ -165,7 +171,7 @@ class Overlay:
 
     @cached_property
     def finder(self) -> InterfaceFinder:
-        """Creates the modules `my_interfaces.msg` ...; it is not on `sys.meta_path`, so no other code sees them."""
+        """The finder that creates modules such as `my_interfaces.msg`. It is not on `sys.meta_path`, so no other code uses it."""
         return InterfaceFinder(self.registry)
 
 
@@ -180,7 +186,7 @@ answer_with(_registry_of_the_running_program)
 
 
 def read_script(path: str) -> CodeType:
-    """Return the code of a script or launch file, of which Python keeps no compiled copy.
+    """Return the compiled code of a script or launch file. Python does not cache the compiled code of such a file.
 
     :raises: any error of the compilation.
     """
@@ -191,11 +197,11 @@ def read_script(path: str) -> CodeType:
 
 @lru_cache(maxsize=64)
 def _flawless(source: bytes, path: str, filters: tuple[Any, ...]) -> CodeType | None:
-    """Return the compiled code of source without warnings. It is kept for the next run, because a notebook or a grader runs a
-    file many times.
+    """Return the compiled code of a source file, or None if the compilation causes errors or warnings.
 
-    Return None for source with errors or warnings, because these should appear each time. (`catch_warnings` cannot find out,
-    because it makes Python forget which warnings it has shown. A first run would then show more of them than a second one.)
+    The code is cached for the next run, because a notebook or a grader runs a file many times. Errors and warnings are not
+    cached, because they should appear each time. (`catch_warnings` cannot be used here, because it makes Python forget which
+    warnings it has shown. A first run would then show more warnings than a second run.)
 
     :param filters: the active filters, which decide which warnings appear.
     """
@@ -211,7 +217,7 @@ def _flawless(source: bytes, path: str, filters: tuple[Any, ...]) -> CodeType | 
 
 
 def code_of(source: SourceFileLoader) -> CodeType:
-    """Return the compiled code of a source file, through Python's own cache of compiled files."""
+    """Return the compiled code of a source file, with Python's own cache of compiled files."""
     code = source.get_code(source.name)
     assert code is not None
     return code

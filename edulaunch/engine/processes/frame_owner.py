@@ -1,5 +1,5 @@
-"""Find the owner of a file (the engine, Python and its installed packages, or the student), and a program's current place in the
-student's code.
+"""Determines the owner of a file (the engine, Python and its installed packages, or the student), and a program's current line in
+the student's code.
 """
 
 from __future__ import annotations
@@ -28,12 +28,12 @@ LIBRARIES = tuple(
 
 
 def is_engine(filename: str) -> bool:
-    """Return whether a path is a file of edulaunch, or not a file at all."""
+    """Return whether a path is a file of edulaunch, or the name of code that does not come from a file."""
     return filename.startswith((ENGINE, '<frozen', '<interface '))
 
 
 def is_library(filename: str) -> bool:
-    """Return whether a file belongs to Python or to an installed package, neither of which a student writes."""
+    """Return whether a file belongs to Python or to an installed package, which students do not write."""
     return filename.startswith(LIBRARIES) and not is_engine(filename)
 
 
@@ -43,10 +43,13 @@ def is_own(filename: str) -> bool:
 
 
 def student_line(frame: FrameType | None = None) -> dict[str, Any]:
-    """Return the innermost line of the student on the way to a frame (default: the caller's), for a fact.
+    """Return the innermost line of the student's code among a frame and its callers, for a fact.
 
-    It has `file`, `line`, the `function`, and what it `calls`, such as 'timer.sleep' (file and function). A view counts as the
-    module that it replaces. Without code of a student, the result is empty.
+    The result contains `file`, `line` and `function`. If this line calls other code, `calls` names that code, such as
+    'timer.sleep' (file and function). A view has the name of the module that it replaces. Without code of a student, the
+    result is empty.
+
+    :param frame: the frame to start from (default: the frame of the caller).
     """
     inner: FrameType | None = None
     here = frame if frame is not None else sys._getframe(1)

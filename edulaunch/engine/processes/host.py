@@ -1,4 +1,6 @@
-"""Starts programs: known ones as simulated processes, and any other as a real program of this machine."""
+"""Starts programs. Commands of the simulation run as simulated processes, and all other commands as real programs of this
+machine.
+"""
 
 from __future__ import annotations
 
@@ -34,7 +36,7 @@ FIRST_PID = 1001
 
 
 class GeneratedFile(Protocol):
-    """A parameter file that launch generated."""
+    """A parameter file that launch has generated."""
 
     def entries(self) -> Sequence[Entry]: ...
 
@@ -44,22 +46,29 @@ class GeneratedFile(Protocol):
 
 
 class Host:
-    """Owns the processes of one simulation. `watchdog` stops processes that never end their turn, if one is set.
+    """The simulated machine that starts and owns the processes of one simulation.
 
+    :param sim: the simulation in which the programs run.
+    :param graph: the graph of the simulation.
+    :param index: the packages that programs find by default.
     :param env: the environment that programs inherit.
     :param command_set: the tools and the shell of the machine (default: none).
-    :param hint_of: returns the hint below an error, see :class:`DeferredHints` (default: no hints).
-    :param stdin: input of programs, by launch name ('game-2', or 'game' for all of that name) or executable. It is a string, a
-        list of (simulated seconds, string), or an open text file. Programs of a launch read a silent pipe, and all others read an
-        empty input.
+    :param hint_of: a function that returns the hint for an error, see :class:`DeferredHints` (default: no hints).
+    :param stdin: the input of programs, by launch name ('game-2', or 'game' for all programs of this name) or executable. An
+        input is a string, a list of (simulated seconds, string), or an open text file. All other programs read an empty
+        input; in a launch, this input is a pipe that stays open.
     :cvar is_real: whether programs run on the real rclpy, and query this computer instead of the host.
-    :ivar is_paced: whether something else lets simulated time keep pace with real time.
-    :ivar join_network: joins a real ROS 2 network, or None where that is impossible. It takes an environment, the words of the
-        join's options, and a function that reports joining and leaving. It returns a function that leaves the network.
-    :ivar where_on_network: describes the real network that it has joined and the library for it; None without one.
-    :ivar make_launch_observer: makes the observer for the launch service of a process, if there is one.
-    :ivar lines_in_set_order: returns the lines of a source text that use the order of a set; the recording names the first one.
-    :ivar unread_stdin: the names of `stdin` whose programs have not been started yet.
+    :ivar is_paced: whether another object already makes simulated time keep pace with real time.
+    :ivar watchdog: stops programs that never wait, or None.
+    :ivar join_network: a function that joins a real ROS 2 network, or None where this is impossible. Its arguments are an
+        environment, the words of the command's options, and a function that reports joining and leaving. It returns a
+        function that leaves the network.
+    :ivar where_on_network: a function that describes the joined network and the library that connects to it; it returns None
+        without a network.
+    :ivar make_launch_observer: a function that creates the observer of a process's launch service, or None.
+    :ivar lines_in_set_order: a function that returns the lines of a source that use the order of a set; the recording names
+        the first line.
+    :ivar unread_stdin: the names in `stdin` whose programs have not been started yet.
     """
 
     is_real = False
@@ -103,13 +112,13 @@ class Host:
 
     @cached_property
     def real_look(self) -> RealLook:
-        """Return the observer of the real programs."""
+        """The observer of the real programs."""
         from edulaunch.engine.processes.real import RealLook
 
         return RealLook(self)
 
     def overlay(self, index: Index) -> Overlay:
-        """Return what the workspaces of an index add to the underlay."""
+        """Return the modules and interfaces that the workspaces of an index add to the underlay."""
         for known, overlay in self._overlays:
             if known is index:
                 return overlay
@@ -120,7 +129,9 @@ class Host:
     def parameter_entries(self, path: str) -> Sequence[Entry]:
         """Return the entries of the parameter file at `path`, which launch may have generated.
 
-        :raises OSError, UnicodeDecodeError, ParameterFileError: when it cannot be read.
+        :raises OSError: if the file cannot be opened.
+        :raises UnicodeDecodeError: if the file is not UTF-8.
+        :raises ParameterFileError: if rcl would reject the content.
         """
         generated = self.generated_files.get(path)
         if generated is not None:
@@ -129,18 +140,18 @@ class Host:
         return entries_of_file(path if program is None else program.path(path))
 
     def forget_overlays(self) -> None:
-        """Release the workspaces of programs that have ended."""
+        """Release the overlays that no running program uses."""
         used = [self.index, *(process.index for process in self.processes)]
         self._overlays = [pair for pair in self._overlays if any(pair[0] is index for index in used)]
 
     def next_pid(self) -> int:
-        """Return the next process number. Numbers begin with 1001, so that they are the same in every run."""
+        """Return the next process number. Numbers start at 1001, so that they are the same in every run."""
         pid = self._pid
         self._pid += 1
         return pid
 
     def stdin_for(self, spec: ProcessSpec) -> Any:
-        """Return the input of the program, by its launch name or executable, otherwise an empty input."""
+        """Return the input for a program, selected by its launch name or executable. Without a match, return an empty input."""
         from edulaunch.engine.processes.real import RealInput
 
         names = (spec.name, spec.name.rpartition('-')[0], spec.executable)
@@ -155,7 +166,9 @@ class Host:
         return TypedInput(given) if isinstance(given, (list, tuple)) else RealInput(given, self)
 
     def program_here(self) -> Process | None:
-        """Return the program of this machine whose code runs now. Programs that it starts find the same packages."""
+        """Return the program of this machine whose code is running now, or None. Programs that it starts find the same
+        packages.
+        """
         task = running_task()
         owner = None if task is None else task.owner
         return owner if isinstance(owner, Process) and owner.host is self else None
@@ -167,12 +180,13 @@ class Host:
     def start(
         self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
     ) -> Process | RealProcess:
-        """Start a program. Its first turn comes after the items that are due now.
+        """Start a program. Its code first runs after the agenda's items that are due now.
 
-        :param on_output: called as on_output('stdout' | 'stderr', text) for all its output.
+        :param on_output: called as on_output('stdout' | 'stderr', text) for all output of the program.
         :param on_exit: called once with the return code.
-        :param index: the packages that it finds (default: those of the program that starts it).
-        :raises FileNotFoundError: when there is no such command (PermissionError when it is not executable).
+        :param index: the packages that the program finds (default: those of the program that starts it).
+        :raises FileNotFoundError: if there is no such command.
+        :raises PermissionError: if the command is not executable.
         """
         index, starter = index or self._index_here(), self.program_here()
         if starter is not None and starter.cwd is not None:
@@ -198,7 +212,7 @@ class Host:
         return self.adopt(process)
 
     def start_launched(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Process | RealProcess:
-        """Start the program of a launch action; see :meth:`start`. A dry run only records it."""
+        """Start the program of a launch action; see :meth:`start`. A dry run only records the program."""
         return self.start(spec, on_output, on_exit)
 
     def start_command(self, spec: ProcessSpec, on_output: OnOutput, on_exit: OnExit) -> Process | RealProcess:
@@ -216,17 +230,17 @@ class Host:
         return process
 
     def begin(self, process: Process) -> None:
-        """Give a program its first turn after the items that are due now."""
+        """Schedule the first turn of a program, after the agenda's items that are due now."""
         process.lifecycle.task.start()
 
     def knows(self, spec: ProcessSpec) -> bool:
-        """Return whether the command runs in the simulation."""
+        """Return whether the command of a spec runs in the simulation."""
         return self.known_command(spec) is not None
 
     def known_command(self, spec: ProcessSpec, index: Index | None = None) -> Known | None:
-        """Return the command of a spec, if the simulation runs it.
+        """Return the command of a spec, or None if it does not run in the simulation.
 
-        :param index: the packages to search (default: those of the program whose code runs).
+        :param index: the packages to search (default: those of the program whose code is running).
         """
         packages = index or self._index_here()
         return self.command_set.find(spec, packages, lambda: self.overlay(packages).modules)
@@ -237,7 +251,7 @@ class Host:
         self.tracer.process_exited(process)
 
     def close(self) -> None:
-        """End everything immediately without more simulated time: unwind tasks, and kill real programs."""
+        """End everything immediately, without more simulated time: unwind the tasks of programs, and kill real programs."""
         if self.watchdog is not None:
             self.watchdog.stop()
         for real in list(self.real_programs):

@@ -1,5 +1,5 @@
-"""The machine as its programs see it. The class `Host` implements this protocol and starts the programs, so `process` does not
-import `host`.
+"""The part of a machine that its programs use, as a protocol. The class `Host` implements this protocol and starts the programs,
+so `process` does not import `host`.
 """
 
 from __future__ import annotations

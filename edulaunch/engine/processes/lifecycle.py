@@ -1,4 +1,4 @@
-"""The life of a program: its main task, its threads, the functions to call at its end, and its return code."""
+"""The lifecycle of a program: its main task, its threads, the functions to call at its end, and its return code."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from edulaunch.engine.sim.task import Task, TaskKilled
 
 
 class Program(Protocol):
-    """The part of a program that its lifecycle needs."""
+    """The part of a program that its lifecycle uses."""
 
     sim: Simulation
 
@@ -33,17 +33,18 @@ class Program(Protocol):
 
 
 class Lifecycle:
-    """Runs a program from its first turn to its end.
+    """The lifecycle of one program, from its first turn to its end.
 
-    :param main: the program's main function; it returns the exit status, as for `sys.exit`.
-    :ivar task: the main thread.
-    :ivar threads: threads that the program waits for before it ends.
-    :ivar before_join: functions to call before the program waits for its threads, the last one first.
+    :param program: the program.
+    :param main: the program's main function, which returns the exit status as for `sys.exit`.
+    :ivar task: the task of the main thread.
+    :ivar threads: the tasks of the threads that must end before the program ends.
+    :ivar before_join: functions to call before the program waits for its threads, in reverse order.
     :ivar exit_calls: the functions that the program registered with `atexit`, with arguments and options.
     :ivar at_exit: functions to call when the program has ended, for any reason.
-    :ivar returncode: None while it runs; negative for a signal, as in `subprocess`.
-    :ivar killed_by: the signal that ended it.
-    :ivar is_dead: whether it has ended; its stack may still unwind, but its actions have no effect.
+    :ivar returncode: None while the program runs; negative for a signal, as in `subprocess`.
+    :ivar killed_by: the signal that ended the program, or None.
+    :ivar is_dead: whether the program has ended; its stack may still unwind, but its actions have no effect.
     """
 
     def __init__(self, program: Program, main: Callable[[], object]) -> None:
@@ -60,10 +61,12 @@ class Lifecycle:
         self.task.add_done_callback(self._end_unbegun)
 
     def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
-        """Start another task of the program, and return it. The program does not end before its threads do, unless they are
-        daemons.
+        """Start another task of the program, and return it.
 
-        :param at_once: let the task run until it waits for the first time, before this call returns.
+        :param body: the function to run in the task.
+        :param name: the name of the task.
+        :param daemon: whether the program may end before this task does.
+        :param at_once: whether the task runs up to its first wait before this call returns.
         """
         task = Task(self._program.sim, lambda: self._run_thread(body), name=name, owner=self._program)
         if not daemon:
@@ -86,15 +89,17 @@ class Lifecycle:
             return None
 
     def vanish(self) -> None:
-        """Kill the program. Unwinding its stack runs its `finally` blocks, but without effect, because a killed program would
-        not run them.
+        """Kill the program.
+
+        The `finally` blocks still run while the stack unwinds, but have no effect, because a real killed program does not run
+        them.
         """
         self.is_dead = True
         self._program.leave_graph()
         self.task.kill()
 
     def exit_now(self, code: int) -> None:
-        """End immediately without cleaning up, like `os._exit`; called inside the program."""
+        """End the program immediately without cleaning up, like `os._exit`. Only the program itself may call this."""
         self.returncode = code
         self.vanish()
         self.task.park()
@@ -112,7 +117,7 @@ class Lifecycle:
             self._end()
 
     def _end_unbegun(self, task: Task) -> None:
-        """End a program that a signal reached before its first turn."""
+        """End a program that received a signal before its first turn."""
         if self.returncode is None:
             interrupted = isinstance(task.exception, KeyboardInterrupt)
             self.returncode = -(Signals.SIGINT if interrupted else self.killed_by or Signals.SIGKILL)
@@ -136,8 +141,9 @@ class Lifecycle:
             return 1
 
     def _exit_code(self, value: object) -> int:
-        """Return the exit status of `sys.exit(value)`: 0 for None, a number unchanged, and 1 for anything else, which is
-        printed.
+        """Return the exit status of `sys.exit(value)`.
+
+        The status is 0 for None, and the lowest eight bits of an integer. Any other value is printed, and the status is 1.
         """
         if value is None:
             return 0
@@ -147,7 +153,7 @@ class Lifecycle:
         return 1
 
     def run_exit_calls(self) -> None:
-        """Call the functions that the program registered with `atexit`, the last one first."""
+        """Call the functions that the program registered with `atexit`, in reverse order."""
         while self.exit_calls:
             function, arguments, options = self.exit_calls.pop()
             try:

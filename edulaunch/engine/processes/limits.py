@@ -1,5 +1,7 @@
-"""The limit on a program's output. A loop that writes and never waits would fill the memory long before the watchdog notices it.
-Other programs would have to read all of it.
+"""The limit on a program's output.
+
+A loop that writes and never waits would fill the memory long before the watchdog notices the loop. Other programs would have to
+read all of this output.
 """
 
 from __future__ import annotations
@@ -12,9 +14,9 @@ MOST_TEXT = 4_000_000
 
 
 class WriteLimit:
-    """Counts what one program writes at one instant of simulated time.
+    """A counter of the output that one program writes at one instant of simulated time.
 
-    :ivar programs: the number of programs whose output it may write, including its own.
+    :ivar programs: the number of programs whose output this program may write, including itself.
     :ivar writes: the number of writes at this instant.
     """
 
@@ -26,7 +28,7 @@ class WriteLimit:
         self._characters = 0
 
     def is_exceeded_by(self, text: str) -> bool:
-        """Count a string, and return whether it exceeds the limit."""
+        """Add a string to the count, and return whether the count exceeds the limit."""
         if self._instant_ns != self._sim.now_ns:
             self._instant_ns, self.writes, self._characters = self._sim.now_ns, 0, 0
         self.writes += 1
@@ -34,5 +36,5 @@ class WriteLimit:
         return self.writes > MOST_WRITES * self.programs or self._characters > MOST_TEXT * self.programs
 
     def reset(self) -> None:
-        """Start counting again at zero, also at this instant."""
+        """Set the count to zero."""
         self._instant_ns = 0

@@ -1,10 +1,10 @@
 """The private modules of one program.
 
-Two copies of one node must not share globals, and each must have its own clock, arguments and streams. So each process executes
-its own copy of modules of a student's workspace, the main script and launch files. Their `__builtins__` have an `__import__` that
-calls this module first. Everything else (the standard library, numpy, the ROS packages) is shared. Views in
-`processes/module_views/` replace the few standard modules with time, random numbers, threads or the process itself. A few more
-are executed privately, so that they use those views.
+Two copies of one node must not share globals, and each copy must have its own clock, arguments and streams. So each process
+executes its own copy of the modules of a student's workspace, the main script and launch files. Their `__builtins__` have an
+`__import__` that calls this module first. Everything else (the standard library, numpy, the ROS packages) is shared. Views in
+`processes/module_views/` replace the few standard modules for time, random numbers, threads or the process itself. A few more
+modules are executed privately, so that they use those views.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ LOADED_FIRST = frozenset((*sys.builtin_module_names, 'io', 'os', 'posixpath'))
 
 
 class Owner(real_machine.Noting, Protocol):
-    """The part of a program that the loader of its modules needs."""
+    """The part of a program that its loader uses."""
 
     argv: list[str]
 
@@ -44,13 +44,15 @@ Compiled = dict[str, tuple[tuple[int, int], CodeType]]
 
 
 class Loader:
-    """Finds and executes modules for one process.
+    """The finder and executor of the modules of one process.
 
-    :param compiled: code that programs of one machine share.
-    :param find_lines: returns the lines of a source text that use the order of a set.
-    :ivar finder: searches private modules; `roots` are the folders that come first.
-    :ivar modules: the privately loaded modules by name (the process's `sys.modules` shows these first).
-    :ivar shared: the packages that this program imported and that all programs share.
+    :param process: the program that imports the modules.
+    :param compiled: the compiled code that the programs of one machine share.
+    :param find_lines: a function that returns the lines of a source that use the order of a set.
+    :ivar finder: the finder of private modules.
+    :ivar roots: the folders that are searched first.
+    :ivar modules: the privately loaded modules by name (they come first in the process's `sys.modules`).
+    :ivar shared: the names of the packages that this program imported and that all programs share.
     """
 
     def __init__(self, process: Owner, compiled: Compiled, find_lines: real_machine.FindLines) -> None:
@@ -65,15 +67,18 @@ class Loader:
 
     @property
     def builtins(self) -> dict[str, Any]:
-        """`__builtins__` of this program's modules: Python's own, except for the names that depend on the process."""
+        """The `__builtins__` of this program's modules: Python's own, except for the names that depend on the process."""
         if self._builtins is None:
             self._builtins = self.import_module('builtins').__dict__
         return self._builtins
 
     def run_file(self, path: str, module_name: str, *, script: bool = False) -> ModuleType:
-        """Execute a Python file as a module of that name. The folder of a script comes first on its search path, as in Python.
-        The folder of a launch file does not, as in ROS 2.
+        """Execute a Python file as the module `module_name`, and return the module.
 
+        The folder of a script becomes the first folder of its search path, as in Python. The folder of a launch file does
+        not, as in ROS 2.
+
+        :param script: whether the file is a script, and not a launch file.
         :raises: any error of reading, compiling or executing the file (`FileNotFoundError`, `SyntaxError` ...).
         """
         path = os.path.abspath(self.process.path(path))
@@ -89,9 +94,9 @@ class Loader:
         return module
 
     def run_module(self, name: str) -> ModuleType:
-        """Execute a module of the program like `python -m`, as `__main__` in its package.
+        """Execute a module of the program as `__main__` in its package, like `python -m`, and return the module.
 
-        :raises ModuleNotFoundError: when no module has that name.
+        :raises ModuleNotFoundError: if no module has this name.
         """
         parent, _, leaf = name.rpartition('.')
         path = list(getattr(self.import_module(parent), '__path__', ())) if parent else []
@@ -109,7 +114,7 @@ class Loader:
         return module
 
     def _code(self, path: str, read: Callable[[str], CodeType]) -> CodeType:
-        """Return the compiled code of a file; copies of a program share it until the file changes."""
+        """Return the compiled code of a file. Copies of a program share this code until the file changes."""
         compiled, now = self._compiled, os.stat(path)
         stamp = (now.st_mtime_ns, now.st_size)
         known = compiled.get(path)
@@ -118,8 +123,11 @@ class Loader:
         return known[1]
 
     def load_entry_module(self, name: str) -> ModuleType:
-        """Return the module of an entry point. A module of the underlay is also executed privately, but its package is
-        shared.
+        """Return the module of an entry point.
+
+        A module of the underlay is also executed privately, but its package is shared.
+
+        :raises ModuleNotFoundError: if no module has this name.
         """
         self.finder.own = name.partition('.')[0]
         if self.finder.last:
@@ -138,7 +146,7 @@ class Loader:
         fromlist: Sequence[str] | None = (),
         level: int = 0,
     ) -> ModuleType:
-        """Implement `__import__` for the `import` statements of this program."""
+        """Import a module for an `import` statement of this program, with the arguments and the result of `__import__`."""
         if level:
             name = absolute_name(name, globals or {}, level)
         top = name.partition('.')[0]
@@ -167,7 +175,8 @@ class Loader:
         return module
 
     def import_module(self, name: str) -> ModuleType:
-        """Load a module by its full name, after its packages: a private one if the program has it, otherwise the shared one.
+        """Return a module by its full name, and load its packages first. A private module takes precedence over a shared one.
+
         :raises ModuleNotFoundError: with Python's own message.
         """
         module = self.modules.get(name) or self._view(name)
@@ -193,7 +202,9 @@ class Loader:
         return made
 
     def is_private(self, top: str) -> bool:
-        """Return whether a top-level name is this program's own module (or a view)."""
+        """Return whether a top-level name belongs to a module that this program executes privately, or that its workspace
+        provides.
+        """
         return (
             top in self.modules
             or top in PRIVATE_COPIES
@@ -227,7 +238,11 @@ class Loader:
         return sys.modules[name]
 
     def _interfaces(self, name: str) -> ModuleType | None:
-        """Return `pkg.msg` or a module in it, for a package of the workspace. It comes before any generated files."""
+        """Return `pkg.msg`, or a module in it, for a package whose interfaces come from the workspace. Return None for other
+        packages.
+
+        This module takes precedence over generated files.
+        """
         overlay = self.process.overlay
         if name.partition('.')[0] not in overlay.interface_packages:
             return None
@@ -251,9 +266,7 @@ class Loader:
         return interfaces
 
     def _interfaces_of_the_underlay(self, name: str) -> ModuleType | None:
-        """Return the interfaces of the underlay for a student's copy of a package such as turtlesim, which may have its own
-        modules.
-        """
+        """Return the underlay's interfaces of a package such as turtlesim, of which the student has a copy with other modules."""
         if name.rpartition('.')[2] not in ('msg', 'srv', 'action'):
             return None
         try:
@@ -280,11 +293,11 @@ class Loader:
         return view
 
     def _is_hidden(self, top: str) -> bool:
-        """Return whether a file of the program, such as a `queue.py` beside the script, comes before the standard module."""
+        """Return whether a file of the program hides a standard module, such as a `queue.py` beside the script."""
         return top in VIEWS and top not in LOADED_FIRST and self.finder.first_match(top) is not None
 
     def load_file(self, name: str, found: Found) -> ModuleType:
-        """Execute a file as the private module of that name, or use a folder as a package."""
+        """Execute a file as the private module `name`, or use a folder as a package. Return the module."""
         path, is_package = found
         module = ModuleType(name)
         source = None if os.path.isdir(path) else SourceFileLoader(name, path)
@@ -308,15 +321,17 @@ class Loader:
         return module
 
     def reload(self, module: ModuleType) -> ModuleType:
-        """Execute a private module again in its own namespace, like `importlib.reload`."""
+        """Execute a private module again in its own namespace, like `importlib.reload`, and return the module."""
         file = module.__file__
         assert file is not None
         self._execute(module, code_of(SourceFileLoader(module.__name__, file)))
         return module
 
     def _execute(self, module: ModuleType, code: CodeType) -> None:
-        """Run the code with the private builtins. While it runs, `sys.modules` contains the module if the name is free, because
-        class decorators such as `dataclass` look it up there.
+        """Execute code in a module, with the private builtins.
+
+        Meanwhile, `sys.modules` contains the module if no other module has its name, because class decorators such as
+        `dataclass` look it up there.
         """
         module.__dict__['__builtins__'] = self.builtins
         self.modules[module.__name__] = module
@@ -330,8 +345,9 @@ class Loader:
 
 
 def absolute_name(name: str, globals: Mapping[str, Any], level: int) -> str:
-    """Return the full name of a relative import.
+    """Return the full name of a module that a relative import names.
 
+    :param level: the number of leading dots.
     :raises ImportError: with Python's messages, outside any package or above the topmost one.
     """
     package = globals.get('__package__')

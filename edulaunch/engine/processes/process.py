@@ -1,4 +1,4 @@
-"""A launched program in the simulation. It has four parts: `lifecycle`, `streams`, `signals` and `limit`."""
+"""A launched program in the simulation. A process consists of four parts: `lifecycle`, `streams`, `signals` and `limit`."""
 
 from __future__ import annotations
 
@@ -27,22 +27,27 @@ if TYPE_CHECKING:
 class Process:
     """One simulated program.
 
-    :param host: the machine that it runs on.
-    :param argv: its command line as the program itself sees it.
-    :param main: the function of the program, called with this process.
-    :ivar sim, graph, index, tracer: those of the machine; the index is that of the program that started this one.
-    :ivar env: its own copy of the environment.
+    :param host: the machine on which the program runs.
+    :param spec: the description from which the program was started.
+    :param pid: the process number.
+    :param argv: the command line as the program itself gets it.
+    :param main: the main function of the program, called with this process.
+    :ivar sim: the simulation of the machine.
+    :ivar graph: the graph of the machine.
+    :ivar tracer: the tracer of the machine.
+    :ivar index: the packages that the program finds: those of its parent or, without a parent, those of the machine.
+    :ivar env: the program's own copy of the environment.
     :ivar sourced_path: AMENT_PREFIX_PATH as sourcing has set it.
-    :ivar cwd: the working folder, None for that of the launcher.
-    :ivar state: the values that ROS packages would keep in process-wide globals.
-    :ivar exception: the error that ended the program: type, message, place and facts.
-    :ivar used: the parts of the real machine that it used.
-    :ivar is_recorded: whether its output is recorded; that of a child is recorded as far as it reaches the program that started
-        it.
-    :ivar group: the program that a terminal started, whose Ctrl-C reaches this one.
-    :ivar is_passed_on: whether the program that started this one passes its own Ctrl-C on.
-    :ivar on_output, on_exit: called with its output, and with its return code.
-    :ivar on_sleep: called with the seconds of each `time.sleep`.
+    :ivar cwd: the working folder, or None for the launcher's working folder.
+    :ivar state: the values that ROS packages would store in process-wide globals.
+    :ivar exception: the error that ended the program (type, message, place and facts), or None.
+    :ivar used: the parts of the real machine that the program has used.
+    :ivar is_recorded: whether the output of the program is recorded. A child's output is recorded only when its parent writes it.
+    :ivar group: the program that was started in a terminal, and whose Ctrl-C reaches this program.
+    :ivar is_passed_on: whether the parent passes its own Ctrl-C on to this program.
+    :ivar on_output: called with the name of the stream and the string for each output, or None.
+    :ivar on_exit: called with the return code, or None.
+    :ivar on_sleep: called with the seconds of each `time.sleep`, or None.
     """
 
     def __init__(self, host: HostFace, spec: ProcessSpec, pid: int, argv: list[str], main: Callable[[Process], object]) -> None:
@@ -84,12 +89,12 @@ class Process:
 
     @property
     def returncode(self) -> int | None:
-        """None while the program runs; negative for a signal, as in `subprocess`."""
+        """The return code; None while the program runs, and negative for a signal, as in `subprocess`."""
         return self.lifecycle.returncode
 
     @property
     def loader(self) -> Loader:
-        """The private modules of this program."""
+        """The loader of this program's private modules."""
         if self._loader is None:
             from edulaunch.engine.processes.loader import Loader
 
@@ -97,24 +102,24 @@ class Process:
         return self._loader
 
     def has_imported(self, package: str) -> bool:
-        """Return whether this program imported a package that all programs share. Another program's import does not count."""
+        """Return whether this program has imported a package that all programs share. Imports of other programs are ignored."""
         return package in self.loader.shared
 
     @property
     def overlay(self) -> Overlay:
-        """Modules and interfaces of the student's workspaces."""
+        """The modules and interfaces of the student's workspaces."""
         return self.host.overlay(self.index)
 
     def path(self, path: str) -> str:
-        """Return the path that the program means: a relative path starts in the program's current folder."""
+        """Return a path for the real file system. A relative path of the program starts in the program's working folder."""
         return path if self.cwd is None else os.path.join(self.cwd, path) if path else self.cwd
 
     def start_thread(self, body: Callable[[], object], name: str, daemon: bool, *, at_once: bool = False) -> Task:
-        """Implement :meth:`Lifecycle.start_thread`."""
+        """Start another task of the program; see :meth:`Lifecycle.start_thread`."""
         return self.lifecycle.start_thread(body, name, daemon, at_once=at_once)
 
     def send_signal(self, signum: int) -> None:
-        """Implement :meth:`SignalDelivery.deliver`."""
+        """Send a signal to the program; see :meth:`SignalDelivery.deliver`."""
         self.signals.deliver(signum)
 
     def _note_force(self, signum: int, waits: list[dict[str, Any]]) -> None:
@@ -126,9 +131,9 @@ class Process:
         return self._main(self)
 
     def write(self, stream: str, text: str) -> None:
-        """Write to 'stdout' or 'stderr', as the program itself does; record the text and pass it to `on_output`.
+        """Write to 'stdout' or 'stderr' of the program: record the string, and pass it to `on_output`.
 
-        :raises RunawayProgram: inside a program that writes without end at one instant.
+        :raises RunawayProgram: inside a program that writes too much at one instant of simulated time.
         """
         if self.lifecycle.is_dead:
             return
@@ -149,13 +154,13 @@ class Process:
             self.streams.is_writing = before
 
     def _show_hint_below(self, stream: str, text: str) -> None:
-        """Write the hint for an error that has just appeared on the console, without recording it."""
+        """Write the hint for an error that has just appeared on the console. The hint is not recorded."""
         hint = self.host.hints.below(text, self.group.pid, self.group.env)
         if hint and self.on_output is not None:
             self.on_output(stream, hint)
 
     def log(self, level: int, logger: str, message: str) -> None:
-        """Record a log message (its console line is written separately)."""
+        """Record a log message. The caller writes the console line separately."""
         if not self.lifecycle.is_dead:
             self.tracer.log(self, level, logger, message)
 
@@ -165,20 +170,22 @@ class Process:
             self.tracer.note(self, kind, text)
 
     def fact(self, kind: str, key: Hashable, data: dict[str, Any]) -> None:
-        """Record an unusual fact as plain data (`edulaunch.advice` has the sentences); count a repeated key.
+        """Record an unusual fact as plain data, without sentences (see `edulaunch.advice`). A repeated key increases a count.
 
-        File and line of the student's code are in it as `file` and `line`; times are seconds since the start.
+        `data` contains the file and the line of the student's code as `file` and `line`. Times are seconds since the start.
         """
         if not self.lifecycle.is_dead:
             self.tracer.fact(self, kind, key, data)
 
     def fact_over(self, kind: str, key: Hashable) -> None:
-        """Withdraw such a fact, because the unusual state is over."""
+        """Withdraw the fact with this key, because the unusual state is over."""
         if not self.lifecycle.is_dead:
             self.tracer.fact_over(self, kind, key)
 
     def report_error(self, error: BaseException) -> None:
-        """Write the traceback of an error that ended the program, or let the program's own `sys.excepthook` do it."""
+        """Write the traceback of an error that ended the program. If the program has its own `sys.excepthook`, call that
+        instead.
+        """
         from edulaunch.engine.processes.error_facts import error_facts
         from edulaunch.engine.processes.traceback_text import student_traceback
 
@@ -190,7 +197,7 @@ class Process:
         self._write_error(text, type(error).__name__, str(error).partition('\n  help: ')[0], place, error_facts(self, error))
 
     def report_runaway(self, error: RunawayProgram) -> None:
-        """Write that the program was stopped."""
+        """Write that the program was stopped because it ran or waited for too long."""
         from edulaunch.engine.processes.traceback_text import runaway_text
 
         text, place = runaway_text(self.name, error)
@@ -217,7 +224,7 @@ class Process:
         self.graph.remove_process(self)
 
     def report_end(self) -> None:
-        """Report the end of the program to the machine, and to the program that started it."""
+        """Report the end of the program to the machine, and the return code to `on_exit`."""
         self.host.ended(self)
         if self.on_exit is not None:
             assert self.returncode is not None

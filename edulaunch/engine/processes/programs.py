@@ -1,5 +1,7 @@
-"""The code that runs inside a simulated process: an entry point's function, or a script or module as `__main__`. This includes
-command lines with Python (`python3 script.py`, `python3 -m package.module`, `./script.py`), because they probably run ROS nodes.
+"""The code that runs inside a simulated process: the function of an entry point, or a script or module as `__main__`.
+
+This includes command lines with Python (`python3 script.py`, `python3 -m package.module`, `./script.py`), because they probably
+run ROS nodes.
 """
 
 from __future__ import annotations
@@ -17,7 +19,10 @@ from edulaunch.engine.processes.process import Process
 
 
 def run_program(process: Process, program: Program) -> object:
-    """Run `program` with the process's private modules; return the result of its main function."""
+    """Run a program with the process's private modules, and return the result of its main function (None for a script or module).
+
+    :raises OSError: if the program is native or absent.
+    """
     loader = process.loader
     if program.kind != 'module':
         loader.finder.last.extend(program.python_roots)
@@ -35,7 +40,7 @@ def run_program(process: Process, program: Program) -> object:
 
 
 def _cannot_run(program: Program) -> OSError:
-    """Return the operating system's message about a file that is missing or built for another machine, and the reason."""
+    """Return the operating system's error for a file that is missing or built for another machine, with the reason as facts."""
     absent = program.kind == 'absent'
     number, name = (errno.ENOENT, program.path) if absent else (errno.ENOEXEC, program.executable)
     error = OSError(number, os.strerror(number), name)
@@ -45,11 +50,11 @@ def _cannot_run(program: Program) -> OSError:
 
 
 def entry_function(process: Process, program: Program) -> Callable[[], object]:
-    """Return the function of an entry point.
+    """Return the function that an entry point names.
 
-    :raises ModuleNotFoundError, AttributeError: with Python's message; if the entry point names something that does not exist,
-        the facts have its place and the nearest name.
-    :raises TypeError: if it names a module only, which the script of setuptools then calls.
+    :raises ModuleNotFoundError, AttributeError: with Python's message, if the module or function does not exist. The facts
+        name the entry point and the nearest name.
+    :raises TypeError: if the entry point names no function, because the script of setuptools then calls the module.
     """
     try:
         found: Any = process.loader.load_entry_module(program.module)
@@ -79,7 +84,10 @@ def entry_function(process: Process, program: Program) -> Callable[[], object]:
 
 
 def _modules_beside(process: Process, program: Program) -> list[str]:
-    """Return the full names of the modules in the Python package that an entry point names, or in the one of its package."""
+    """Return the full names of the modules in the Python package that an entry point names.
+
+    If that package does not exist, use the Python package with the name of the ROS package.
+    """
     parent = program.module.rpartition('.')[0]
     package = process.loader.modules.get(parent)
     folders = list(getattr(package, '__path__', ()))
@@ -108,10 +116,12 @@ _FLAGS_WITH_VALUE = frozenset(('-W', '-X'))
 
 
 def python_command(words: list[str], cwd: str | None, modules: frozenset[str]) -> tuple[list[str], Program] | None:
-    """Return the words that the program sees, and the program; None for any other command.
+    """Return the command line as the program gets it, and the program. Return None if Python does not run the command here.
 
-    :param cwd: the folder in which the command is started.
-    :param modules: top-level modules of the workspaces; with `-m`, a real Python runs any other module.
+    :param words: the words of the command line.
+    :param cwd: the folder in which the command is started, or None for the current folder.
+    :param modules: the top-level modules of the workspaces. With `-m`, a real Python runs modules that are neither here nor
+        in `cwd`.
     """
     if not words:
         return None
@@ -132,7 +142,10 @@ def python_command(words: list[str], cwd: str | None, modules: frozenset[str]) -
 
 
 def _script(words: list[str], folder: str, needs_mark: bool) -> tuple[list[str], Program] | None:
-    """Return a Python file. A file that is started directly must name Python in its first line."""
+    """Return the command line and the program of a Python file, or None.
+
+    If the file is started directly, its first line must name Python.
+    """
     path = os.path.normpath(os.path.join(folder, os.path.expanduser(words[0]))) if words else ''
     if not path.endswith('.py') or not os.path.isfile(path) or (needs_mark and not _is_marked(path)):
         return None

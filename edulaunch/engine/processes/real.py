@@ -1,8 +1,8 @@
-"""Real programs of this machine, started by ExecuteProcess; and its files, such as the terminal, that a simulated program
-reads.
+"""Real programs of this machine, such as the command of an ExecuteProcess action, and real files that a simulated program reads,
+such as the terminal.
 
-While one of them runs, simulated time keeps pace with real time, so that `sleep 2` takes two simulated seconds. Such runs
-cannot repeat exactly, which their recordings state.
+While a real program runs, simulated time keeps pace with real time, so that `sleep 2` takes two simulated seconds. Such runs
+cannot repeat exactly, and their recordings state this.
 """
 
 from __future__ import annotations
@@ -37,10 +37,11 @@ READER_NAME = 'edulaunch reads '
 
 
 class RealLook:
-    """Checks all real programs of a simulation. It passes on their output and, while any of them runs, keeps simulated time equal
-    to real time.
+    """The observer of all real programs of a simulation.
 
-    :ivar news: a queue to which their threads add (program, stream, text).
+    It passes on their output and, while any of them runs, keeps simulated time equal to real time.
+
+    :ivar news: the queue to which the reading threads add (program, stream, string).
     """
 
     def __init__(self, host: HostFace) -> None:
@@ -48,7 +49,7 @@ class RealLook:
         self._host = host
 
     def begin(self) -> None:
-        """Prepare for the first real program."""
+        """Start observing, because the first real program has started."""
         self._host.pace.begin()
         self._look_later()
 
@@ -72,7 +73,13 @@ class RealLook:
 
 
 class RealProcess:
-    """A program of the operating system with the interface of a simulated one: `pid`, `returncode`, `send_signal`."""
+    """A program of the operating system with the interface of a simulated one: `pid`, `returncode`, `send_signal`.
+
+    :param host: the simulated machine that starts the program.
+    :param spec: the description of the program.
+    :param on_output: called with the name of the stream and the string for each output, or None.
+    :param on_exit: called with the return code, or None.
+    """
 
     def __init__(self, host: HostFace, spec: ProcessSpec, on_output: OnOutput | None, on_exit: OnExit | None) -> None:
         self.host = host
@@ -128,7 +135,7 @@ class RealProcess:
             self._news.put((self, stream, None))
 
     def _wait(self) -> None:
-        """Wait for the program's end in a separate thread, because in the main thread a signal handler could lose the
+        """Wait in a separate thread until the program has ended, because in the main thread a signal handler could lose the
         result.
         """
         self._code = self._child.wait()
@@ -137,7 +144,7 @@ class RealProcess:
         self._news.put((self, '', None))
 
     def take(self, stream: str, text: str | None) -> None:
-        """Handle the message of one of the program's threads: a piece of output, or None for the end of the output."""
+        """Handle a message of one of the program's threads: a piece of output, or None if the stream or the program has ended."""
         if text is not None:
             self._room.release()
             if text and self.on_output is not None:
@@ -152,7 +159,7 @@ class RealProcess:
                 self.on_exit(self.returncode)
 
     def send_signal(self, signum: int) -> None:
-        """Send a signal to the program and everything it started."""
+        """Send a signal to the program and to all programs in its process group."""
         if self._code is not None:
             return
         if hasattr(os, 'killpg'):
@@ -162,7 +169,7 @@ class RealProcess:
             self._child.terminate()  # Windows has no other signal
 
     def kill(self) -> None:
-        """Kill it without reporting its end."""
+        """Kill the program without reporting its end."""
         self.on_output = self.on_exit = None
         self._room.release(4 * MOST_WAITING)  # lets the reading threads end, because nothing reads more output
         self.send_signal(Signals.SIGKILL)
@@ -170,7 +177,7 @@ class RealProcess:
 
 
 def _terminal() -> tuple[int, int]:
-    """Return both ends of a new terminal, ours first. The terminal does not change line ends."""
+    """Return both ends of a new terminal: ours, and the program's. The terminal does not change line ends."""
     import pty
     import termios
 
@@ -192,11 +199,13 @@ def _chunk(reader: int) -> bytes:
 
 
 class RealInput(Input):
-    """An open text file of this machine, such as the terminal. While a person types, simulated time follows real time and the
-    other programs continue. Input that is already there is read immediately.
+    """An open text file of this machine, such as the terminal.
+
+    While a person types, simulated time follows real time and the other programs continue. Input that has already arrived is read
+    immediately.
 
     :param file: a terminal, a pipe or a file. An object that is not a file of the operating system is read line by line.
-    :param host: its watchdog allows long turns while such a file is read.
+    :param host: the simulated machine, whose watchdog allows long turns while such a file is read.
     """
 
     def __init__(self, file: Any, host: HostFace) -> None:
@@ -208,12 +217,13 @@ class RealInput(Input):
         self._decoder = getincrementaldecoder('utf-8')('replace')
 
     def isatty(self) -> bool:
-        """Return whether it is a terminal."""
+        """Return whether the file is a terminal."""
         return bool(self._file.isatty())
 
     def change_mode(self, process: Process, flags: int) -> None:
-        """Make the real terminal send each key immediately, or whole lines again. Its own mode is restored when the program
-        ends. Ctrl-C does not change.
+        """Make the real terminal send each key immediately, or whole lines again.
+
+        The original mode of the terminal is restored when the program ends. The effect of Ctrl-C does not change.
         """
         import termios
 
@@ -234,12 +244,15 @@ class RealInput(Input):
         return self._ended
 
     def take_due(self) -> None:
-        """Add what has been typed."""
+        """Add the input that has already arrived to the unread input."""
         if self._number is not None:
             self._look(0.0)
 
     def take_more(self, deadline_ns: int | None) -> bool:
-        """Wait for a moment of real time and the same simulated time."""
+        """Wait for a short real time and the same simulated time, and return whether input has arrived.
+
+        An object that is not a file of the operating system is read without a time limit.
+        """
         if self._number is None:
             return self._read_patiently()
         if self._look(self._host.pace.ahead_s()):
@@ -272,7 +285,7 @@ class RealInput(Input):
 
 
 def _waitable(file: Any) -> int | None:
-    """Return the file's number, if the operating system can report whether reading it would wait."""
+    """Return the file descriptor of a file if `select` supports it, otherwise None."""
     try:
         number: int = file.fileno()
         select.select([number], [], [], 0)

@@ -1,10 +1,11 @@
-"""Records which simulated programs read the real machine. Such a run cannot repeat exactly, which its recording states.
+"""Records which simulated programs read facts of the real machine. Such a run cannot repeat exactly, and its recording states
+this.
 
-It uses Python's own audit events, which also occur inside libraries (`psutil` reads `/proc`, `requests` connects). A few modules
-and functions reveal facts about the machine without such an event. Their use by the student's code is recorded. Importing a
-library that inspects the machine does not count, because its result seldom matters. Views cannot replace the audit hook: they see
-only calls from the student's own code, and installed libraries do not use them. The file also has the folders of this machine
-that a digest must not depend on.
+The module uses Python's own audit events, which also occur inside libraries (`psutil` reads `/proc`, `requests` connects). A few
+modules and functions reveal facts about the machine without such an event. Their use by the student's code is recorded. Importing
+a library that inspects the machine does not count, because the result seldom matters. Views cannot replace the audit hook: they
+only affect the student's own code, and installed libraries do not use them. The module also lists the folders of this machine
+that must not change a digest.
 """
 
 from __future__ import annotations
@@ -40,7 +41,10 @@ _listening = False
 
 
 def listen() -> None:
-    """Install the hook. Python cannot remove it; while no simulated program runs, it records nothing."""
+    """Install the audit hook, unless it is installed already. Python cannot remove the hook.
+
+    While no simulated program runs, the hook records nothing.
+    """
     global _listening
     if not _listening:
         _listening = True
@@ -52,9 +56,10 @@ PERSONAL = frozenset({'USER', 'LOGNAME', 'HOSTNAME'})
 
 
 class Environment(dict[str, str]):
-    """The environment of a program, which records each read of one of the :data:`PERSONAL` variables.
+    """The environment of a program. Each read of one of the :data:`PERSONAL` variables is recorded.
 
     :param process: the program.
+    :param values: the initial variables.
     """
 
     def __init__(self, process: Noting, values: Mapping[str, str]) -> None:
@@ -67,7 +72,7 @@ class Environment(dict[str, str]):
         return super().__getitem__(name)
 
     def get(self, name: str, default: Any = None) -> Any:
-        """Do the same as dict.get."""
+        """Return the value of a variable, or `default`, like `dict.get`."""
         try:
             return self[name]
         except KeyError:
@@ -86,7 +91,10 @@ class Noting(Protocol):
 
 
 def note_use(process: Noting, what: str) -> None:
-    """Record once that a program used a part of the real machine."""
+    """Record that a program has used a part of the real machine. Each part is recorded once.
+
+    :param what: the part, in words that follow 'used'.
+    """
     text = f'{process.name} used {what}: this run cannot repeat exactly'
     if text not in process.used:
         process.used.add(text)
@@ -94,7 +102,10 @@ def note_use(process: Noting, what: str) -> None:
 
 
 def noting(process: Noting, what: str, function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a wrapper of the function that records its use by the student's own code."""
+    """Return a wrapper of a function that records calls by the student's own code.
+
+    :param what: the name of the function for the record.
+    """
 
     def call(*arguments: Any, **options: Any) -> Any:
         if _library_between(VIEWS) is not None:
@@ -105,12 +116,14 @@ def noting(process: Noting, what: str, function: Callable[..., Any]) -> Callable
 
 
 def has_random_hashes() -> bool:
-    """Return whether the hash of a string, and so the order of a set of strings, differs in the next Python."""
+    """Return whether hashes of strings, and so the order of a set of strings, differ from run to run of Python."""
     return bool(sys.flags.hash_randomization) and os.environ.get('PYTHONHASHSEED', 'random') == 'random'
 
 
 def private_hash(process: Noting) -> Callable[[object], int]:
-    """Return a `hash` that records its use by the student's own code for values whose hash differs from run to run."""
+    """Return a `hash` that records calls for values whose hash differs from run to run. Calls from a `__hash__` are not
+    recorded.
+    """
     random_types = (str, bytes) if has_random_hashes() else ()
 
     def differs(value: object) -> bool:
@@ -127,9 +140,9 @@ def private_hash(process: Noting) -> Callable[[object], int]:
 
 
 def note_set_order(process: Noting, file: str, find_lines: FindLines) -> None:
-    """Record the first line of a student's file that uses the order of a set, where that order differs from run to run.
+    """Record the first line of a student's file that uses the order of a set, if this order differs from run to run.
 
-    :param find_lines: returns the lines of a source text that use such an order.
+    :param find_lines: a function that returns the lines of a source that use such an order.
     """
     if file.endswith('.py') and has_random_hashes() and is_own(file):
         lines: Sequence[int] = ()
@@ -159,10 +172,9 @@ def _hear(event: str, arguments: tuple[Any, ...]) -> None:
 
 
 def _library_between(views: str) -> str | None:
-    """Return the library between the student's code and this call ('' without one); None if the student's code did not cause
-    the call.
+    """Return the library between the student's code and this call, '' for a direct call, or None if other code made the call.
 
-    :param views: a folder of modules that only pass calls on.
+    :param views: a folder with modules that only forward calls, or ''.
     """
     frame: FrameType | None = sys._getframe(2)
     library = ''
@@ -183,7 +195,10 @@ SYSTEM = frozenset({'', '/', '/usr', '/usr/local', '/home', '/opt'})
 
 
 def machine_roots() -> list[list[str]]:
-    """Return (folder, short name), the more specific ones first. If two are the same folder, the first one counts."""
+    """Return pairs (folder, short name), the more specific ones first.
+
+    If two names belong to the same folder, the first one is used.
+    """
     import tempfile  # imported here, because only a recording needs it
 
     packages = [sysconfig.get_path('purelib'), sysconfig.get_path('platlib'), site.getusersitepackages()]
@@ -201,7 +216,7 @@ def machine_roots() -> list[list[str]]:
 
 
 def with_real_paths(roots: Iterable[tuple[str, str]]) -> Iterator[list[str]]:
-    """Yield the roots, each followed by its real path without links; leave out the folders of the system."""
+    """Yield each root, followed by its real path without links if this differs. Folders of the system are left out."""
     for path, name in roots:
         for place in dict.fromkeys((path, os.path.realpath(path))):
             if place not in SYSTEM:

@@ -1,4 +1,4 @@
-"""The signals of a program: its handlers, and the effect of a signal without a handler."""
+"""The signals of a program: its handlers, and the effect of signals without a handler."""
 
 from __future__ import annotations
 
@@ -17,10 +17,11 @@ FORCED = (Signals.SIGTERM, Signals.SIGKILL)
 
 
 class SignalDelivery:
-    """Delivers signals to one program.
+    """The delivery of signals to one program.
 
+    :param lifecycle: the lifecycle of the program.
     :param note_force: called before a signal of `FORCED` is delivered, with the signal and the place where each thread waits.
-    :ivar handlers: the program's handlers by the number of the signal.
+    :ivar handlers: the program's handlers, by the number of the signal.
     """
 
     def __init__(self, lifecycle: Lifecycle, note_force: Callable[[int, list[dict[str, Any]]], object]) -> None:
@@ -29,9 +30,11 @@ class SignalDelivery:
         self._note_force = note_force
 
     def deliver(self, signum: int) -> None:
-        """Deliver a signal to its handler. Without one, SIGINT raises KeyboardInterrupt where the program waits, the signals of
-        DEADLY end the program, and all others are ignored. After the end, do nothing. A program that sends a signal to itself
-        gets it before this call returns.
+        """Deliver a signal to the program. Do nothing if the program has ended.
+
+        The handler of the program runs where the program waits. Without a handler, SIGINT raises KeyboardInterrupt there. The
+        signals of DEADLY end the program, and all others are ignored. If a program sends a signal to itself, the signal takes
+        effect before this call returns.
         """
         signum, task = int(signum), self._lifecycle.task
         if self._lifecycle.returncode is not None:
@@ -49,17 +52,17 @@ class SignalDelivery:
             task.attend()
 
     def _waits(self) -> list[dict[str, Any]]:
-        """Return the current place of each thread of the program, beginning with the main thread."""
+        """Return the place where each thread of the program waits, beginning with the main thread."""
         tasks = (self._lifecycle.task, *self._lifecycle.threads)
         return [{'thread': task.name, **waiting_line(task)} for task in tasks if not task.finished]
 
     def die_of(self, signum: int) -> None:
-        """End the program by a signal without a handler, so that no `finally` block has an effect."""
+        """End the program with a signal that has no handler. No `finally` block has an effect."""
         self._lifecycle.killed_by = signum
         self._lifecycle.vanish()
 
     def die_at_once(self, signum: int) -> None:
-        """Handle a signal by its default action; called inside the program."""
+        """End the program with a signal immediately. Only the program itself may call this."""
         self.die_of(signum)
         self._lifecycle.task.attend()
 

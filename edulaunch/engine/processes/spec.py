@@ -1,5 +1,7 @@
-"""The frozen description of a program to start. Launch actions create it, and most checks judge it. It includes its place in the
-launch file, and the signals that it may get: those of Linux, even on Windows, which has only six.
+"""The frozen description of a program to start. Launch actions create it, and most checks inspect it.
+
+The module also defines its place in the launch file, and the signals that a program may get. These are the signals of Linux, even
+on Windows, which has only six.
 """
 
 from __future__ import annotations
@@ -11,7 +13,7 @@ from typing import NamedTuple
 
 
 class Origin(NamedTuple):
-    """The place in a student's file that created a launch action or a parameter."""
+    """The place in a student's file where a launch action or a parameter was created."""
 
     file: str
     line: int
@@ -21,18 +23,21 @@ class Origin(NamedTuple):
 
 
 class ProcessSpec(NamedTuple):
-    """Everything that is known before a program starts.
+    """The description of a program before it starts.
 
     :ivar argv: the command line, program first, exactly as the launch action resolved it.
     :ivar name: the launch name, such as 'talker-1'.
-    :ivar cwd: working directory, None for the launcher's own.
-    :ivar env: the whole environment of the program; None for a copy of the launcher's.
-    :ivar shell: whether the joined command line goes through the shell.
+    :ivar cwd: the working folder, or None for the launcher's working folder.
+    :ivar env: the whole environment of the program, or None for a copy of the launcher's environment.
+    :ivar shell: whether a shell runs the joined command line.
     :ivar origin: the launch file and line of the action.
-    :ivar package, executable: those of a Node action.
-    :ivar parameter_origins: for each parameter of a Node action, where its value came from, in words.
-    :ivar emulate_tty: whether a real program writes to a terminal instead of pipes; a simulated one writes as if to one anyway.
-    :ivar has_pipe: whether it reads from a pipe of its parent, which is never written to; otherwise, it reads an empty file.
+    :ivar package: the package of a Node action.
+    :ivar executable: the executable of a Node action.
+    :ivar parameter_origins: the origin of the value of each parameter of a Node action, in words.
+    :ivar emulate_tty: whether a real program writes to a terminal instead of pipes. A simulated program always writes as if to a
+        terminal.
+    :ivar has_pipe: whether the program reads from a pipe to which its parent never writes. Otherwise, the program reads an
+        empty file.
     """
 
     argv: tuple[str, ...]

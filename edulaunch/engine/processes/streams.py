@@ -1,11 +1,11 @@
 """The output streams of a simulated program.
 
 A student's own modules get the streams of their program from the `sys` view. Output of the standard library or an installed
-package (warnings, `help()`, progress bars) goes through the real `sys`. While a simulation runs, this has a :class:`SharedStream`
-in their place, so each call reaches the program that makes it.
+package (warnings, `help()`, progress bars) goes through the real `sys`. While a simulation runs, a
+:class:`SharedStream` replaces each stream of the real `sys`. So each call reaches the program that makes it.
 
 Beginners print futures, nodes and methods (`<rclpy.task.Future object at 0x7f0000000010>`). The real addresses differ from run to
-run, and recordings must not. So the addresses are replaced by numbers, in the order of their appearance.
+run, and recordings must not. So the addresses are replaced by numbers, in the order in which they first appear.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from edulaunch.engine.sim.task import AmbientTask, running_task
 
 
 class OutputStream:
-    """`sys.stdout` or `sys.stderr` as a simulated program sees it.
+    """`sys.stdout` or `sys.stderr` of a simulated program.
 
     :param write: called with the name of the stream and a string.
     """
@@ -38,7 +38,7 @@ class OutputStream:
         self.name = f'<{name}>'
 
     def write(self, text: str) -> int:
-        """Pass the text on immediately."""
+        """Write a string immediately, and return its length."""
         if not isinstance(text, str):
             raise TypeError(f'write() argument must be str, not {type(text).__name__}')
         if text:
@@ -59,11 +59,11 @@ class OutputStream:
 
     @property
     def buffer(self) -> BytesOutput:
-        """The stream for bytes."""
+        """The binary stream with the same output."""
         return BytesOutput(self)
 
     def reconfigure(self, **_: object) -> None:
-        """Do nothing: the stream is always UTF-8 and unbuffered."""
+        """Do nothing, because the stream is always UTF-8 and unbuffered."""
 
     def writable(self) -> bool:
         """Return True."""
@@ -74,18 +74,18 @@ class OutputStream:
         return False
 
     def fileno(self) -> int:
-        """Return 1 or 2, the number of the stream in every program."""
+        """Return 1 or 2, the descriptor of the stream in every program."""
         return 1 if self._stream == 'stdout' else 2
 
 
 class BytesOutput:
-    """`sys.stdout.buffer`: bytes are UTF-8 text."""
+    """`sys.stdout.buffer` of a simulated program; bytes are decoded as UTF-8."""
 
     def __init__(self, stream: OutputStream) -> None:
         self._stream = stream
 
     def write(self, data: bytes) -> int:
-        """Pass the bytes on immediately."""
+        """Write the bytes immediately, and return their number."""
         self._stream.write(bytes(data).decode('utf-8', 'replace'))
         return len(data)
 
@@ -97,8 +97,9 @@ NAMES = ('stdin', 'stdout', 'stderr')
 
 
 class SharedStream:
-    """Stands for the stream of that name of the running program, or for the real one outside any program and while it
-    writes.
+    """A stream of the real `sys` that forwards each call to the stream of the running program.
+
+    Outside any program, and while a program's output is passed on, it forwards calls to the real stream.
     """
 
     def __init__(self, name: str, real: Any) -> None:
@@ -119,7 +120,7 @@ class SharedStream:
 
 @contextmanager
 def streams_of_programs() -> Iterator[None]:
-    """Inside this context, output to the real `sys` through shared modules goes to the running program's own streams."""
+    """Make output to the real `sys` go to the running program's own streams, while this context manager is active."""
     before = {name: getattr(sys, name) for name in NAMES}
     ours = {name: SharedStream(name, stream) for name, stream in before.items()}
     for name in NAMES:
@@ -139,14 +140,16 @@ _ADDRESS = re.compile(r'(?<= at )0x[0-9a-f]{5,16}\b')
 
 
 class Addresses:
-    """The addresses that one program has written so far."""
+    """The memory addresses that one program has written so far."""
 
     def __init__(self) -> None:
         self._shown: dict[str, str] = {}
         self._count = 0
 
     def steady(self, text: str) -> str:
-        """Return the text with its addresses numbered; numbered addresses do not change."""
+        """Return a string in which addresses are replaced by numbered addresses. An address that is numbered already does not
+        change.
+        """
         return _ADDRESS.sub(lambda found: self._number(found[0]), text)
 
     def _number(self, address: str) -> str:
@@ -159,12 +162,12 @@ class Addresses:
 
 
 class Streams:
-    """The three streams of one program.
+    """The three standard streams of one program.
 
     :param stdin: the input of the program.
-    :param write: receives the output of the program: the name of the stream and a string.
-    :ivar is_writing: whether its output is being passed on now; output to the real `sys` during this time does not belong to
-        the program.
+    :param write: called with the name of the stream and a string for each output.
+    :ivar is_writing: whether an output is being passed on now. Meanwhile, output to the real `sys` does not belong to the
+        program.
     """
 
     def __init__(self, stdin: Any, write: Callable[[str, str], object]) -> None:
@@ -175,5 +178,5 @@ class Streams:
         self._addresses = Addresses()
 
     def steady(self, text: str) -> str:
-        """Return output of the program without parts that differ from run to run, such as addresses of objects."""
+        """Return output of the program with everything replaced that differs from run to run, such as addresses of objects."""
         return self._addresses.steady(text) if MARK in text else text

@@ -1,5 +1,6 @@
-"""Reduce a traceback to the student's code, with a last line `Did you mean: 'x'?` as in Python 3.12, the version of ROS 2 Jazzy.
-The result is the same with every Python.
+"""Reduces a traceback to the student's code. The last line ends with `Did you mean: 'x'?`, as in Python 3.12 of ROS 2 Jazzy.
+
+The result is the same with every version of Python.
 """
 
 from __future__ import annotations
@@ -25,7 +26,10 @@ _NOT_IN_MODULE = re.compile(r"cannot import name '(\w+)' from '([\w.]+)' ")
 
 
 def with_suggestion(text: str, error: BaseException) -> str:
-    """Return the last line of a traceback, with its suggestion. Messages of several lines have their own help."""
+    """Return the last line of a traceback with Python 3.12's suggestion.
+
+    A message of several lines does not change, because it contains its own help.
+    """
     line = text.rstrip('\n')
     if '\n' in line or not isinstance(error, (AttributeError, ImportError, NameError)):
         return text
@@ -56,7 +60,9 @@ def _names_of(error: Any) -> list[str]:
 
 
 def _name_in_reach(error: NameError) -> str | None:
-    """Return the nearest variable at the place of the error, or the attribute of `self` with exactly this name."""
+    """Return the attribute of `self` that has exactly this name, or else the nearest variable at the place of the error, or
+    None.
+    """
     trace = error.__traceback__
     if trace is None or not error.name:
         return None
@@ -73,7 +79,9 @@ def _attributes(student: Any) -> set[str]:
 
 
 def _nearest(wrong: str, names: list[str]) -> str | None:
-    """Return the name with the least changes, if these are few: at most a third of the letters of both."""
+    """Return the name that needs the fewest changes, or None if it needs too many: more than a third of the letters of both
+    names.
+    """
     if len(names) > MOST_NAMES or len(wrong) > LONGEST_NAME:
         return None
     best, least = None, len(wrong)
@@ -87,7 +95,7 @@ def _nearest(wrong: str, names: list[str]) -> str | None:
 
 
 def _changes(one: str, other: str) -> int:
-    """Return the cost of turning one word into the other."""
+    """Return the cost of turning one word into the other word."""
     row = list(range(0, STEP * len(other) + 1, STEP))
     for letter in one:
         diagonal, row[0] = row[0], row[0] + STEP
@@ -103,14 +111,14 @@ MOST = 15
 
 
 def members_of(error: BaseException) -> tuple[BaseException, ...]:
-    """Return the members of an exception group, which Python has from 3.11 on; other errors have none."""
+    """Return the members of an exception group (Python 3.11 and later), or () for any other error."""
     members = getattr(error, 'exceptions', ())
     is_group = isinstance(members, tuple) and hasattr(error, 'derive') and hasattr(error, 'split')
     return members if is_group else ()
 
 
 def within(text: str, depth: int, corner: str = '|') -> str:
-    """Return the text inside `depth` frames; its first line begins with the `corner` of a new one."""
+    """Return a string inside `depth` frames. The first line begins with `corner`, which starts a new frame."""
     if not depth:
         return text
     indent = '  ' * depth
@@ -119,10 +127,11 @@ def within(text: str, depth: int, corner: str = '|') -> str:
 
 
 def framed(members: tuple[BaseException, ...], depth: int, tell: Callable[[BaseException, int], Iterator[str]]) -> Iterator[str]:
-    """Yield the members below each other, each in its own frame.
+    """Yield the lines of the members of a group, each member in its own frame.
 
-    :param depth: the number of frames around the group, including its own.
-    :param tell: returns the message of one member, inside this many frames.
+    :param members: the members of the group.
+    :param depth: the number of frames around the members, including the frame of their group.
+    :param tell: a function that yields the message of one member inside the given number of frames.
     """
     indent = '  ' * depth
     shown = members[:MOST]
@@ -145,12 +154,12 @@ CONTEXT = '\nDuring handling of the above exception, another exception occurred:
 
 
 def student_traceback(error: BaseException) -> tuple[str, Origin | None]:
-    """Return the text that Python would print, without frames of the engine, and the last place in a file that is not ours.
+    """Return the traceback that Python would print without frames of the engine, and the last place in a student's file or None.
 
-    If no other frame is left, all frames stay: then the mistake is in edulaunch, and hiding it would not help. There are three
-    exceptions: the error carries facts, it is one of rclpy's own, or a built-in program ended by Ctrl-C. Then edulaunch has
-    raised it deliberately. The same holds if Python could not read the student's file, because none of it ran. The marks under a
-    line that newer versions of Python print are left out, so that recordings are equal on all of them.
+    If all frames belong to the engine, they all stay, because the mistake is then in edulaunch. Errors that edulaunch
+    raises deliberately never show frames of the engine: an error with facts, an error of rclpy, and Ctrl-C. The same
+    applies to a file that Python could not parse, because none of its code ran. Newer versions of Python print marks under
+    a line. These are left out, so that recordings are equal with all versions.
     """
     return ''.join(_chain(error, [])), _place(error)
 
@@ -164,9 +173,12 @@ def _place(error: BaseException) -> Origin | None:
 
 
 def _chain(error: BaseException, reported: list[BaseException], depth: int = 0) -> Iterator[str]:
-    """Yield an error after its cause or the error during whose handling it was raised, if that is in the student's code.
+    """Yield the lines of an error, after the lines of its cause or of the error that was being handled.
 
-    :param depth: the number of frames of exception groups around it.
+    An error that was being handled is included only if it occurred in the student's code.
+
+    :param reported: the errors that are included already.
+    :param depth: the number of frames of exception groups around the error.
     """
     reported.append(error)
     cause, context = error.__cause__, error.__context__
@@ -202,27 +214,30 @@ def _one(error: BaseException) -> Iterator[str]:
 
 
 def _lines_of_python(error: BaseException) -> list[str]:
-    """Return type and message. For a group, leave out the members, which newer versions of Python list here."""
+    """Return the lines with the type and the message of an error. For a group, leave out the members, which newer versions
+    list here.
+    """
     members = members_of(error)
     reported = traceback.format_exception_only(type(error), error)
     return reported if not members else [next(line for line in reported if line.strip())]
 
 
 def _own(error: BaseException) -> list[traceback.FrameSummary]:
-    """Return the frames outside the engine."""
+    """Return the frames of an error that are outside the engine."""
     return [frame for frame in traceback.extract_tb(error.__traceback__) if not is_engine(frame.filename)]
 
 
 def _unread_file(error: BaseException) -> str | None:
-    """Return the student's file that is not valid Python."""
+    """Return the student's file that Python could not parse, or None for another error."""
     unread = error.filename if isinstance(error, SyntaxError) else None
     return None if unread is None or is_engine(unread) else unread
 
 
 def runaway_text(program: str, error: BaseException) -> tuple[str, Origin | None]:
-    """Return the text about a program that was stopped because it did not yield, and where it was.
+    """Return the message about a program that was stopped because it did not yield, and the place where it was stopped, or None.
 
-    :param program: its launch name.
+    :param program: the launch name of the program.
+    :param error: the exception that stopped the program.
     """
     text, place = student_traceback(error)
     frames = ''.join(f'{line}\n' for line in text.splitlines() if line.startswith((' ', 'Traceback')))
@@ -232,7 +247,9 @@ def runaway_text(program: str, error: BaseException) -> tuple[str, Origin | None
 
 
 def innermost_place(trace: TracebackType | None) -> Origin | None:
-    """Return the last frame of a traceback in a student's file or, without one, the last frame outside the engine."""
+    """Return the place of the last frame in a student's file. Without such a frame, use the last frame outside the engine, or
+    None.
+    """
     own = [frame for frame in traceback.extract_tb(trace) if not is_engine(frame.filename)]
     last = next((frame for frame in reversed(own) if not is_library(frame.filename)), own[-1] if own else None)
     return None if last is None else Origin(last.filename, last.lineno or 0)

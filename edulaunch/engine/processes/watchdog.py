@@ -1,7 +1,8 @@
 """Stops programs that never end their turn, such as `while True: pass`.
 
-A thread sometimes checks what the simulation's thread is doing. Nothing is counted or checked while programs run, so this costs
-them nothing. The processor time of a turn counts, so that a busy machine stops no program.
+A separate thread checks from time to time which code the simulation's thread runs. Nothing is counted while programs run, so the
+watchdog does not slow them down. It measures the processor time of a turn, so that a busy computer does not cause it to stop a
+program.
 """
 
 from __future__ import annotations
@@ -40,10 +41,10 @@ CONTAINERS = frozenset({list, dict, set, tuple, bytearray})
 
 
 class RunawayProgram(BaseException):
-    """Raised inside a program that ran for too long without yielding, at any line; `except Exception` does not catch it.
+    """Raised at any line inside a program that has run for too long without yielding; `except Exception` does not catch it.
 
     :param did: the rest of a sentence after the program's name.
-    :param counted: whether counting found it, which repeats exactly, and not its duration.
+    :param counted: whether a count stopped the program, which repeats exactly, and not its duration.
     """
 
     def __init__(self, did: str = 'ran for too long', *, counted: bool = False) -> None:
@@ -52,15 +53,17 @@ class RunawayProgram(BaseException):
 
 
 class BlockedProgram(RunawayProgram):
-    """Raised inside a program that waits in a call of the operating system, such as `accept()` of a socket."""
+    """Raised inside a program that waits too long in a call of the operating system, such as `accept()` of a socket."""
 
     def __init__(self, did: str = 'waited for too long for something outside the simulation') -> None:
         super().__init__(did)
 
 
 class Turn(NamedTuple):
-    """One observation: the running task, the start of its turn, and the variables of the innermost function of the student's
-    code. While a library works for that function, `state` has the value None.
+    """One observation of the watchdog.
+
+    It consists of the running task, the start of its turn, and the variables of the innermost function of the student's code.
+    While that function waits for a library, `state` has the value None.
     """
 
     task: Task
@@ -69,11 +72,12 @@ class Turn(NamedTuple):
 
 
 class Watchdog:
-    """Watches one simulation.
+    """The watchdog of one simulation.
 
+    :param sim: the simulation.
     :param seconds: the processor time that a turn may take without a change in the variables of the student's function. With
-        changes, it may take several times as long.
-    :ivar thread: number of the thread in which the simulation runs; None before it does.
+        changes, a turn may take several times as long.
+    :ivar thread: the identifier of the thread in which the simulation runs, or None before the first program runs.
     :ivar asleep: whether a program waits for a person at a real keyboard, which may take any time.
     """
 
@@ -86,9 +90,9 @@ class Watchdog:
         self._started = False
 
     def start(self) -> None:
-        """Begin to watch; repeating it changes nothing. In a browser without threads, there is no watchdog.
+        """Start watching, unless the watchdog has been started already. In a browser without threads, do nothing.
 
-        :raises RuntimeError: when the computer has no thread left for almost half a second.
+        :raises RuntimeError: if the computer cannot start a thread for almost half a second.
         """
         if self._started or sys.platform == 'emscripten':
             return
@@ -145,7 +149,7 @@ class Watchdog:
                 signal.pthread_kill(self.thread, _WAKE)  # only a signal ends a call of the operating system
 
     def _look(self) -> Turn | None:
-        """Return the current turn; None if the hub runs, or a program waits for a person."""
+        """Return the current turn. Return None if the hub runs, or if a program waits for a person."""
         sim = self._sim()
         if sim is None:
             self.stop()
@@ -160,16 +164,18 @@ class Watchdog:
         return Turn(task, sim.now_ns, frame and (id(frame), *map(_held, list(frame.f_locals.values()))))
 
     def _running(self) -> tuple[Task | None, FrameType | None]:
-        """Return the task that has its turn, from the bottom of the stack of the simulation's thread, and the top frame of this
-        stack.
+        """Return the task whose turn it is, and the top frame of the simulation's thread.
+
+        The bottom of the thread's stack shows which task this is.
         """
         top = sys._current_frames().get(self.thread or 0)
         task = task_around(top)
         return (None, None) if task is None else (task, top)
 
     def _processor_s(self) -> float:
-        """Return the processor time of the simulation's thread; on a system that does not report it, return that of all
-        threads.
+        """Return the processor time of the simulation's thread, in seconds.
+
+        If the system does not report it, return the processor time of all threads.
         """
         try:
             return time.clock_gettime(time.pthread_getcpuclockid(self.thread or 0))
@@ -178,8 +184,10 @@ class Watchdog:
 
 
 def _held(value: Any, deep: bool = True) -> Any:
-    """Return a value that is equal as long as a variable does not change: a number itself, or an object with its attributes. It
-    runs no code of the object.
+    """Return a value that stays equal as long as a variable does not change: a number itself, or the identities of an object's
+    parts.
+
+    No code of the object runs.
     """
     kind = type(value)
     if kind in VALUES:

@@ -1,8 +1,8 @@
-"""Recordings: the wings below produce a Recording, and the wings above read one.
+"""Recordings: the other packages of the engine produce a Recording, and other parts of edulaunch read it.
 
 `records.py` defines the content, and `recorder.py` collects it from a running simulation. `recording.py` answers questions about
-it, and `file_format.py` writes and reads it as text with the same bytes for the same run. Other wings register their views of a
-recording in `views.py`.
+a recording. `file_format.py` writes and reads it as JSON lines, with the same bytes for the same run. Other parts of edulaunch
+register their views of a recording in `views.py`.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Errors for questions about missing parts of a recording: one message, without frames of edulaunch."""
+"""Errors for questions about missing parts of a recording. Each has only a message, without frames of edulaunch."""
 
 from __future__ import annotations
 
@@ -10,17 +10,19 @@ from edulaunch.errors import EdulaunchError
 
 
 class NotRecorded(EdulaunchError, KeyError):
-    """There is nothing of that name in a recording."""
+    """A recording contains nothing with the requested name."""
 
 
 class NothingToDraw(EdulaunchError, ValueError):
-    """A recording has nothing that a picture could show."""
+    """A recording contains nothing that the requested picture could show."""
 
 
 def not_recorded(text: str, name: str, among: Iterable[str]) -> NotRecorded:
-    """Return the error for an unknown name. It lists the known names, and the nearest one.
+    """Return the error for an unknown name. Its message lists the known names, and its help suggests the nearest one.
 
     :param text: a description of the missing thing that ends with its name.
+    :param name: the unknown name.
+    :param among: the known names.
     """
     from difflib import get_close_matches
 
@@ -32,7 +34,10 @@ def not_recorded(text: str, name: str, among: Iterable[str]) -> NotRecorded:
 
 
 class NodeParameters(dict[str, Any]):
-    """The parameters of a node. The error for an unknown one lists them, and names the end of the node."""
+    """The parameters of a node, by name.
+
+    The error for an unknown name lists the known names. If the node has ended, its help states the time.
+    """
 
     def __init__(self, node: str, ended_s: float | None) -> None:
         super().__init__()
@@ -46,9 +51,9 @@ class NodeParameters(dict[str, Any]):
 
 
 class NoMessages(list[Any]):
-    """The empty list of messages of a topic without publications. Asking for one of them raises an error that lists the topics.
+    """The empty list of messages of an unknown topic. Reading an item raises an error that lists the known topics.
 
-    It is an empty list for code that counts or iterates, because a topic without messages is a valid result of a run, too.
+    For code that counts or iterates, it is an ordinary empty list, because a run without this topic is a valid result, too.
     """
 
     def __init__(self, topic: str, among: Iterable[str]) -> None:
@@ -62,7 +67,7 @@ class NoMessages(list[Any]):
 
 
 class RecordedFrames(dict[str, Frame]):
-    """The tf frames at a time, by name; the error for an unknown one lists them."""
+    """The tf frames at a time, by name. The error for an unknown name lists the known names."""
 
     def __missing__(self, name: str) -> Frame:
         raise not_recorded(f'no tf frame {name!r}', name, self)

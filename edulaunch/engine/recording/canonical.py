@@ -1,4 +1,4 @@
-"""The part of a recording that its digest covers: all events, without the places of files on this machine."""
+"""The part of a recording that its digest covers: all events, without the paths of files on this machine."""
 
 from __future__ import annotations
 
@@ -21,9 +21,11 @@ _SOURCE_LINE = re.compile(r'(?:\[[^]]*\] )?    ')
 
 
 def canonical(content: dict[str, Any]) -> dict[str, Any]:
-    """Return the content in which short names replace the folders in `roots` in every string. These are workspaces, the package
-    edulaunch, the launch file's folder, Python's folders and temporary files. Addresses of objects in memory lose their number.
-    Frames of libraries in tracebacks are removed, because they differ between versions.
+    """Return the content with everything replaced or removed that differs between machines or versions.
+
+    In every string, short names replace the folders in `roots`. These are workspaces, the package edulaunch, the launch file's
+    folder, Python's folders and temporary files. The numbers of memory addresses are removed, and so are the frames of libraries
+    in tracebacks.
     """
     shorten = _shortener(content['roots'])
     short = {part: shorten(content[part]) for part in TEXT_PARTS}
@@ -45,7 +47,7 @@ def _holds_text(value: Any) -> bool:
 def _shortener(roots: list[list[str]]) -> Callable[[Any], Any]:
     """Return a function that replaces the roots in all strings of plain data.
 
-    A root counts where a path begins with it: '/tmp/tmpabc' has one '/tmp', and '/home/tmp/x' has none.
+    A root is replaced only where a path begins: '/tmp' is replaced in '/tmp/tmpabc', but not in '/home/tmp/x'.
     """
     names: dict[str, str] = {}
     for path, name in roots:
@@ -68,8 +70,9 @@ def _shortener(roots: list[list[str]]) -> Callable[[Any], Any]:
 
 
 def _without_library_frames(rows: list[list[Any]]) -> list[list[Any]]:
-    """Return output rows (time, process, stream, text) without library frames. A traceback may be in one row or, as launch
-    prints it, in one row per line.
+    """Return output rows (time, process, stream, string) without library frames.
+
+    A traceback may be in one row or, as launch prints it, in one row for each line.
     """
     within: dict[str, bool] = {}
     found = []

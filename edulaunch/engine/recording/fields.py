@@ -1,4 +1,4 @@
-"""Fields of messages by path, as `ros2 topic echo --field` takes them: 'pose.position.x', 'ranges[0]'."""
+"""Fields of messages by path, in the form of `ros2 topic echo --field`: 'pose.position.x', 'ranges[0]'."""
 
 from __future__ import annotations
 
@@ -14,8 +14,9 @@ _STEP = re.compile(r'([A-Za-z_]\w*)((?:\[-?\d+\])*)')
 def getter(cls: Any, path: str) -> Callable[[Any], Any]:
     """Return a function that reads a field from messages of a class.
 
-    :raises NotRecorded: when the type has no such field; the message names the nearest one.
-    :raises ValueError: when the path cannot be read.
+    :param path: the path of the field.
+    :raises NotRecorded: if the type has no such field; the message names the nearest one.
+    :raises ValueError: if the path is malformed.
     """
     steps = path.split('.')
     found = [_STEP.fullmatch(step) for step in steps]

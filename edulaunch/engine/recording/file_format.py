@@ -1,8 +1,8 @@
-"""A recording as text: JSON lines, the same bytes for the same run.
+"""The file format of a recording: JSON lines, with the same bytes for the same run.
 
-The first line is the header, followed by one line per part. Then come lines for unusual facts, for declared parameters, and for
-the definitions of the student's own message types, if any. Each topic has one line at the end. Messages are wire tuples written
-as JSON lists, and byte strings are written as {"hex": ...}. Only plain data is ever read back.
+The first line is the header, followed by one line for each part. Then come lines for unusual facts, for declared parameters, and
+for the definitions of the student's own message types, if there are any. The file ends with one line for each topic. Messages are
+wire tuples written as JSON lists, and byte strings are written as {"hex": ...}. Reading a file creates only plain data.
 """
 
 from __future__ import annotations
@@ -32,20 +32,22 @@ file. Ten minutes of ten turtles have 4 million values.
 
 
 def encode(content: dict[str, Any], known: Mapping[int, bytes] = MappingProxyType({})) -> bytes:
-    """Return the bytes of a recording's content; see `lines_of`."""
+    """Return a recording's content as bytes; see `lines_of`."""
     return b''.join(lines_of(content, known))
 
 
 def lines_of_topics(data: bytes, content: dict[str, Any]) -> dict[int, bytes]:
-    """Return the lines of the topics in the bytes of `encode`, by the `id` of the topic in the decoded content."""
+    """Return the line of each topic in the bytes of `encode`, by the `id` of the topic in the decoded content."""
     topics = content['topics']
     return dict(zip(map(id, topics), data.splitlines(keepends=True)[-len(topics) :] if topics else (), strict=True))
 
 
 def lines_of(content: dict[str, Any], known: Mapping[int, bytes] = MappingProxyType({})) -> Iterator[bytes]:
-    """Yield the bytes of a recording file line by line, so that writing a long run needs less memory.
+    """Yield a recording file line by line, so that writing a long run needs less memory.
 
-    :param known: the lines of some topics, by the `id` of the topic, from the file that the content was read from.
+    :param content: the content of the recording.
+    :param known: lines of topics from the file from which the content was read, by the `id` of the topic. They are used
+        unchanged.
     """
     yield _line({'format': FORMAT, 'version': VERSION, **{key: content[key] for key in HEADER_NUMBERS}})
     yield from (_line({part: content[part]}) for part in PARTS)
@@ -71,9 +73,9 @@ def _restore(mapping: dict[str, Any]) -> Any:
 
 
 def refuse_huge(data: bytes, name: str) -> None:
-    """Check the size of a recording before its values take memory and time.
+    """Reject a recording that is too large, before reading its values takes memory and time.
 
-    :raises RecordingError: when it has too many bytes or values, or too long a line.
+    :raises RecordingError: if it has too many bytes, too many values, or too long a line.
     """
     values = sum(map(data.count, (b',', b'[', b'{')))
     line = max(map(len, io.BytesIO(data)), default=0)
@@ -91,7 +93,8 @@ def refuse_huge(data: bytes, name: str) -> None:
 def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
     """Return the content of a recording file.
 
-    :raises RecordingError: when it is not a recording, has another version, or is damaged.
+    :param name: the name of the file, for error messages.
+    :raises RecordingError: if the file is not a recording, has another version, or is damaged.
     """
     lines = io.BytesIO(data)
     header = _parse(lines.readline(), name, 1)
@@ -125,7 +128,7 @@ def _parse(line: bytes, name: str, number: int) -> dict[str, Any]:
 
 
 def _check(content: dict[str, Any], name: str) -> None:
-    """Check that every part exists and has the right form, so that other code can rely on it."""
+    """Raise RecordingError unless every part exists and has the right form, so that other code can rely on it."""
     numbers = [content[key] for key in HEADER_NUMBERS]
     if not all(map(schema.number, numbers)) or not 0 <= content['duration_ns'] < schema.FAR - abs(content['start_ns']):
         raise RecordingError(f'{name} is damaged: its header lacks {", ".join(HEADER_NUMBERS)}.')

@@ -1,4 +1,4 @@
-"""The tf frames of a recording at a time, as a listener that received everything would have them."""
+"""The tf frames of a recording at a given time, as a listener that received every message would have them."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ TOPICS = (('/tf_static', True), ('/tf', False))
 
 
 def transform_wires(recording: Messages, topic: str) -> Iterator[tuple[float, Sequence[Any]]]:
-    """Yield all transforms of a topic as (published in seconds, (sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw)).
+    """Yield each transform of a topic as (published in seconds, (sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw)).
 
-    It creates no messages, because a run has thousands.
+    No message objects are created, because a run has thousands of transforms.
     """
     for time_ns, wire in recording.wires(topic, TF_TYPE):
         for transform in wire[0]:
@@ -25,8 +25,9 @@ def transform_wires(recording: Messages, topic: str) -> Iterator[tuple[float, Se
 
 
 def frames_at(recording: Messages, time_s: float) -> dict[str, Frame]:
-    """See `Recording.frames_at`. Among dynamic transforms, the newest stamp counts; among equal stamps, the last published
-    one.
+    """Return the frames for `Recording.frames_at`.
+
+    The dynamic transform with the newest stamp is used or, among equal stamps, the one that was published last.
     """
     found = RecordedFrames()
     for topic, is_static in TOPICS:
@@ -41,8 +42,9 @@ def frames_at(recording: Messages, time_s: float) -> dict[str, Frame]:
 
 
 class FrameLink(NamedTuple):
-    """The broadcasts of a child frame: its parents (more than one is a mistake) and the nodes that broadcast it. It also has the
-    number of broadcasts, and the times of the first and the last one (seconds).
+    """The broadcasts of a child frame: its parents (more than one is a mistake), and the nodes that broadcast it.
+
+    It also contains the number of broadcasts, and the times of the first and the last one in seconds.
     """
 
     child: str
@@ -55,12 +57,12 @@ class FrameLink(NamedTuple):
 
     @property
     def rate_hz(self) -> float | None:
-        """The mean rate of broadcasts; None for a static frame, or one that was broadcast once."""
+        """The mean rate of broadcasts in Hz, or None for a static frame and for a frame that was broadcast only once."""
         return None if self.is_static or self.last_s <= self.first_s else (self.messages - 1) / (self.last_s - self.first_s)
 
 
 def frame_links(recording: Messages) -> dict[str, FrameLink]:
-    """Return the links of the tf tree over the whole run, by child frame in order of first appearance."""
+    """Return the links of the tf tree over the whole run, by child frame. The order is that of the first appearance."""
     found: dict[str, FrameLink] = {}
     for topic, is_static in TOPICS:
         for time_ns, node, wire in recording.published(topic, TF_TYPE):

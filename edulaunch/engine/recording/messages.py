@@ -17,8 +17,10 @@ if TYPE_CHECKING:
 
 
 class Messages:
-    """The part of a recording with messages and their types. A file is first read as plain data; at its first use, each part is
-    checked against its type.
+    """The part of a recording with messages and their types.
+
+    A recording file is first read as plain data. When the messages of a topic or the service calls are first used, they are
+    checked against their types.
     """
 
     def __init__(self, content: dict[str, Any]) -> None:
@@ -44,23 +46,28 @@ class Messages:
         return dict(sorted(found.items()))
 
     def rows(self, part: str) -> list[Any]:
-        """Return the rows of a `part` ('topics', 'calls', 'logs', 'output', 'parameters') as plain data with times; do not change
-        them.
+        """Return the rows of a `part` ('topics', 'calls', 'logs', 'output', 'parameters') as plain data with times.
+
+        Do not change the returned rows.
         """
         found: list[Any] = self._content[part]
         return found
 
     def offered(self, topic: str) -> list[QoS]:
-        """Return the quality of service of each publisher that a `topic` (its full name) had during the run."""
+        """Return the QoS policies of each publisher of a topic during the run.
+
+        :param topic: the full name of the topic.
+        """
         from edulaunch.engine.graph.qos import QoS
 
         return [QoS(*row[6]) for row in self._content['endpoints'] if row[0] == 'publisher' and row[1] == topic]
 
     def messages(self, topic: str) -> list[tuple[float, Any]]:
-        """Return all messages of a `topic` (its full name) as (time in seconds, message), in order of publication; [] for an
-        unknown one.
+        """Return all messages of a `topic` (its full name) as (time in seconds, message), in order of publication.
 
-        :raises KeyError: when code reads an item of the list of an unknown topic; the message names the nearest topic.
+        For an unknown topic, return an empty list.
+
+        :raises KeyError: when code reads an item of the empty list; the message names the nearest topic.
         """
         if topic not in self.topics:
             return NoMessages(topic, self.topics)
@@ -72,14 +79,22 @@ class Messages:
         return [(time / 1e9, message) for time, message in rows]
 
     def wires(self, topic: str, type_name: str) -> list[tuple[int, Any]]:
-        """Return the messages of type `type_name` ('turtlesim/msg/Pose') on a `topic` as (time in ns, wire)."""
+        """Return the messages of one type on a topic as (time in ns, wire), in order of publication.
+
+        :param topic: the full name of the topic.
+        :param type_name: the message type, such as 'turtlesim/msg/Pose'.
+        """
         columns = [column for column in self._columns(topic) if column['type'] == type_name]
         rows = (row for column in columns for row in zip(column['times'], column['messages'], strict=True))
         return sorted(rows, key=_time_of)
 
     def published(self, topic: str, type_name: str) -> list[tuple[int, str, Any]]:
-        """Do the same as :meth:`wires` for `topic` and `type_name`, and add the name of the publishing node: (time in ns, node,
-        wire).
+        """Return the messages of one type on a topic as (time in ns, node, wire), in order of publication.
+
+        `node` is the name of the publishing node.
+
+        :param topic: the full name of the topic.
+        :param type_name: the message type, such as 'turtlesim/msg/Pose'.
         """
         nodes = {row[4]: row[0] for row in self._content['nodes']}
         owner = {row[4]: nodes.get(row[3], '') for row in self._content['endpoints'] if row[0] == 'publisher'}
@@ -94,8 +109,10 @@ class Messages:
     def series(self, topic: str, *fields: str) -> list[tuple[float, ...]]:
         """Return numbers of a `topic` over time: rows of (time in seconds, field, field ...).
 
-        :param fields: paths such as 'pose.pose.position.x' or 'ranges[0]', in the units of the message.
-        :raises NotRecorded: when the messages have no such field; the message names the nearest one.
+        :param topic: the full name of the topic.
+        :param fields: paths such as 'pose.pose.position.x' or 'ranges[0]'; the numbers have the units of the message.
+        :raises NotRecorded: if the messages have no such field; the message names the nearest one.
+        :raises ValueError: if `fields` is empty.
         """
         from edulaunch.engine.recording.fields import getter
 
@@ -112,23 +129,26 @@ class Messages:
         return [(time, *(get(message) for get in gets)) for time, message in self.messages(topic)]
 
     def message_class(self, type_name: str) -> Any:
-        """Return the class of the message type `type_name` ('turtlesim/msg/Pose'), as it was in the run."""
+        """Return the class of the message type `type_name` ('turtlesim/msg/Pose'), with the fields that it had in the run."""
         return self._class(type_name)
 
     @property
     def registry(self) -> RecordedTypes:
-        """Return the interfaces of this recording: the student's own ones as recorded, and the ones that can be imported now."""
+        """The interfaces of this recording: the student's own ones as recorded, and all importable ones."""
         return self._registry
 
     @cached_property
     def _registry(self) -> RecordedTypes:
-        """Return the interfaces; see :attr:`registry`."""
+        """The interfaces of this recording; see :attr:`registry`."""
         from edulaunch.engine.recording.recorded_types import RecordedTypes
 
         return RecordedTypes(self._content.get('interfaces') or {}, current_registry())
 
     def _class(self, type_name: str) -> Any:
-        """Return the class of a type. Raise RecordingError if it is unknown here, or its definition in the file is invalid."""
+        """Return the class of a type.
+
+        :raises RecordingError: if the type is unknown here, or its definition in the file is invalid.
+        """
         try:
             return self._registry.get(type_name)
         except InterfaceError as error:
@@ -145,7 +165,10 @@ class Messages:
         return columns
 
     def _check(self, type_name: str, wires: list[Any]) -> None:
-        """Check data from a file before its use. Raise RecordingError if it fits no message of the type."""
+        """Check messages from a file before their first use.
+
+        :raises RecordingError: if a message does not fit the type.
+        """
         self._class(type_name)
         try:
             fit = self._registry.checks.check(type_name)
@@ -156,7 +179,7 @@ class Messages:
 
     @cached_property
     def service_calls(self) -> list[ServiceCall]:
-        """Return the requests and their replies as messages, in order of the requests."""
+        """The requests and their replies as messages, in order of the requests."""
         calls = []
         for time, service, kind, client, request, served, replied, response in self._content['calls']:
             cls = self._class(kind)
@@ -172,8 +195,9 @@ class Messages:
     def to_pandas(self, topic: str, *fields: str) -> Any:
         """Return the messages of a `topic` as a pandas DataFrame, with the time in seconds as its index.
 
+        :param topic: the full name of the topic.
         :param fields: the columns (default: every field that is not a list).
-        :raises UnusableInput: when pandas is not installed.
+        :raises UnusableInput: if pandas is not installed.
         """
         from edulaunch.engine.recording.fields import getter, leaf_paths
 
@@ -192,7 +216,7 @@ class Messages:
 
 
 def seconds(time_ns: int | None) -> float | None:
-    """Return the nanoseconds as seconds."""
+    """Convert nanoseconds to seconds. None stays None."""
     return None if time_ns is None else time_ns / 1e9
 
 

@@ -1,4 +1,4 @@
-"""Endpoints of a topic that were not connected, because their types differ or their quality of service is incompatible."""
+"""Endpoints of a topic that were not connected, because their types differ or their QoS policies are incompatible."""
 
 from __future__ import annotations
 
@@ -14,7 +14,9 @@ _TEXT = re.compile(
 
 
 class Mismatch(NamedTuple):
-    """The record of such endpoints, with the topic, the reason ('TYPE' or the policy), and the names of the two nodes."""
+    """A publisher and a subscription that were not connected: the topic, the reason ('TYPE' or the policy), and the names of
+    the nodes.
+    """
 
     note: Note
     topic: str
@@ -26,7 +28,7 @@ class Mismatch(NamedTuple):
 def mismatches(records: Iterable[NodeRecord], notes: Iterable[Note]) -> Iterator[Mismatch]:
     """Yield the mismatches of a run in order of time.
 
-    A node that subscribes with several types receives messages of each of them, so this is not a mismatch.
+    If a node subscribes with several types, it receives messages of each of these types, so this is not a mismatch.
     """
     nodes = {node.name: node for node in records}
     for note in notes:

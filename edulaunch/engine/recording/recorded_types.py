@@ -1,4 +1,4 @@
-"""The classes of a student's own messages, created from their definitions in a recording. Nothing is compiled, because a
+"""The classes of a student's own messages, created from their definitions in a recording. No code is compiled for them, because a
 recording is only data.
 """
 
@@ -23,9 +23,10 @@ Read = Callable[[Iterator[Any]], Any]
 
 
 class RecordedTypes(TextRegistry):
-    """The interfaces of a recording, and the ones that can be imported now. Its own messages can be read, compared and shown.
+    """The interfaces of a recording, and all importable interfaces. Messages of recorded types can be read, compared and
+    shown.
 
-    :ivar checks: whether wires fit.
+    :ivar checks: checks whether wires fit their types.
     """
 
     def __init__(self, texts: dict[str, str], base: Registry) -> None:
@@ -53,7 +54,9 @@ class RecordedTypes(TextRegistry):
         return made  # type: ignore[no-any-return]
 
     def _reader(self, field: Field) -> Read:
-        """Return a function that reads the values of a field from a wire tuple, in the form for a reader of the field."""
+        """Return a function that takes the values of a field from an iterator over a wire tuple, and returns the value of the
+        field.
+        """
         kind = field.type.kind
         if kind is None:
             one = self.get(field.type.base).from_wire
@@ -72,15 +75,15 @@ class RecordedTypes(TextRegistry):
 
 
 def _frozen(value: Any) -> Any:
-    """Convert the lists of a file back to tuples."""
+    """Convert the lists from a file back to tuples."""
     return tuple(map(_frozen, value)) if type(value) in (list, tuple) else value
 
 
 class RecordedMessage(Message):
-    """A message as it was recorded."""
+    """The base class of messages of a recorded type."""
 
     def to_wire(self) -> Any:
-        """Return the wire that it was read from."""
+        """Return the wire from which the message was created."""
         return self.__dict__['_wire']
 
     def __eq__(self, other: object) -> bool:

@@ -1,4 +1,4 @@
-"""Collects what happens in a simulation. The only cost on the hot path is one `list.extend` per publication."""
+"""Collects the events of a simulation. Recording a publication costs only one call of `list.extend`."""
 
 from __future__ import annotations
 
@@ -22,26 +22,28 @@ MOST_ROOTS = 500
 
 
 class Beside(Protocol):
-    """A record that another wing keeps about a process."""
+    """A record about a process that another part of edulaunch keeps."""
 
     @property
     def pid(self) -> int:
         """The number of the process."""
 
     def as_data(self, since: int = 0) -> dict[str, Any]:
-        """Return all entries as plain data, or those after the first `since` ones."""
+        """Return the entries as plain data, without the first `since` entries."""
 
 
 class Recorder(Tracer):
-    """A tracer that records all events, in order, until :meth:`stop`. Times inside are integer ns since the start.
+    """A tracer that records all events, in order, until :meth:`stop`. Most times are integer nanoseconds since the start.
 
     :ivar forgotten: the number of dropped messages of each (topic, type), and of dropped rows of each part; see
         :meth:`numbers`.
-    :ivar lines: file and line of the student's code that created each publisher, subscription, service or client, by its index.
-    :ivar groups: for each process id, the process id of the program that a terminal or a session started.
+    :ivar lines: the file and line of the student's code that created each publisher, subscription, service or client, by its
+        index.
+    :ivar groups: for each process id, the process id of the program that was started in the same terminal or session.
     :ivar pids: the process id of each node's program, by the node's index.
-    :ivar beside: the records of other wings, by name. Recording files contain it, and the digest does not cover it.
-    :ivar overlay: the student's workspaces, if there are any; their message types are recorded with the messages.
+    :ivar beside: the records of other parts of edulaunch, by name. Recording files contain them, but the digest does not
+        cover them.
+    :ivar overlay: the student's workspaces, or None. Their message types are recorded with the messages.
     """
 
     def __init__(self, sim: Simulation) -> None:
@@ -77,7 +79,7 @@ class Recorder(Tracer):
         return self.sim.now_ns - self.sim.start_ns
 
     def stop(self) -> None:
-        """Stop recording, because the clean-up at the end of a run is not part of it."""
+        """Stop recording. Call this before the clean-up at the end of a run, which is not part of the run."""
         if self.on:
             self.on = False
             self._duration_ns = self._now()
@@ -90,7 +92,7 @@ class Recorder(Tracer):
         return Recording(self.content(), self.lines)
 
     def content(self) -> dict[str, Any]:
-        """Return the recording as plain data, in a fixed order."""
+        """Return the recorded data as plain data, in a fixed order."""
         start = self.sim.start_ns
         end = start + self._duration_ns
         topics = [_column(topic, kind, flat, start, end) for (topic, kind), flat in sorted(self.columns.items())]
@@ -116,11 +118,11 @@ class Recorder(Tracer):
         }
 
     def facts_now(self) -> list[list[Any]]:
-        """Return the facts that still hold, including those about live nodes, in the order of their first time."""
+        """Return the facts that still hold, including facts about live nodes, in the order in which they were first recorded."""
         return sorted((row for _, row in self.facts_of()), key=lambda row: row[0])
 
     def facts_of(self) -> Iterator[tuple[int, list[Any]]]:
-        """Yield the current facts, each with the process id of its program."""
+        """Yield (process id, fact) for each fact that still holds."""
         yield from ((key[0].pid, row) for key, row in self.facts.items())
         now = self._now()
         for node, look in self.looks.items():
@@ -128,11 +130,11 @@ class Recorder(Tracer):
                 yield node.process.pid, [now, node.process.name, kind, data, 1, now]
 
     def leads(self, pid: int) -> bool:
-        """Return whether a terminal or a session started a program, and no other program did."""
+        """Return whether a program was started directly in a terminal or session, and not by another program."""
         return self.groups.get(pid) == pid
 
     def interfaces(self, used: set[str]) -> dict[str, str]:
-        """Return the definitions of the student's own types among these, so that messages can be read without the workspace."""
+        """Return the definitions of the student's own types among `used`. They make messages readable without the workspace."""
         if self.overlay is None or not self.overlay.interface_packages:
             return {}
         from edulaunch.engine.interfaces.texts import texts_of
@@ -140,15 +142,18 @@ class Recorder(Tracer):
         return texts_of(self.overlay.registry, used)
 
     def channel(self, publisher: Any) -> Callable[[Record], object]:
-        """Return the list for a topic and type, which each publication extends by three entries. The list is flat, because a
-        list of a million records would take three times the memory and keep the garbage collector busy.
+        """Return the `extend` method of the list for a topic and type. Each publication adds three entries to this list.
+
+        The list is flat, because a list of a million records would take three times the memory and slow down the garbage
+        collector.
         """
         return self.columns.setdefault((publisher.topic_name, publisher.type_name), []).extend
 
     def forget_before(self, at_ns: int, kept: int) -> None:
-        """Delete records before a simulated time, but keep the last `kept` messages of each topic and their origin.
+        """Delete old records, except for records of live nodes and the last value of each parameter.
 
-        Records of live nodes and the last value of each parameter stay.
+        :param at_ns: the simulated time in ns; older records are deleted.
+        :param kept: the number of messages of each topic to keep, however old they are. Records of their publishers stay, too.
         """
         for key, flat in self.columns.items():
             count = max(0, min(bisect_right(flat[::3], at_ns), len(flat) // 3 - kept))
@@ -187,13 +192,13 @@ class Recorder(Tracer):
         self._numbers[name] = kept
 
     def numbers(self, name: str) -> Sequence[int]:
-        """Return the number of each row of a part, counted over all rows of the run."""
+        """Return the number of each stored row of a part, counted over all rows of the run."""
         kept, gone = self._numbers.get(name, ()), self.forgotten.get(name, 0)
         later = range(gone + len(kept), gone + len(getattr(self, name)))
         return [*kept, *later] if kept else later
 
     def publication_count(self) -> int:
-        """Return how many messages have been published so far."""
+        """Return the number of stored messages. Messages that :meth:`forget_before` has deleted do not count."""
         return sum(map(len, self.columns.values())) // 3
 
     def node_added(self, node: NodeEntry) -> None:
@@ -288,7 +293,10 @@ class Recorder(Tracer):
                     row['exception']['facts'] = error['facts']
 
     def use_sources(self, source_path: Callable[[str], str]) -> None:
-        """Name the files that the student wrote, instead of their links in the folders where packages are installed."""
+        """Replace links in folders with installed packages by the student's own files.
+
+        :param source_path: a function that returns the student's own file for a path.
+        """
         for row in self.processes:
             for place in (row, row['exception']):
                 if place and place['file']:
@@ -328,7 +336,9 @@ class Recorder(Tracer):
 
 
 def _column(topic: str, kind: str, flat: list[Any], start_ns: int, end_ns: int) -> dict[str, Any]:
-    """Return the record of one topic up to `end_ns`, from (time, publisher, message, time, publisher, message ...)."""
+    """Return the record of one topic up to `end_ns`, from a flat list (time, publisher, message, time, publisher, message
+    ...).
+    """
     times = flat[::3]
     count = bisect_right(times, end_ns)
     return {

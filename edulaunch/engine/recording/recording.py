@@ -1,4 +1,4 @@
-"""The recording of a run, and its methods."""
+"""The recording of a run as a class, with methods that answer questions about the run."""
 
 from __future__ import annotations
 
@@ -41,7 +41,8 @@ UNREPEATABLE = ('real program', 'real machine', 'stopped', 'interrupted')
 class Recording(Messages, Views):
     """A run as data: processes, nodes, parameters with their origin, every message, tf, logs.
 
-    All times are float seconds since the start of the simulation. `edulaunch.run` and :meth:`load` return one.
+    Times are float seconds since the start of the simulation, unless a docstring says otherwise. `edulaunch.run` and :meth:`load`
+    return a recording.
     """
 
     command: frozenset[str] | None = None
@@ -58,10 +59,9 @@ class Recording(Messages, Views):
     _lines_of_topics: Mapping[int, bytes] = MappingProxyType({})
 
     def __init__(self, content: dict[str, Any], lines: Mapping[int, tuple[str, int]] | None = None) -> None:
-        """
-        :param content: the parts of a recording, as plain data.
-        :param lines: file and line that created each publisher, subscription, service or client, by its index; files do not
-            contain them.
+        """:param content: the parts of a recording, as plain data.
+        :param lines: the file and line that created each publisher, subscription, service or client, by its index. Recording
+            files do not contain these lines.
         """
         super().__init__(content)
         self.lines = dict(lines or {})
@@ -78,8 +78,9 @@ class Recording(Messages, Views):
     def load(cls, path: str | os.PathLike[str], *, trusted: bool = False) -> Recording:
         """Read a recording file.
 
-        :param trusted: whether to read it without a size limit; a stranger's recording could take all memory.
-        :raises RecordingError: when the file is missing, damaged, too large, or not a recording.
+        :param path: the path of the file.
+        :param trusted: whether to read the file without a size limit. A recording from an unknown source could take all memory.
+        :raises RecordingError: if the file is missing, damaged, too large, or not a recording.
         """
         name = os.fspath(path)
         try:
@@ -95,9 +96,11 @@ class Recording(Messages, Views):
 
     @classmethod
     def from_bytes(cls, data: bytes, name: str = 'this recording', *, is_ours: bool = False) -> Recording:
-        """Return a recording from the bytes of :meth:`to_bytes`. Raise RecordingError if they are not a recording.
+        """Return a recording from the bytes of :meth:`to_bytes`.
 
-        :param is_ours: whether this edulaunch wrote the bytes, so that :meth:`digest` need not write long topics again.
+        :param name: the name of the recording, for error messages.
+        :param is_ours: whether this edulaunch wrote the bytes. Then :meth:`digest` can use the lines of topics unchanged.
+        :raises RecordingError: if the bytes are not a recording.
         """
         recording = cls(file_format.decode(data, name))
         recording._unread = name
@@ -105,17 +108,17 @@ class Recording(Messages, Views):
         return recording
 
     def to_bytes(self) -> bytes:
-        """Return the recording as text (JSON lines), with the same bytes for the same run."""
+        """Return the recording as JSON lines, with the same bytes for the same run."""
         return file_format.encode(self._content)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a recording file completely or not at all.
+        """Write a recording file, either completely or not at all.
 
         A path that is not a regular file (`/dev/stdout`, a pipe) is written to directly. If the file cannot be written, an older
-        recording of that name does not change.
+        recording with this path does not change.
 
-        :param path: path of the file, usually with the ending .rec.
-        :raises RecordingError: when it cannot be written.
+        :param path: the path of the file, usually with the ending .rec.
+        :raises RecordingError: if the file cannot be written.
         """
         try:
             write_safely(path, file_format.lines_of(self._content))
@@ -125,9 +128,10 @@ class Recording(Messages, Views):
             raise RecordingError(f'cannot write the recording {os.fspath(path)!r}: this computer has no memory left') from None
 
     def digest(self) -> str:
-        """The SHA-256 hash of all events. It is equal for equal launch file, arguments and seed, on every machine. It does not
-        cover the records of other wings. Paths of the launch files are left out, so that a copy of a
-        workspace gives the same digest.
+        """Return the SHA-256 hash of all events. It is equal for the same launch file, arguments and seed, on every machine.
+
+        The hash does not cover the records of other parts of edulaunch (`Recorder.beside`). It does not depend on the path of
+        the launch files, so a copy of a workspace gives the same digest.
         """
         import hashlib
 
@@ -138,7 +142,7 @@ class Recording(Messages, Views):
 
     @cached_property
     def launch(self) -> LaunchRecord:
-        """The launch file, its declared arguments, and launch's return code."""
+        """The launch file, its declared arguments, and the return code of launch."""
         fields = {**self._content['launch']}
         for words in ('warnings', 'help'):  # older recordings lack them, so they are computed again
             fields.pop(words, None)
@@ -148,19 +152,19 @@ class Recording(Messages, Views):
 
     @property
     def includes(self) -> list[str]:
-        """Return the launch files that were included, in order."""
+        """The launch files that were included, in order."""
         return self.launch.includes
 
     @cached_property
     def processes(self) -> list[ProcessRecord]:
-        """The started programs, in order."""
+        """The programs that were started, in order."""
         fields = [dict(row) for row in self._content['processes']]
         times = [{'started_s': row.pop('started') / 1e9, 'ended_s': seconds(row.pop('ended'))} for row in fields]
         return [ProcessRecord(**row, **span) for row, span in zip(fields, times, strict=True)]
 
     @cached_property
     def nodes(self) -> list[NodeRecord]:
-        """The nodes of the run, in order, with all their topics and services."""
+        """The nodes of the run in order of creation, with all their topics and services."""
         ends: dict[int, dict[str, list[tuple[str, str]]]] = {}
         for kind, name, type_name, node, *_ in self._content['endpoints']:
             of_kind = ends.setdefault(node, {}).setdefault(kind, [])
@@ -179,7 +183,7 @@ class Recording(Messages, Views):
 
     @cached_property
     def ends(self) -> list[EndRecord]:
-        """All publishers, subscriptions, services and clients, in the order of their creation."""
+        """All publishers, subscriptions, services and clients, in order of creation."""
         nodes = {row[4]: row[0] for row in self._content['nodes']}
         return [
             EndRecord(kind, name, type_name, nodes.get(node, ''), made / 1e9, qos)
@@ -187,9 +191,9 @@ class Recording(Messages, Views):
         ]
 
     def parameters(self, node: str) -> dict[str, Parameter]:
-        """Return the parameters of a node at the end of the run, by name, in the order of declaration.
+        """Return the parameters of a node at the end of the run, by name, in order of declaration.
 
-        :param node: full name of the node, such as '/sim'.
+        :param node: the full name of the node, such as '/sim'.
         :raises KeyError: for an unknown node; the message lists the nodes of the run.
         """
         found: dict[str, Parameter] = NodeParameters(node, next((end.ended_s for end in self.nodes if end.name == node), None))
@@ -207,12 +211,12 @@ class Recording(Messages, Views):
 
     @cached_property
     def parameter_rows(self) -> list[tuple[int, str, str, Any, str]]:
-        """Every value that was set, in order: (time in ns, node, parameter, value or None when undeclared, origin)."""
+        """Every value that was set, in order: (time in ns, node, parameter, value, origin). The value None means undeclared."""
         return list(map(tuple, self._content['parameters']))
 
     @cached_property
     def own_processes(self) -> list[ProcessRecord]:
-        """Return the processes that run a student's program, without programs of edulaunch and `ros2` commands."""
+        """The processes that run a student's program, without programs of edulaunch and `ros2` commands."""
         ours = tuple(os.path.join(path, '') for path, name in self._content['roots'] if name == '@underlay')
         return [row for row in self.processes if not _is_program_of(ours, row.argv) and os.path.basename(row.argv[0]) != 'ros2']
 
@@ -223,14 +227,16 @@ class Recording(Messages, Views):
         :class:`~edulaunch.engine.recording.trajectory.Trajectory`.
 
         :param turtle: 'turtle1', '/ns/turtle1' with a namespace, or the odometry topic of a robot, such as '/odom'.
-        :raises KeyError: for an unknown name; the message lists the known ones.
+        :raises KeyError: for an unknown name; the message lists the known names.
         """
         from edulaunch.engine.recording.trajectory import read_trajectory
 
         return read_trajectory(self, turtle)
 
     def frames_at(self, time_s: float) -> dict[str, Frame]:
-        """Return the newest transform of each tf child frame at a time, by child name in order of first appearance.
+        """Return the newest transform of each tf child frame at a given time, by child frame.
+
+        The frames are in order of first appearance.
 
         :param time_s: seconds since the start of the run.
         """
@@ -240,7 +246,7 @@ class Recording(Messages, Views):
 
     @cached_property
     def logs(self) -> list[LogRecord]:
-        """Log messages of nodes, in order."""
+        """The log messages of nodes, in order."""
         return [LogRecord(row[0] / 1e9, *row[1:]) for row in self._content['logs']]
 
     @cached_property
@@ -255,39 +261,41 @@ class Recording(Messages, Views):
 
     @cached_property
     def facts(self) -> list[Fact]:
-        """Unusual actions of programs with their counts, in order of first occurrence. Advice is based on them."""
+        """Unusual actions of programs with their counts, in order of first occurrence. The rules of advice use them."""
         rows = self._content.get('facts') or ()
         return [Fact(time / 1e9, process, kind, data, times, last / 1e9) for time, process, kind, data, times, last in rows]
 
     @cached_property
     def mismatches(self) -> list[Mismatch]:
-        """Publishers and subscriptions of one topic that were not connected, in order of time."""
+        """The pairs of a publisher and a subscription of one topic that were not connected, in order of time."""
         from edulaunch.engine.recording.mismatches import mismatches
 
         return list(mismatches(self.nodes, self.notes))
 
     @property
     def not_repeatable(self) -> list[str]:
-        """Return why the same launch may give another recording: programs that used facts about the real machine, and real
-        programs. Return an empty list for a run that repeats.
+        """The reasons why the same launch may give another recording: real programs, and programs that used facts about the real
+        machine.
+
+        The list is empty for a run that repeats exactly.
         """
         return list(dict.fromkeys(note.text for note in self.notes if note.kind in UNREPEATABLE))
 
     @cached_property
     def advice(self) -> list[Any]:
-        """The findings of the rules of :mod:`edulaunch.advice` in this run, the worst first."""
+        """The findings of the rules of :mod:`edulaunch.advice` about this run, the worst first."""
         found: list[Any] = view('judge')(self)
         return found
 
     @property
     def warnings(self) -> list[str]:
-        """Return the findings of :attr:`advice` as sentences: programs that died, misspelt names, and other problems without an
+        """The findings of :attr:`advice` as sentences: programs that died, misspelt names, and other problems without an
         error.
         """
         return [*map(str, map(view('sentences'), self.advice))]
 
 
 def _is_program_of(folders: tuple[str, ...], argv: list[str]) -> bool:
-    """Return whether a command line runs a program below the folders, itself or behind a prefix such as `xterm -e`."""
+    """Return whether a command line runs a program below the folders, directly or after a prefix such as `xterm -e`."""
     library = f'{os.sep}lib{os.sep}'
     return argv[0].startswith(folders) or any(word.startswith(folders) and library in word for word in argv[1:4])

@@ -19,7 +19,10 @@ PARAMETER_SERVICES = (
 
 
 class DeclaredArgument(NamedTuple):
-    """A launch argument of the launch files; `default` has the form of `ros2 launch -s`, or None if it is required."""
+    """A launch argument that a launch file declares.
+
+    `default` has the form that `ros2 launch -s` prints. A required argument has the default None.
+    """
 
     name: str
     default: str | None
@@ -30,9 +33,10 @@ class DeclaredArgument(NamedTuple):
 
 
 class UnreadArgument(NamedTuple):
-    """A launch argument that was passed, although no launch file declares or reads it, with the declared names.
+    """A launch argument that was passed, although no launch file declares or reads it.
 
-    `included` is the launch file that received it, if an include at `file` and `line` passed it on.
+    `declared` lists the declared names. If an include at `file` and `line` passed the argument on, `included` is the included
+    launch file.
     """
 
     name: str
@@ -43,7 +47,10 @@ class UnreadArgument(NamedTuple):
 
 
 class LaunchRecord(NamedTuple):
-    """A launch and its result: `error` is launch's own message, and `error_type`, `_cause` and `_facts` are its cause as data."""
+    """A launch and its result.
+
+    `error` is launch's own message. `error_type`, `error_cause` and `error_facts` describe the cause of the error as data.
+    """
 
     file: str = ''
     arguments: dict[str, str] = {}
@@ -60,19 +67,21 @@ class LaunchRecord(NamedTuple):
 
     @property
     def advice(self) -> tuple[str, str] | None:
-        """What is wrong and what to do, in the reader's language. None without an error, and if no rule explains it."""
+        """The problem and what to do, in the reader's language. None if there is no error, or if no rule explains it."""
         advice: tuple[str, str] | None = None if self.error is None else view('advice_of')(self)
         return advice
 
     @property
     def help(self) -> str | None:
-        """The advice in one line."""
+        """The advice in one line, or None."""
         return '; '.join(filter(None, self.advice or ())) or None
 
 
 class ProcessRecord(NamedTuple):
-    """A launched program. `returncode` has the value None while the program runs, and is negative for a signal. `exception` is
-    the exception that ended it, if any, as a dict with type, message, file, line.
+    """A launched program.
+
+    `returncode` has the value None while the program runs, and is negative for a signal. `exception` is the exception that
+    ended the program, as a dict with type, message, file and line, or None.
     """
 
     name: str
@@ -90,12 +99,12 @@ class ProcessRecord(NamedTuple):
 
     @property
     def origin(self) -> tuple[str, int] | None:
-        """The launch file and the line of the action that started it."""
+        """The launch file and the line of the action that started the program, or None."""
         return None if self.file is None or self.line is None else (self.file, self.line)
 
 
 class NodeRecord(NamedTuple):
-    """A node: fully qualified name, launch name of its process, and its endpoints as (name, type)."""
+    """A node: its fully qualified name, the launch name of its process, and its endpoints as (name, type)."""
 
     name: str
     process: str
@@ -108,7 +117,7 @@ class NodeRecord(NamedTuple):
 
 
 class EndRecord(NamedTuple):
-    """A publisher, subscription, service or client (`kind`): absolute name, type, node, and time of creation."""
+    """A publisher, subscription, service or client (`kind`): absolute name, type, node, time of creation, and QoS policies."""
 
     kind: str
     name: str
@@ -119,7 +128,7 @@ class EndRecord(NamedTuple):
 
 
 class TopicRecord(NamedTuple):
-    """A topic: its (first) type, its publishers and subscribers (fully qualified names), and its number of messages."""
+    """A topic: its (first) type, the fully qualified names of its publishers and subscribers, and its number of messages."""
 
     name: str
     type: str
@@ -146,7 +155,7 @@ class LogRecord(NamedTuple):
 
 
 class Output(NamedTuple):
-    """Text that a program wrote to 'stdout' or 'stderr'."""
+    """A string that a program wrote to 'stdout' or 'stderr'."""
 
     time_s: float
     process: str
@@ -155,7 +164,7 @@ class Output(NamedTuple):
 
 
 class Note(NamedTuple):
-    """A message of the engine to the user, for example about endpoints with incompatible QoS."""
+    """A message from the engine to the user, for example about endpoints with incompatible QoS."""
 
     time_s: float
     process: str | None
@@ -164,8 +173,10 @@ class Note(NamedTuple):
 
 
 class Fact(NamedTuple):
-    """An unusual fact about a program as plain data: its kind, its number of occurrences, its first and last time. See
-    `Process.fact` for `data`.
+    """An unusual fact about a program as plain data: its kind, its number of occurrences, and the time of the first and the last
+    one.
+
+    `Process.fact` describes `data`.
     """
 
     time_s: float
@@ -177,7 +188,11 @@ class Fact(NamedTuple):
 
 
 class ServiceCall(NamedTuple):
-    """A request and the time of its reply (None without a reply). `served` is False if no server existed."""
+    """A request and its reply.
+
+    `served` states whether a server existed. `replied_s` is the time of the reply. Without a reply, `replied_s` and `response`
+    have the value None.
+    """
 
     time_s: float
     service: str
@@ -190,7 +205,9 @@ class ServiceCall(NamedTuple):
 
 
 class Frame(NamedTuple):
-    """A tf frame in its parent: translation in metres, rotation as (x, y, z, w), the stamp of the transform in seconds."""
+    """A tf frame relative to its parent: translation in metres, rotation as (x, y, z, w), and the stamp of the transform in
+    seconds.
+    """
 
     parent: str
     translation: tuple[float, float, float]

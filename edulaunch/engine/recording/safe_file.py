@@ -1,4 +1,6 @@
-"""Writes a file completely or not at all. An older file of that name stays until the new one is safe on the disk."""
+"""Writes a file, either completely or not at all. An older file with the same path stays until the new file is safe on the
+disk.
+"""
 
 from __future__ import annotations
 
@@ -14,12 +16,13 @@ NO_SUCH_CALL = (errno.EINVAL, errno.ENOTSUP)
 
 
 def write_safely(path: str | os.PathLike[str], lines: Iterable[bytes]) -> None:
-    """Write a file. A path that is not a regular file (`/dev/stdout`, a pipe) is written to directly.
+    """Write lines to a file. A path that is not a regular file (`/dev/stdout`, a pipe) is written to directly.
 
-    The lines are written to a draft with its own name, so that two programs can write the same file at the same time. When the
-    draft is safe on the disk, it replaces the file. If that fails, the draft is removed, and the older file stays.
+    The lines are first written to a draft with a unique name, so that two programs can write the same file at the same time.
+    When the draft is safe on the disk, it replaces the file. If an error occurs, the draft is removed, and the older file
+    stays.
 
-    :raises OSError: when the file cannot be written.
+    :raises OSError: if the file cannot be written.
     """
     target = os.path.realpath(path)
     if os.path.exists(target) and not os.path.isfile(target):
@@ -44,7 +47,7 @@ def write_safely(path: str | os.PathLike[str], lines: Iterable[bytes]) -> None:
 
 
 def remove_drafts(path: str | os.PathLike[str]) -> None:
-    """Remove drafts of a file from programs that were killed. Drafts that are being written stay."""
+    """Remove the drafts of a file that killed programs have left. Drafts that a running program is writing stay."""
     for draft in glob.glob(f'{glob.escape(_stem(os.path.realpath(path)))}*.part'):
         with suppress(OSError, ImportError), open(draft, 'rb') as file:
             _lock(file)
@@ -52,7 +55,7 @@ def remove_drafts(path: str | os.PathLike[str]) -> None:
 
 
 def _stem(target: str) -> str:
-    """Return the common prefix of all drafts of a file. File systems allow names of 255 bytes."""
+    """Return the common prefix of all drafts of a file. It is short enough for file systems with a limit of 255 bytes."""
     folder, name = os.path.split(target)
     return os.path.join(folder, f'.{os.fsdecode(os.fsencode(name)[:200])}.')
 
@@ -60,8 +63,8 @@ def _stem(target: str) -> str:
 def _lock(file: BinaryIO) -> None:
     """Lock a draft until its file is closed.
 
-    :raises OSError: when another process has locked it, or the file system has no locks.
-    :raises ImportError: when this system has no locks.
+    :raises OSError: if another process has locked the draft, or the file system has no locks.
+    :raises ImportError: if this operating system has no locks.
     """
     import fcntl
 
@@ -77,8 +80,9 @@ def _sync(descriptor: int) -> None:
 
 
 def _sync_folder(folder: str) -> None:
-    """Make the new name survive a power cut. The file itself is safe already, so do nothing on systems that cannot open
-    folders.
+    """Write the folder to the disk, so that the new name survives a power cut. The content of the file is already on the disk.
+
+    Do nothing on operating systems that cannot open folders.
     """
     with suppress(OSError):
         descriptor = os.open(folder, os.O_RDONLY)

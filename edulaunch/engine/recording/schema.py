@@ -1,4 +1,4 @@
-"""The valid form of each part of a recording file, so that other code can rely on it."""
+"""Checks for the valid form of each part of a recording file, so that other code can rely on it."""
 
 from __future__ import annotations
 
@@ -10,51 +10,53 @@ FAR = 1 << 63
 
 
 def text(value: Any) -> bool:
-    """Accept a string."""
+    """Return whether a value is a string."""
     return type(value) is str
 
 
 def number(value: Any) -> bool:
-    """Accept a whole number that fits in 64 bits (but not True)."""
+    """Return whether a value is an integer that fits in 64 bits (True and False do not count)."""
     return type(value) is int and -FAR <= value < FAR
 
 
 def quantity(value: Any) -> bool:
-    """Accept a number, whole or not."""
+    """Return whether a value is an integer or a float."""
     return type(value) in (int, float)
 
 
 def numbers(value: Any) -> bool:
-    """Accept a list of numbers. For the times of messages, this takes a fifth of the time of `each(number)`."""
+    """Return whether a value is a list of integers. For the times of messages, this takes a fifth of the time of
+    `each(number)`.
+    """
     if type(value) is not list or not set(map(type, value)) <= {int}:
         return False
     return not value or (min(value) >= -FAR and max(value) < FAR)
 
 
 def maybe(check: Check) -> Check:
-    """Return a check that accepts the values of another check, and None."""
+    """Return a check that accepts None, and the values that the given check accepts."""
     return lambda value: value is None or check(value)
 
 
 def each(check: Check) -> Check:
-    """Return a check for a list whose entries all pass a check."""
+    """Return a check for a list in which every entry passes the given check."""
     return lambda value: type(value) is list and all(map(check, value))
 
 
 def row(*checks: Check) -> Check:
-    """Return a check for a list with one entry for each of some checks."""
+    """Return a check for a list with one entry for each of the given checks."""
     return lambda value: (
         type(value) is list and len(value) == len(checks) and all(check(item) for check, item in zip(checks, value, strict=True))
     )
 
 
 def table(check: Check) -> Check:
-    """Return a check for a mapping of names to values that all pass a check."""
+    """Return a check for a mapping from names to values that pass the given check."""
     return lambda value: type(value) is dict and all(map(check, value.values()))
 
 
 def record(needed: dict[str, Check], optional: dict[str, Check] | None = None) -> Check:
-    """Return a check for a mapping with exactly these keys."""
+    """Return a check for a mapping with all `needed` keys and possibly some `optional` ones. Each value must pass its check."""
     known = {**needed, **(optional or {})}
     return lambda value: (
         type(value) is dict and needed.keys() <= value.keys() <= known.keys() and all(known[key](value[key]) for key in value)
@@ -62,32 +64,32 @@ def record(needed: dict[str, Check], optional: dict[str, Check] | None = None) -
 
 
 def wire(value: Any) -> bool:
-    """Accept the values of a message; `wire_check` compares them with the type when they are read."""
+    """Return whether a value may be a wire tuple. `wire_check` compares it with the type when it is read."""
     return type(value) is list
 
 
 def wires(value: Any) -> bool:
-    """Accept a list of wires."""
+    """Return whether a value is a list of possible wire tuples."""
     return type(value) is list and set(map(type, value)) <= {list}
 
 
 def truth(value: Any) -> bool:
-    """Accept True or False."""
+    """Return whether a value is True or False."""
     return type(value) is bool
 
 
 def anything(value: Any) -> bool:
-    """Accept any plain data, such as the value of a parameter."""
+    """Return True, because any plain data are valid here, such as the value of a parameter."""
     return True
 
 
 def fact(value: Any) -> bool:
-    """Accept a fact about an error: a string, a number, several strings, or an unknown value."""
+    """Return whether a value can be part of a fact: a string, a number, a list of strings, or None."""
     return value is None or text(value) or isinstance(value, (int, float)) or each(text)(value)
 
 
 def root(value: Any) -> bool:
-    """Accept a folder and the short name that replaces it in a digest."""
+    """Return whether a value is a pair: a folder, and the short name that replaces it in a digest."""
     return row(text, text)(value) and value[1].startswith('@') and len(value[1]) <= 40
 
 

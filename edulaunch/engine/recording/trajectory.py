@@ -12,7 +12,10 @@ POSE, ODOMETRY = 'turtlesim/msg/Pose', 'nav_msgs/msg/Odometry'
 
 
 class Trajectory(NamedTuple):
-    """Arrays of equal length: time in seconds, x and y in metres, heading in radians (x right, y up, counter-clockwise)."""
+    """The path of a turtle or robot, as arrays of equal length.
+
+    `t` is the time in seconds. `x` (right) and `y` (up) are in metres. `theta` is the heading in radians, counter-clockwise.
+    """
 
     t: Any
     x: Any
@@ -21,7 +24,10 @@ class Trajectory(NamedTuple):
 
 
 def moving_things(recording: Messages) -> dict[str, str]:
-    """Return the turtles and robots of a recording: name to topic, turtles first ('turtle1', '/turtlesim2/turtle1', '/odom')."""
+    """Return the topic of each turtle and robot of a recording, by name. The turtles come first.
+
+    Names are such as 'turtle1', '/turtlesim2/turtle1' and '/odom'.
+    """
     found = {}
     for topic in recording.topics.values():
         if topic.type == POSE and topic.publishers and topic.name.endswith('/pose'):
@@ -34,7 +40,7 @@ def moving_things(recording: Messages) -> dict[str, str]:
 
 
 def read_trajectory(recording: Messages, name: str) -> Trajectory:
-    """Do the same as `Recording.trajectory`."""
+    """Return the path of a turtle or robot for `Recording.trajectory`."""
     import numpy as np
 
     things = moving_things(recording)

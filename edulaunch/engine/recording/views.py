@@ -1,7 +1,7 @@
-"""Views of a recording that other wings provide: pictures and tables (canvas), findings and advice (advice), the replay (view).
+"""Views of a recording that other parts of edulaunch provide: pictures and tables (canvas), findings (advice), the replay (view).
 
-The engine provides none of these. A wing registers its views when it is imported. The facade sets the loader, which imports the
-wing of a view at its first use.
+The engine provides none of these views. A package registers its views when it is imported. `edulaunch.engine.outside` has the
+function that imports the package of a view on first use.
 """
 
 from __future__ import annotations
@@ -15,19 +15,21 @@ _VIEWS: dict[str, Callable[..., Any]] = {}
 
 
 def register(**views: Callable[..., Any]) -> None:
-    """Register views by name; a later one replaces an earlier one of the same name."""
+    """Register views by name. A later view replaces an earlier one with the same name."""
     _VIEWS.update(views)
 
 
 def view(name: str) -> Callable[..., Any]:
-    """Return the view of that name."""
+    """Return the view with this name, and import the package that registers it if necessary."""
     if name not in _VIEWS:
         outside.load_view(name)
     return _VIEWS[name]
 
 
 class Views:
-    """The part of a recording that shows it. Every picture takes `ax=`, axes of matplotlib to draw on, and returns them."""
+    """The methods of a recording that show it. Methods that draw with matplotlib accept `ax`, the axes to draw on, and return
+    the axes.
+    """
 
     def plot(self, topic: str, *fields: str, ax: Any = None) -> Any:
         """Plot numbers of a topic over time, such as `recording.plot('/turtle1/pose', 'x', 'y')`.
@@ -44,16 +46,16 @@ class Views:
         return view('message_table')(self, topic, fields)
 
     def log_table(self, process: str | None = None, level: str = 'DEBUG', word: str = '') -> Any:
-        """Return log lines as a table.
+        """Return log messages as a table.
 
-        :param process: launch name of a process (default: all processes).
-        :param level: the lowest level, such as 'WARN'.
-        :param word: show only lines with this word.
+        :param process: the launch name of a process (default: all processes).
+        :param level: the lowest severity to show, such as 'WARN'.
+        :param word: show only messages that contain this word.
         """
         return view('log_table')(self, process, level, word)
 
     def plot_turtles(self, time_s: float | None = None, **looks: Any) -> Any:
-        """Draw the turtle windows at one time.
+        """Draw the turtle windows at a given time.
 
         :param time_s: seconds since the start (default: the end of the run).
         :param looks: the other parameters of :func:`edulaunch.canvas.plot_turtles`.
@@ -61,7 +63,7 @@ class Views:
         return view('plot_turtles')(self, time_s, **looks)
 
     def plot_frames(self, time_s: float | None = None, *, side: str = 'xy', ax: Any = None) -> Any:
-        """Draw tf frames from above or from a side, at one time.
+        """Draw tf frames from above or from a side, at a given time.
 
         The parameters `time_s`, `side` and `ax` are those of :func:`edulaunch.canvas.plot_frames`.
         """
@@ -90,10 +92,10 @@ class Views:
         return view('parameter_table')(self, node, every=every)
 
     def foxglove(self, port: int = 0, origins: Any = ()) -> Any:
-        """Serve the run to Foxglove and Lichtblick from a notebook; return the server, with `address` and `close()`.
+        """Serve the run to Foxglove and Lichtblick from a notebook. Return the server, which has `address` and `close()`.
 
         :param port: a port of this computer, or 0 for any free port.
-        :param origins: the origins of pages that may connect, besides Foxglove's.
+        :param origins: the origins of pages that may connect, in addition to Foxglove's own.
         """
         return view('foxglove')(self, port, origins)
 

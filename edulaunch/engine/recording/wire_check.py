@@ -21,7 +21,7 @@ SEQUENCES: set[Any] = {list, tuple}
 
 
 class WireChecks:
-    """Checks wires (see `interfaces.layout`) from a file against the types of a registry."""
+    """Checks of wires (see `interfaces.layout`) from a file against the types of a registry."""
 
     def __init__(self, registry: Registry) -> None:
         self._registry = registry
@@ -30,9 +30,9 @@ class WireChecks:
         self._open: list[str] = []
 
     def entries(self, type_name: str) -> list[Check]:
-        """Return the checks for the values of each field of messages, with the fields of nested messages in place of these.
+        """Return one check for each entry of the wire tuple of a type. A check gets the values of this entry in several messages.
 
-        :raises InterfaceError: when there is no such message type, it contains itself, or has more than MOST_VALUES values.
+        :raises InterfaceError: if there is no such message type, it contains itself, or it has more than MOST_VALUES values.
         """
         if type_name not in self._known:
             if type_name in self._open:
@@ -64,7 +64,10 @@ class WireChecks:
         return found
 
     def check(self, type_name: str) -> Check:
-        """Return the check whether values are wires of messages of that type. Raise the same errors as :meth:`entries`."""
+        """Return a function that returns whether all given values are wires of messages of a type.
+
+        :raises InterfaceError: as in :meth:`entries`.
+        """
         checks = self.entries(type_name)
 
         def fit(values: Collection[Any]) -> bool:

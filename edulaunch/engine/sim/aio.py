@@ -1,7 +1,7 @@
-"""An asyncio event loop whose clock is the simulated one.
+"""An asyncio event loop with a simulated clock.
 
 Waiting for the next timer parks the task that runs the loop, so coroutines, futures and `asyncio.sleep` take turns with all
-other programs. Launch runs on it.
+other programs. Launch runs on this loop.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from edulaunch.engine.sim.task import Task, TaskKilled, current_task
 
 
 class _Turns:
-    """Used by asyncio as its selector: instead of waiting for files, it ends the turn."""
+    """The selector of the event loop. Instead of waiting for files, it ends the turn of the task."""
 
     def __init__(self, loop: SimulatedEventLoop) -> None:
         self._loop = loop
@@ -31,7 +31,7 @@ class _Turns:
 
 
 class SimulatedEventLoop(base_events.BaseEventLoop):
-    """asyncio's own loop with simulated time: `time()` is seconds since the start of the simulation."""
+    """asyncio's own event loop with simulated time: `time()` returns the seconds since the start of the simulation."""
 
     def __init__(self, task: Task) -> None:
         super().__init__()
@@ -40,15 +40,16 @@ class SimulatedEventLoop(base_events.BaseEventLoop):
         self._clock_resolution = 1e-9
 
     def __del__(self, _warn: object = None) -> None:
-        """Print no warning about an unclosed loop, because it uses no resource of the operating system."""
+        """Print no warning about an unclosed loop, because the loop does not use a resource of the operating system."""
 
     def time(self) -> float:
-        """Return the simulated seconds since the start."""
+        """Return the simulated seconds since the start of the simulation."""
         return self.task.sim.elapsed_s
 
     def run_forever(self) -> None:
-        """Do the same as asyncio's method in the running task. A loop that runs around it (such as a notebook's) is set aside
-        during this time.
+        """Run the loop in the running task, until `stop` is called.
+
+        Meanwhile, a loop that runs around this one (such as a notebook's loop) is set aside.
         """
         self.task = current_task()
         outer, outer_loop = set_aside(), self.task.loop
@@ -60,17 +61,22 @@ class SimulatedEventLoop(base_events.BaseEventLoop):
             put_back(outer)
 
     def _check_running(self) -> None:
-        """Allow a loop around this one, because `run_forever` sets it aside."""
+        """Raise RuntimeError if this loop runs already. Another loop may run around it, because `run_forever` sets that loop
+        aside.
+        """
         if self.is_running():
             raise RuntimeError('This event loop is already running')
 
     def call_exception_handler(self, context: dict[str, Any]) -> None:
-        """Do the same as asyncio's method, except that the end of a program is not an error of the interrupted callback."""
+        """Handle an exception as asyncio does, except that the end of a program is not an error of the interrupted callback."""
         if not isinstance(context.get('exception'), TaskKilled):
             super().call_exception_handler(context)
 
     def step_aside(self, switch: Callable[[], object]) -> None:
-        """End the turn with this loop set aside, so that other programs may run theirs."""
+        """End the turn with this loop set aside, so that other programs may run their own loops.
+
+        :param switch: the function that switches to the hub.
+        """
         mine = set_aside()
         try:
             switch()
@@ -85,5 +91,5 @@ class SimulatedEventLoop(base_events.BaseEventLoop):
 
 
 def new_event_loop() -> asyncio.AbstractEventLoop:
-    """Return a loop for the running task's simulation."""
+    """Return a new event loop for the simulation of the running task."""
     return SimulatedEventLoop(current_task())

@@ -1,4 +1,4 @@
-"""Ctrl-C, and the interrupt button of a notebook, while simulated time passes."""
+"""Handling of Ctrl-C and of the interrupt button of a notebook while simulated time passes."""
 
 from __future__ import annotations
 
@@ -12,12 +12,14 @@ from edulaunch.engine.sim.simulation import Simulation
 
 
 class Interruption:
-    """While it is active, the first SIGINT stops the simulation between two steps, and a second one raises KeyboardInterrupt.
+    """A context manager in which the first SIGINT stops the simulation between two steps, and a second one raises
+    KeyboardInterrupt.
 
-    Python's own handler raises KeyboardInterrupt in the code that runs. This may be a simulated program, which takes it for its
-    own Ctrl-C while the run continues, or the middle of the engine. If other code handles SIGINT, or outside the main thread,
-    nothing changes.
+    Python's own handler would raise KeyboardInterrupt in the code that runs. This may be a simulated program, which would
+    handle it as its own Ctrl-C while the run continues, or the middle of the engine. If other code handles SIGINT, or outside
+    the main thread, the context manager has no effect.
 
+    :param sim: the simulation to stop.
     :param on_first: called at the first SIGINT.
     :ivar came: whether a SIGINT has arrived.
     """

@@ -1,5 +1,7 @@
-"""Sets the running asyncio loop of a thread aside for a while. Simulated time passes inside loops, such as that of a notebook
-or a program. Code that runs during this time must find no running loop.
+"""Sets the running asyncio loop of a thread aside for a while.
+
+Simulated time passes inside loops, such as the loop of a notebook or of a program. Code that runs during this time must find no
+running loop.
 """
 
 from __future__ import annotations
@@ -18,7 +20,7 @@ NOTHING: Aside = (None, None)
 
 
 def set_aside() -> Aside:
-    """Make this thread have no running loop; return the argument for :func:`put_back`."""
+    """Set the running loop of this thread aside, and return the argument for :func:`put_back`."""
     loop = events._get_running_loop()
     task = tasks._swap_current_task(loop, None) if TASKS_ARE_THE_THREADS and loop is not None else None  # type: ignore[attr-defined]
     events._set_running_loop(None)
@@ -26,7 +28,10 @@ def set_aside() -> Aside:
 
 
 def put_back(aside: Aside) -> None:
-    """Make the loop the running one again, in the middle of its current task."""
+    """Make a loop the running one again, in the middle of its current task.
+
+    :param aside: the result of :func:`set_aside`.
+    """
     loop, task = aside
     events._set_running_loop(loop)
     if task is not None:
@@ -48,10 +53,10 @@ async def _all_ended(left: Iterable[Task[Any]]) -> None:
 
 @contextmanager
 def outer_loop_set_aside() -> Iterator[None]:
-    """Let simulated programs run as if no loop ran around them, and give the notebook its loop back afterwards.
+    """Run simulated programs as if no loop ran around them, and restore the outer loop (such as a notebook's) afterwards.
 
-    A launch that continues to run is left in the middle of its own loop. Without this function, the kernel would take that loop,
-    or none, for the running one.
+    A launch that continues to run stays in the middle of its own loop. Without this context manager, Jupyter would find that
+    loop, or no loop, as the running one.
     """
     hooks, outer = sys.get_asyncgen_hooks(), set_aside()
     try:

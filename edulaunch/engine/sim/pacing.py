@@ -1,4 +1,4 @@
-"""Real time as an add-on: waiting between the steps of a simulation so that it keeps pace with a real clock."""
+"""Keeps a simulation in pace with a real clock, by waiting between its steps."""
 
 from __future__ import annotations
 
@@ -15,9 +15,12 @@ FALLS_BEHIND_S = 0.25
 
 
 class Pacer:
-    """Runs a simulation at `speed` simulated seconds per real second; 0 means as fast as possible.
+    """Runs a simulation at a given speed.
 
-    :param clock, wait: reads and waits for real time, in seconds (for tests).
+    :param sim: the simulation.
+    :param speed: simulated seconds per real second; 0 means as fast as possible.
+    :param clock: a function that returns the real time in seconds; tests replace it.
+    :param wait: a function that waits for a number of real seconds; tests replace it.
     """
 
     def __init__(
@@ -34,7 +37,10 @@ class Pacer:
         self._wait = wait
 
     def run(self, until_ns: int | None, is_over: Callable[[], bool]) -> None:
-        """Run until `until_ns`, until `is_over()` is true, or until nothing is left to do."""
+        """Run until `until_ns`, until `is_over()` is true, or until the agenda is empty.
+
+        :param until_ns: a simulated time in nanoseconds, or None for no limit.
+        """
         sim = self.sim
         began_ns, began_s = sim.now_ns, self._clock()
         while not is_over():
@@ -51,7 +57,7 @@ class Pacer:
             sim.step()
 
     def _hold(self, until_ns: int | None, began_ns: int, began_s: float, is_over: Callable[[], bool]) -> None:
-        """Wait until the clock has reached the end, because nothing is due before."""
+        """Wait until the real clock has reached the end, because no item is due before."""
         if until_ns is None or is_over():
             return
         while self.speed and not is_over():
@@ -64,10 +70,13 @@ class Pacer:
 
 
 class RealTime:
-    """Simulated time that follows a real clock while its owner does other things. The owner calls :meth:`advance`, and then
-    waits at most for the returned time.
+    """Simulated time that follows a real clock while its owner does other things.
 
-    :param clock: reads real time, in seconds (for tests).
+    The owner repeatedly calls :meth:`advance`, and then waits at most for the returned time.
+
+    :param sim: the simulation.
+    :param speed: simulated seconds per real second.
+    :param clock: a function that returns the real time in seconds; tests replace it.
     """
 
     def __init__(self, sim: Simulation, speed: float = 1.0, *, clock: Callable[[], float] = time.monotonic) -> None:
@@ -82,7 +91,7 @@ class RealTime:
     def is_wall(self) -> bool:
         """Whether simulated time equals real time, as communication with the real world requires.
 
-        Then simulated time catches up with every delay. It cannot be paused, and the speed has no effect.
+        If so, simulated time catches up after every delay. It cannot be paused, and the speed has no effect.
         """
         return self._is_wall
 
@@ -116,13 +125,14 @@ class RealTime:
         self.go_on()
 
     def go_on(self) -> None:
-        """Let simulated time follow real time from now on, without catching up the real time that has passed."""
+        """Make simulated time follow real time from now on, without catching up on the real time that has already passed."""
         if not self._is_wall:
             self._began = self.sim.now_ns, self._clock()
 
     def advance(self) -> float | None:
-        """Run the items that are due, at most for a moment; return the real seconds until the next item is due, or None
-        without one.
+        """Run the items that are due, but only for a short time. Return the real seconds until the next item is due.
+
+        Return None if the agenda is empty or simulated time is paused.
         """
         sim = self.sim
         if self._paused:
@@ -148,6 +158,6 @@ class RealTime:
         return 1.0 if self._is_wall else self._speed
 
     def _due_ns(self) -> int:
-        """Return the simulated time for the current real time."""
+        """Return the simulated time that belongs to the current real time."""
         began_ns, began_s = self._began
         return began_ns + round((self._clock() - began_s) * 1e9 * self._pace)

@@ -1,6 +1,7 @@
-"""Parking: blocking code ends its turn, and gets another one later. A task is a greenlet, so that unmodified code may block
-anywhere in its call stack. Exactly one task runs at a time, and the agenda decides which one. All blocking (sleeping, locks,
-waiting for a message) uses `park` and `wake`.
+"""Parking: blocking code ends its turn, and gets another turn later.
+
+A task is a greenlet, so that unmodified code may block anywhere in its call stack. Exactly one task runs at a time, and the
+agenda decides which one. All blocking (sleeping, locks, waiting for a message) uses `park` and `wake`.
 """
 
 from __future__ import annotations
@@ -16,11 +17,11 @@ POLL_PAUSE_NS = 1_000_000
 
 
 class TaskKilled(BaseException):
-    """Raised inside a task that is being killed; a program cannot continue after it."""
+    """Raised inside a task that is being killed. A program cannot continue after this exception."""
 
 
 class Parking:
-    """The part of a task that waits; `task.py` has the start and the end of the program."""
+    """The part of a task that handles waiting. `task.py` handles the start and the end of the program."""
 
     def __init__(self, sim: Simulation) -> None:
         self.sim = sim
@@ -36,11 +37,13 @@ class Parking:
         self._turn: Item = [sim.start_ns, 0, 0, None]
 
     def park(self, deadline_ns: int | None = None) -> bool:
-        """End the turn until :meth:`wake`, or until the simulated time is `deadline_ns`. A wake since the last park ends this
-        one immediately, so callers must check their condition again.
+        """End the turn until :meth:`wake` is called, or until the simulated time is `deadline_ns`.
 
-        :returns: True when woken, False when the deadline came first.
-        :raises TaskKilled: when the task is killed. An :meth:`interrupt` may raise other exceptions.
+        If the task was woken after its last park, return immediately. So callers must check their condition again.
+
+        :param deadline_ns: a simulated time in nanoseconds, or None to wait without limit.
+        :returns: True if the task was woken, False if the deadline came first.
+        :raises TaskKilled: if the task is killed. An :meth:`interrupt` may raise other exceptions.
         """
         self._polls = 0
         # set before `_woken` is read, because a wake in another thread reads and sets them in the opposite order
@@ -72,9 +75,10 @@ class Parking:
         return woken
 
     def suspend(self) -> None:
-        """Stop the whole simulation in the middle of this turn: `run` and `step` return. The next call of either continues here.
+        """Stop the whole simulation in the middle of this turn, so that `run` or `step` returns. The next call of either
+        continues here.
 
-        This schedules nothing, so the recording of the run does not change.
+        The agenda contains no item for this, so the recording of the run does not change.
         """
         sim = self.sim
         sim.suspend(self._greenlet.switch)
@@ -86,7 +90,7 @@ class Parking:
             raise TaskKilled
 
     def waits_for_ever(self) -> bool:
-        """Return whether the task is parked, and only a :meth:`wake` can end that."""
+        """Return whether the task is parked without a deadline and has not been woken."""
         return self._parked and self._timer is None and not self._woken
 
     def _set_timer(self, deadline_ns: int | None) -> None:
@@ -103,8 +107,9 @@ class Parking:
             self._greenlet.switch()
 
     def wake(self) -> None:
-        """Let the task run again, after everything that is already due at this instant. A second wake before that has no
-        effect. A real thread may call this at any moment, and no wake is lost.
+        """Make the task run again, after everything that is already due at this instant.
+
+        A second call before the task runs has no effect. A real thread may call this at any moment, and no call is lost.
         """
         if not self._woken:
             self._woken = True
@@ -112,7 +117,9 @@ class Parking:
                 self._soon.append(self._turn)
 
     def interrupt(self, action: Callable[[], object]) -> None:
-        """Run `action` inside the task where it is parked (or will park next), so that its exceptions are raised there."""
+        """Run `action` inside the task where the task is parked (or will park next), so that exceptions of `action` are raised
+        there.
+        """
         self._interrupts.append(action)
         self.wake()
 
@@ -121,20 +128,24 @@ class Parking:
             self._interrupts.pop(0)()
 
     def attend(self) -> None:
-        """Handle :meth:`interrupt` and :meth:`kill` now, and not when the task parks the next time; called inside the task."""
+        """Handle earlier calls of :meth:`interrupt` and :meth:`kill` now. Otherwise, the task handles them when it parks next.
+
+        Only the task itself may call this.
+        """
         if self._killed:
             raise TaskKilled
         self._deliver_interrupts()
 
     def kill(self) -> None:
-        """End the task: each call of `park` raises `TaskKilled` from now on."""
+        """End the task: from now on, each call of `park` raises `TaskKilled`."""
         self._killed = True
         self.wake()
 
     def poll(self) -> None:
-        """Count a reading of the clock, and let simulated time pass for a program that reads it and never blocks. Time passes
-        after many readings at first, and after fewer ones later, until the program really blocks. If simulated time follows a
-        real clock, it is updated first.
+        """Count a reading of the clock, so that simulated time passes for a program that reads the clock and never blocks.
+
+        At first, time passes after many readings, and later after fewer readings, until the program really blocks. If
+        simulated time follows a real clock, it is updated first.
         """
         if self.sim.keep_up is not None:
             self.sim.keep_up()
@@ -144,7 +155,7 @@ class Parking:
             self._polls = POLLS_BEFORE_TIME_PASSES - POLLS_AFTER_THAT
 
     def sleep_until(self, at_ns: int) -> None:
-        """Park until the simulated time is `at_ns`, despite wakes in between. End the turn at least once."""
+        """Park until the simulated time is `at_ns`, even if the task is woken earlier. The task ends its turn at least once."""
         sim = self.sim
         missed = self.park(at_ns)
         while sim.now_ns < at_ns:

@@ -1,4 +1,4 @@
-"""Keeps simulated time equal to real time while programs wait for the real world, such as real programs or a person at a
+"""Keeps simulated time equal to real time while programs wait for the real world, such as a real program or a person at a
 keyboard.
 """
 
@@ -15,9 +15,10 @@ SILENCE_NS = 10**9
 
 
 class RealPace:
-    """One clock for all that wait for the real world. With any number of them, simulated time passes like real time.
+    """A clock that is shared by all waits for the real world. However many there are, simulated time passes like real time.
 
-    :param clock: reads real time in ns (for tests).
+    :param sim: the simulation.
+    :param clock: a function that returns the real time in ns; tests replace it.
     """
 
     def __init__(self, sim: Simulation, clock: Callable[[], int] = time.monotonic_ns) -> None:
@@ -26,12 +27,13 @@ class RealPace:
         self._anchor = self._last = sim.now_ns, clock()
 
     def begin(self) -> None:
-        """Let simulated and real time pass together from now on, starting from their current values."""
+        """Make simulated time follow real time from now on, starting from the current values of both."""
         self._anchor = self._last = self._sim.now_ns, self._clock()
 
     def ahead_s(self) -> float:
-        """Return how long to wait until real time reaches simulated time. After a second without a call, both start together
-        again.
+        """Return the seconds to wait until real time reaches simulated time.
+
+        If more than a second has passed since the last call, start again from the current values.
         """
         now, real = self._sim.now_ns, self._clock()
         if now - self._last[0] > SILENCE_NS or real - self._last[1] > SILENCE_NS:

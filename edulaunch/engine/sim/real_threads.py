@@ -1,7 +1,9 @@
-"""Real threads of a plain script that use ROS beside its main thread. In a plain script, `threading` is Python's own module, so
-`threading.Thread(target=rclpy.spin, args=(node,))` is a real thread. Such threads take part in the simulation of the main
-thread. Only the main thread runs items of the agenda. The others wait in real time for a wake or their deadline. While there is
-such a thread, simulated time keeps pace with real time, and runs do not repeat.
+"""Real threads of a plain script that use ROS in addition to the main thread.
+
+In a plain script, `threading` is Python's own module, so `threading.Thread(target=rclpy.spin, args=(node,))` is a real
+thread. Such threads take part in the simulation of the main thread. Only the main thread runs items of the agenda. The others
+wait in real time until they are woken or their deadline comes. While there is such a thread, simulated time keeps pace with
+real time, and runs do not repeat exactly.
 """
 
 from __future__ import annotations
@@ -17,7 +19,7 @@ THREAD_BEGINS_S = 0.02
 
 
 class RealThreads:
-    """The threads beside a main thread's task, and the clock that they share.
+    """The threads that take part in a main thread's simulation, and the clock that they share.
 
     :param host: the task of the main thread.
     """
@@ -31,7 +33,9 @@ class RealThreads:
         self._keeps_time = False
 
     def keep_time(self) -> None:
-        """Make simulated time equal to real time from now on, even without threads; called before anything has happened."""
+        """Make simulated time equal to real time from now on, even without other threads. Call this before the simulation
+        starts.
+        """
         sim = self._host.sim
         if sim.next_time_ns() is None and sim.now_ns == sim.start_ns:
             sim.start_ns = sim.now_ns = time.time_ns()
@@ -39,30 +43,35 @@ class RealThreads:
         sim.keep_up = self.now_ns
 
     def set_the_pace(self, due_ns: int | None) -> bool:
-        """Return whether the main thread must wait in real time for an item that is due at `due_ns` (None means never)."""
+        """Return whether the main thread must wait in real time for its next item.
+
+        :param due_ns: the simulated time of the item in nanoseconds, or None if there is no item.
+        """
         return self.are_here() or (self._keeps_time and due_ns is not None)
 
     def let_begin(self) -> None:
-        """Let threads that have just been started run for a moment."""
+        """Wait for a moment, in which threads that have just been started can run."""
         time.sleep(THREAD_BEGINS_S)
 
     def join(self) -> RealThreadTask:
-        """Let the running thread take part in the simulation. Return its task."""
+        """Add the running thread to the simulation, and return its task."""
         return RealThreadTask(self._host, self)
 
     def add(self, thread: threading.Thread) -> None:
-        """Add a thread. If it is the only one, simulated time follows real time from its current value."""
+        """Add a thread. If it is the only thread, simulated time follows real time from its current value."""
         if not self.are_here():
             self._anchor = self._host.sim.now_ns, time.monotonic_ns()
         self._threads.append(thread)
 
     def are_here(self) -> bool:
-        """Return whether any of the threads still runs."""
+        """Return whether any of the threads is still running."""
         self._threads = [thread for thread in self._threads if thread.is_alive()]
         return bool(self._threads)
 
     def now_ns(self) -> int:
-        """Update simulated time to the current real time, and return it. It never decreases, whichever thread calls this."""
+        """Update simulated time to the current real time, and return it. Simulated time never decreases, whichever thread
+        calls this.
+        """
         with self._setting_time:
             sim, here = self._host.sim, time.monotonic_ns()
             now = self._anchor[0] + here - self._anchor[1]
@@ -73,11 +82,14 @@ class RealThreads:
             return now
 
     def ring(self) -> None:
-        """Make the main thread check again immediately."""
+        """Make the main thread check its condition again immediately."""
         self._bell.set()
 
     def await_turn(self, due_ns: int | None) -> bool:
-        """Return whether an item at `due_ns` is due (None means never). If not, wait a moment, or for :meth:`ring`."""
+        """Return whether an item is due. If it is not, wait for a moment, or until :meth:`ring` is called, and return False.
+
+        :param due_ns: the simulated time of the item in nanoseconds, or None if there is no item.
+        """
         now = self.now_ns()
         if due_ns is not None and now >= due_ns:
             return True
@@ -87,7 +99,7 @@ class RealThreads:
 
 
 class RealThreadTask(AmbientTask):
-    """Represents the code of a real thread in the simulation of the main thread."""
+    """The task that represents a real thread in the simulation of the main thread."""
 
     is_real_thread = True
 
@@ -99,9 +111,10 @@ class RealThreadTask(AmbientTask):
         self._clock.add(threading.current_thread())
 
     def park(self, deadline_ns: int | None = None) -> bool:
-        """Do the same as :meth:`Task.park`, in real time. It may return early, because not every end of a wait wakes the waiting
-        task, so the task checks from time to time. A wake is never lost: the task checks its condition after it has cleared the
-        flag.
+        """Wait like :meth:`Task.park`, but in real time.
+
+        The method may return early, because not every end of a wait wakes the waiting task, so the caller must check its
+        condition. A wake is never lost: the caller checks its condition after this method has cleared the flag.
         """
         self._clock.ring()
         wait_s = LOOK_EVERY_S
@@ -127,7 +140,7 @@ class RealThreadTask(AmbientTask):
 
 
 def start_real_thread(body: Callable[[], object], name: str) -> Task:
-    """Run `body` in another real thread; return its task."""
+    """Run `body` in a new real thread, and return the task of the thread."""
     begun = threading.Event()
     tasks: list[Task] = []
 

@@ -25,17 +25,18 @@ Item = list[Any]
 
 
 class Simulation:
-    """Owns the time (integer nanoseconds), one agenda and the seed. Nothing else keeps a clock.
+    """The time (integer nanoseconds), the agenda and the seed of one simulation. There is no other clock.
 
-    The agenda is a heap of (time, priority, sequence, callback): among equal times, the priority and then the order of the
-    requests decide. Items for the current instant with the usual priority 0 are in a queue beside the heap. The order is the
-    same, because the heap's items for this instant were requested earlier. The queue is much faster.
+    The agenda is a heap of (time, priority, sequence, callback). Items with equal times run in order of their priority, and
+    then in the order in which they were scheduled. Items for the current instant with the usual priority 0 are in a queue
+    beside the heap, which is much faster. The order is the same, because the heap's items for this instant were scheduled
+    earlier.
 
     Callbacks run on the *hub*, the greenlet that called :meth:`run`; they must not block (a program that blocks is a
     :class:`~edulaunch.engine.sim.task.Task`).
 
     :param seed: the seed of every random generator of the run.
-    :param start_ns: the simulated time at the beginning.
+    :param start_ns: the simulated time at the beginning, in nanoseconds.
     """
 
     def __init__(self, seed: int = 0, start_ns: int = EPOCH_NS) -> None:
@@ -53,13 +54,15 @@ class Simulation:
 
     @property
     def elapsed_s(self) -> float:
-        """Simulated seconds since the start."""
+        """The simulated seconds since the start."""
         return (self.now_ns - self.start_ns) / 1e9
 
     def schedule(self, at_ns: int, callback: Callable[[], object], priority: int = 0) -> Item:
-        """Add `callback` to the agenda for `at_ns`. Among equal times, the lowest priority number runs first.
+        """Add `callback` to the agenda, and return the new item.
 
-        :raises SimulationError: when `at_ns` has passed already.
+        :param at_ns: the simulated time in nanoseconds.
+        :param priority: among items with equal times, the lowest number runs first.
+        :raises SimulationError: if `at_ns` has already passed.
         """
         if at_ns < self.now_ns:
             raise SimulationError(f'cannot schedule {self.now_ns - at_ns} ns into the past')
@@ -73,11 +76,11 @@ class Simulation:
 
     @staticmethod
     def cancel(item: Item) -> None:
-        """Remove an item from the agenda; ignore one that has already run."""
+        """Cancel an item of the agenda. Do nothing if the item has already run."""
         item[3] = None
 
     def next_time_ns(self) -> int | None:
-        """Return when the next item is due, or None for an empty agenda."""
+        """Return the simulated time at which the next item is due, or None for an empty agenda."""
         agenda = self.agenda
         while agenda and agenda[0][3] is None:
             heappop(agenda)
@@ -86,13 +89,13 @@ class Simulation:
         return agenda[0][0] if agenda else None
 
     def step(self) -> bool:
-        """Run the next item. Return False without one."""
+        """Run the next item. Return False if there is no item."""
         self.hub = getcurrent()
         self.hands_on = False
         return self._run_next(FAR_NS)
 
     def _run_next(self, limit_ns: int) -> bool:
-        """Run the next item; return False without one until `limit_ns`."""
+        """Run the next item. Return False if no item is due by `limit_ns`."""
         agenda, soon = self.agenda, self._soon
         while soon or agenda:
             if soon and not (agenda and agenda[0][0] == self.now_ns and agenda[0][1] <= 0):
@@ -109,7 +112,10 @@ class Simulation:
         return False
 
     def run(self, until_ns: int | None = None) -> None:
-        """Run items until the agenda is empty, the time has reached `until_ns`, or :meth:`stop` is called."""
+        """Run items until the agenda is empty, the time has reached `until_ns`, or :meth:`stop` is called.
+
+        :param until_ns: a simulated time in nanoseconds, or None for no limit.
+        """
         self._stopped = False
         self.hands_on = True
         self.hub = getcurrent()
@@ -126,7 +132,9 @@ class Simulation:
         self.hands_on = False
 
     def suspend(self, go_on: Callable[[], object]) -> None:
-        """Stop, and run `go_on` as the next item, before all others. See `Parking.suspend`."""
+        """Make :meth:`run` return, and run `go_on` before all other items when the simulation continues. See
+        `Parking.suspend`.
+        """
         heappush(self.agenda, [self.now_ns, -FAR_NS, 0, go_on])
         self.stop()
 
@@ -137,18 +145,18 @@ class Simulation:
 
     @property
     def was_stopped(self) -> bool:
-        """Whether the last :meth:`run` ended by :meth:`stop`."""
+        """Whether :meth:`stop` ended the last :meth:`run`."""
         return self._stopped
 
     def leap(self, to_ns: int) -> None:
-        """Set the time forward, and move all items of the agenda by the same amount. A past time changes nothing."""
+        """Set the time forward to `to_ns`, and move all items of the agenda by the same amount. A past time has no effect."""
         by_ns = max(0, to_ns - self.now_ns)
         for item in self.agenda:
             item[0] += by_ns
         self.now_ns += by_ns
 
     def random(self, name: str) -> random.Random:
-        """Return a separate random generator for `name`; the same seed and name give the same numbers on every machine."""
+        """Return a separate random generator for `name`. The same seed and name give the same numbers on every machine."""
         import random
 
         return random.Random(f'{self.seed}/{name}'.encode('utf-8', 'surrogatepass'))  # a name may have half a character

@@ -10,9 +10,10 @@ from edulaunch.engine.sim.task import Task, current_task
 
 
 def sleep(seconds: float) -> None:
-    """Let simulated time pass for this program only, as `time.sleep` does; other programs continue.
+    """Wait in simulated time, as `time.sleep` does in real time; other programs continue.
 
-    :raises ValueError: for a negative length.
+    :param seconds: simulated seconds.
+    :raises ValueError: if `seconds` is negative.
     """
     if seconds < 0:
         raise ValueError('sleep length must be non-negative')
@@ -27,8 +28,8 @@ def _deadline(task: Task, timeout: float | None) -> int | None:
 def wait_until(ready: Callable[[], bool], waiters: deque[Task], timeout: float | None) -> bool:
     """Park the running task in `waiters` until `ready()` is true, or for `timeout` simulated seconds.
 
-    :param timeout: None, or a negative number, waits without limit.
-    :returns: False when the time ended first.
+    :param timeout: simulated seconds; None or a negative number means no limit.
+    :returns: False if the timeout came first, otherwise True.
     """
     task = current_task()
     deadline = _deadline(task, timeout)
@@ -45,21 +46,28 @@ def wait_until(ready: Callable[[], bool], waiters: deque[Task], timeout: float |
 
 
 class Lock:
-    """The simulated `threading.Lock`; waiting tasks get it in the order of their requests."""
+    """The simulated `threading.Lock`. Waiting tasks acquire it in the order of their requests."""
 
     def __init__(self) -> None:
         self._held = False
         self._waiters: deque[Task] = deque()
 
     def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
-        """Acquire the lock, and wait for it if `blocking`; return whether it was acquired."""
+        """Acquire the lock, and return whether this succeeded.
+
+        :param blocking: whether to wait for the lock.
+        :param timeout: simulated seconds; a negative number means no limit.
+        """
         if self._held and not (blocking and wait_until(lambda: not self._held, self._waiters, timeout)):
             return False
         self._held = True
         return True
 
     def release(self) -> None:
-        """Release the lock. Raise RuntimeError if it is not locked."""
+        """Release the lock.
+
+        :raises RuntimeError: if the lock is not held.
+        """
         if not self._held:
             raise RuntimeError('release unlocked lock')
         self._held = False
@@ -86,7 +94,11 @@ class RLock:
         self._count = 0
 
     def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
-        """Acquire the lock again; return True on success."""
+        """Acquire the lock, possibly again, and return whether this succeeded.
+
+        :param blocking: whether to wait for the lock.
+        :param timeout: simulated seconds; a negative number means no limit.
+        """
         task = current_task()
         if self._owner is not task:
             if not self._lock.acquire(blocking, timeout):
@@ -96,7 +108,10 @@ class RLock:
         return True
 
     def release(self) -> None:
-        """Undo one `acquire`. Raise RuntimeError for a task that does not hold the lock."""
+        """Undo one call of `acquire`.
+
+        :raises RuntimeError: if the running task does not hold the lock.
+        """
         if self._owner is not current_task():
             raise RuntimeError('cannot release un-acquired lock')
         self._count -= 1
@@ -115,7 +130,7 @@ class RLock:
 
 
 class Condition:
-    """A condition variable that works like `threading.Condition`."""
+    """The simulated `threading.Condition`."""
 
     def __init__(self, lock: Lock | RLock | None = None) -> None:
         self._lock: Any = lock if lock is not None else RLock()
@@ -131,7 +146,10 @@ class Condition:
         self._lock.release()
 
     def wait(self, timeout: float | None = None) -> bool:
-        """Release the lock, wait for a notification, and acquire the lock again. Return False if the time ran out."""
+        """Release the lock, wait for a notification, and acquire the lock again. Return False if the timeout came first.
+
+        :param timeout: simulated seconds; None or a negative number means no limit.
+        """
         is_notified = [False]
         self._waiting.append(is_notified)
         depth = self._release_fully()
@@ -150,9 +168,9 @@ class Condition:
         return depth
 
     def wait_for(self, predicate: Callable[[], Any], timeout: float | None = None) -> Any:
-        """Wait until `predicate()` is true; return its last value.
+        """Wait until `predicate()` is true, and return its last value.
 
-        :param timeout: simulated seconds; None, or a negative number, waits without limit.
+        :param timeout: simulated seconds; None or a negative number means no limit.
         """
         task = current_task()
         deadline = _deadline(task, timeout)
@@ -174,7 +192,7 @@ class Condition:
             task.wake()
 
     def notify_all(self) -> None:
-        """Wake all tasks."""
+        """Wake all waiting tasks."""
         self.notify(len(self._waiting))
 
 
@@ -200,7 +218,7 @@ class Event:
         self._flag = False
 
     def wait(self, timeout: float | None = None) -> bool:
-        """Wait until the event is set; return False if the time ran out."""
+        """Wait until the event is set. Return False if the timeout came first."""
         return wait_until(lambda: self._flag, self._waiters, timeout)
 
 
@@ -214,7 +232,7 @@ class Semaphore:
         self._waiters: deque[Task] = deque()
 
     def acquire(self, blocking: bool = True, timeout: float | None = None) -> bool:
-        """Decrease the counter, and wait at zero if `blocking`; return whether it was decreased."""
+        """Decrease the counter, and return whether this succeeded. If the counter is zero and `blocking` is true, wait first."""
         if not self._value and not (blocking and wait_until(lambda: self._value > 0, self._waiters, timeout)):
             return False
         self._value -= 1
@@ -241,7 +259,10 @@ class BoundedSemaphore(Semaphore):
         self._limit = value
 
     def release(self, n: int = 1) -> None:
-        """Increase the counter by `n`. Raise ValueError above the initial value."""
+        """Increase the counter by `n`.
+
+        :raises ValueError: if the counter would exceed its initial value.
+        """
         if self._value + n > self._limit:
             raise ValueError('Semaphore released too many times')
         super().release(n)

@@ -1,5 +1,6 @@
-"""Programs as tasks: their start, their end, and the running one. `parking.py` lets them wait. The code of a plain script is a
-task, too (`AmbientTask`), which is created when the script first uses ROS.
+"""Programs as tasks: their start, their end, and the running task. `parking.py` handles their waiting.
+
+The code of a plain script is a task, too (`AmbientTask`), which is created when the script first uses ROS.
 """
 
 from __future__ import annotations
@@ -21,9 +22,10 @@ from edulaunch.errors import SimulationError
 class Task(Parking):
     """One blocking program in simulated time.
 
-    :param body: the program; `result` stores its return value, and `exception` an exception that leaves it.
-    :param name: a name for people.
-    :param owner: the owner of the running code (a `Process`), which :func:`current_task` gives access to.
+    :param sim: the simulation.
+    :param body: the program. `result` stores its return value, and `exception` an exception that it raises.
+    :param name: the name that messages show.
+    :param owner: the owner of the running code (a `Process`). Code can read it from :func:`current_task`.
     """
 
     def __init__(self, sim: Simulation, body: Callable[[], object], *, name: str = 'task', owner: Any = None) -> None:
@@ -41,14 +43,14 @@ class Task(Parking):
 
     @property
     def frame(self) -> FrameType | None:
-        """The frame in which the task is parked; None while it runs, and after its end."""
+        """The frame in which the task is parked, or None while the task runs and after its end."""
         return getattr(self._greenlet, 'gr_frame', None)
 
     is_real_thread = False
     """Whether the task represents a real thread beside the main one; see `real_threads.py`."""
 
     def start(self) -> None:
-        """Give the task its first turn, at the current simulated time."""
+        """Schedule the first turn of the task at the current simulated time."""
         starter = running_task()
         if starter is not None and starter.is_real_thread:  # only the main thread creates greenlets and knows the time
             self._soon.append([self.sim.start_ns, 0, 1, lambda: self._make_greenlet()()])
@@ -63,8 +65,8 @@ class Task(Parking):
         return switch
 
     def start_at_once(self) -> None:
-        """Do the same as :meth:`start`, before everything else that was requested for this instant. The calling task continues
-        when the new one first waits.
+        """Run the task before everything else that is due at this instant. The calling task continues when the new task first
+        waits.
         """
         self._soon.appendleft([self.sim.now_ns, 0, 0, self._make_greenlet()])
         starter = running_task()
@@ -72,7 +74,7 @@ class Task(Parking):
             starter.run_next_first()
 
     def run_next_first(self) -> None:
-        """Run the first item that is due at this instant, then continue. Wakes in the meantime are kept."""
+        """Run the first item that is due at this instant, and then continue this task. Wakes in the meantime are not lost."""
         due = self._soon.popleft()
         self._soon.extendleft((self._turn, due))
         if self.loop is None:
@@ -99,7 +101,7 @@ class Task(Parking):
             callback(self)
 
     def add_done_callback(self, callback: Callable[[Task], object]) -> None:
-        """Call `callback(task)` when the program has ended (immediately if it already has)."""
+        """Call `callback(task)` when the program has ended, or immediately if it has already ended."""
         if self.finished:
             callback(self)
         else:
@@ -107,29 +109,33 @@ class Task(Parking):
 
 
 class ThreadsBeside(Protocol):
-    """The real threads beside the main thread of a plain script; see `real_threads.py`."""
+    """The real threads that take part in the simulation of a plain script's main thread; see `real_threads.py`."""
 
     def keep_time(self) -> None:
         """Make simulated time equal to real time from now on."""
 
     def set_the_pace(self, due_ns: int | None) -> bool:
-        """Return whether the main thread must wait in real time for an item that is due at `due_ns` (None means never)."""
+        """Return whether the main thread must wait in real time for an item that is due at `due_ns`. None means that there is
+        no item.
+        """
 
     def await_turn(self, due_ns: int | None) -> bool:
-        """Return whether the item at `due_ns` is due; if not, wait for a moment."""
+        """Return whether the item at `due_ns` is due. If it is not, wait for a moment, and return False."""
 
     def let_begin(self) -> None:
-        """Let threads that have just been started run for a moment."""
+        """Wait for a moment, in which threads that have just been started can run."""
 
     def ring(self) -> None:
-        """Make the main thread check again immediately."""
+        """Make the main thread check its condition again immediately."""
 
     def join(self) -> AmbientTask:
-        """Let the running thread take part in the simulation. Return its task."""
+        """Add the running thread to the simulation, and return its task."""
 
 
 class AmbientTask(Task):
-    """Stands for code outside any task, such as a plain script or a notebook cell: parking it runs the simulation in place."""
+    """The task of code outside any other task, such as a plain script or a notebook cell. Parking it runs the simulation in
+    place.
+    """
 
     def __init__(self, sim: Simulation, owner: Any = None) -> None:
         super().__init__(sim, lambda: None, name='main', owner=owner)
@@ -137,7 +143,10 @@ class AmbientTask(Task):
         self._threads = threading.active_count()
 
     def park(self, deadline_ns: int | None = None) -> bool:
-        """Do the same as :meth:`Task.park`. Raise SimulationError when no item of the agenda can end the wait."""
+        """Wait like :meth:`Task.park`, and run the simulation meanwhile.
+
+        :raises SimulationError: if no item of the agenda can end the wait.
+        """
         sim = self.sim
         while not self._woken:
             next_ns = sim.next_time_ns()
@@ -163,29 +172,31 @@ class AmbientTask(Task):
         return True
 
     def wake(self) -> None:
-        """Do the same as :meth:`Task.wake`; callable from another thread."""
+        """Wake the task like :meth:`Task.wake`. Another thread may call this, too."""
         super().wake()
         if self.real_threads is not None:
             self.real_threads.ring()
 
     def run_next_first(self) -> None:
-        """Run the first item that is due at this instant in place."""
+        """Run the next item of the agenda in place."""
         self.sim.step()
 
 
 class _TaskGreenlet(greenlet):  # type: ignore[misc]
-    """A greenlet that knows its task."""
+    """A greenlet with an attribute for its task."""
 
     task: Task
 
 
 def running_task() -> Task | None:
-    """Return the task whose code runs now, or None on the hub and outside any simulation."""
+    """Return the task whose code is running now, or None on the hub and outside any simulation."""
     return getattr(getcurrent(), 'task', None)
 
 
 def current_task() -> Task:
-    """Return the task whose code runs now; outside any task, the ambient task of this thread, which is created on first use."""
+    """Return the task whose code is running now. Outside any task, return the ambient task of this thread, and create it on
+    first use.
+    """
     current = getcurrent()
     try:
         task: Task = current.task
@@ -195,8 +206,10 @@ def current_task() -> Task:
 
 
 def _ambient_task() -> AmbientTask:
-    """Return the ambient task of this thread. The main thread and independent threads have their own task. Other threads have
-    one that takes part in the main thread's simulation.
+    """Return a new ambient task for this thread.
+
+    If the main thread's task accepts other threads, the new task takes part in the main thread's simulation. Otherwise, it
+    has its own simulation.
     """
     host = getattr(_MAIN, 'task', None)
     beside = host.real_threads if isinstance(host, AmbientTask) and host.owner is not None else None
@@ -205,7 +218,7 @@ def _ambient_task() -> AmbientTask:
 
 
 def task_around(frame: FrameType | None) -> Task | None:
-    """Return the task that runs a frame of another thread, from the bottom of the frame's stack."""
+    """Return the task that a frame of another thread belongs to, or None. The search goes to the bottom of the frame's stack."""
     while frame is not None:
         if frame.f_code is Task._run.__code__:
             task: Task = frame.f_locals['self']
@@ -215,7 +228,7 @@ def task_around(frame: FrameType | None) -> Task | None:
 
 
 def _main_greenlet() -> Any:
-    """Return the greenlet of the main thread outside any task; None if another thread imported this module."""
+    """Return the greenlet of the main thread outside any task, or None if another thread imported this module."""
     if threading.current_thread() is not threading.main_thread():
         return None
     found = getcurrent()

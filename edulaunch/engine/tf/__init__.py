@@ -1,7 +1,7 @@
 """Transforms and their time-ordered buffer, with numbers only: no nodes, topics or messages.
 
 Read `quaternions.py` and `transforms.py` (the maths), then `history.py` (one frame over time) and `path.py` (the usual lookup).
-`walk.py` is the lookup in all its detail, and `buffer.py` combines them.
+`walk.py` handles all other lookups, and `buffer.py` combines these files.
 """
 
 from __future__ import annotations

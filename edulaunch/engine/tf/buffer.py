@@ -22,7 +22,7 @@ ACCEPTED: tuple[Rejection, ...] = ()
 
 
 class TransformBuffer:
-    """Transforms of a tree of frames over the last seconds.
+    """The transforms of a tree of frames over the last seconds.
 
     :param cache_ns: the length of each frame's history before its newest sample, in ns.
     """
@@ -39,9 +39,9 @@ class TransformBuffer:
     ) -> tuple[Rejection, ...]:
         """Add one transform: `pose` (metres, and (x, y, z, w)) of the frame `child` relative to `parent` at `stamp_ns`.
 
-        :param authority: name of the node that broadcasts it.
-        :param static: whether it holds at all times; then the stamp does not matter.
-        :returns: the log lines of tf2 when it rejects the transform, as (severity, text); empty if it was accepted.
+        :param authority: the name of the node that broadcasts the transform.
+        :param static: whether the transform is valid at all times. The stamp then has no effect.
+        :returns: the log lines with which tf2 rejects the transform, as (severity, string); empty if the transform was accepted.
         """
         x, y, z, qx, qy, qz, qw = pose
         square = qx * qx + qy * qy + qz * qz + qw * qw
@@ -98,16 +98,16 @@ class TransformBuffer:
         return ACCEPTED
 
     def clear(self) -> None:
-        """Remove the samples of all dynamic frames; names and static transforms stay."""
+        """Remove the samples of all dynamic frames. The names of frames and static transforms stay."""
         for history in self._frames.values():
             if history is not None and not history.static:
                 history.forget()
         self._paths.clear()
 
     def lookup(self, target: str, source: str, time_ns: int = 0) -> tuple[int, Transform]:
-        """Return (stamp in ns, target_from_source) between the frames `target` and `source`, interpolated between samples.
+        """Return (stamp in ns, target_from_source) for the frames `target` and `source`, interpolated between samples.
 
-        :param time_ns: time in ns; 0 means the latest common time.
+        :param time_ns: the time in ns; 0 means the latest common time.
         :raises TransformFailure: for an unknown name, a missing connection, or a time without data.
         """
         path = self._paths.get((target, source))
@@ -123,8 +123,9 @@ class TransformBuffer:
         return walk(self._frames, target, source, time_ns)
 
     def lookup_full(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> tuple[int, Transform]:
-        """Return the transform from `source` at `source_ns` to `target` at `target_ns`, over the frame `fixed`, which does not
-        move between these times.
+        """Return (stamp in ns, transform from `source` at `source_ns` to `target` at `target_ns`).
+
+        The two times are connected by the frame `fixed`, which does not move between them.
 
         :raises TransformFailure: as in :meth:`lookup`, for any of the three names.
         """
@@ -133,19 +134,23 @@ class TransformBuffer:
         return stamp_ns, canonical(compose(target_from_fixed, self.lookup(fixed, source, source_ns)[1]))
 
     def can_transform(self, target: str, source: str, time_ns: int = 0) -> tuple[bool, str]:
-        """Return (whether `lookup(target, source, time_ns)` would succeed, why not)."""
+        """Return whether `lookup(target, source, time_ns)` would succeed, and the reason if it would not ('' otherwise)."""
         path = self._paths.get((target, source))
         if target == source or path is not None and path.covers(time_ns or path.latest_common_time()):
             return True, ''
         return self._try(problem(self._frames, target, source), target, source, time_ns)
 
     def can_transform_full(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> tuple[bool, str]:
-        """Return (whether `lookup_full(target, target_ns, source, source_ns, fixed)` would succeed, why not)."""
+        """Return whether `lookup_full(target, target_ns, source, source_ns, fixed)` would succeed, and the reason if it would
+        not.
+        """
         possible, reason = self._try(problem(self._frames, target, source, fixed), target, fixed, target_ns)
         return self._try('', fixed, source, source_ns) if possible else (False, reason)
 
     def latest_common_time(self, target: str, source: str) -> int:
-        """Return the latest time, in ns, of the transform from `source` to `target`; 0 if all transforms on the path are static.
+        """Return the latest time in ns at which the transform from `source` to `target` is known.
+
+        Return 0 if all transforms on the path are static.
 
         :raises TransformFailure: for an unknown name, or a missing connection.
         """
@@ -154,17 +159,20 @@ class TransformBuffer:
         return latest_common_time(self._frames, target, source)
 
     def chain(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> list[str]:
-        """Return the frames on the path of `lookup_full(target, target_ns, source, source_ns, fixed)`, or raise its error."""
+        """Return the frames on the path of `lookup_full(target, target_ns, source, source_ns, fixed)`.
+
+        :raises TransformFailure: as in :meth:`lookup_full`.
+        """
         check_names(self._frames, target, source, fixed)
         below = chain(self._frames, fixed, source, source_ns)
         return below + chain(self._frames, target, fixed, target_ns)[1:]
 
     def frame_exists(self, name: str) -> bool:
-        """Return whether a transform has mentioned the frame `name`."""
+        """Return whether the buffer has received a transform that names the frame `name`."""
         return name in self._frames
 
     def frame_names(self) -> list[str]:
-        """Return all frames in the order of their first mention."""
+        """Return all frames in the order in which they were first named."""
         return list(self._frames)
 
     def all_frames_as_yaml(self) -> str:
@@ -172,11 +180,11 @@ class TransformBuffer:
         return dumps.all_frames_as_yaml(self._frames)
 
     def all_frames_as_string(self) -> str:
-        """Return all frames, one on a line; see :func:`edulaunch.engine.tf.dumps.all_frames_as_string`."""
+        """Return all frames as lines; see :func:`edulaunch.engine.tf.dumps.all_frames_as_string`."""
         return dumps.all_frames_as_string(self._frames)
 
     def all_frames_as_dot(self, now_ns: int = 0) -> str:
-        """Return the tree at the time `now_ns`; see :func:`edulaunch.engine.tf.dumps.all_frames_as_dot`."""
+        """Return the tree as a graphviz graph at the time `now_ns`; see :func:`edulaunch.engine.tf.dumps.all_frames_as_dot`."""
         return dumps.all_frames_as_dot(self._frames, now_ns)
 
     def _newest(self, frame: str) -> int:

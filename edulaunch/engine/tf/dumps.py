@@ -1,4 +1,4 @@
-"""All frames of a buffer as text: tf2's plain list, its YAML and its graphviz form."""
+"""All frames of a buffer as a string: tf2's plain list, its YAML and its graphviz graph."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ SHORTEST_SPAN_S = 0.0001  # tf2 uses this as the shortest time span when it comp
 
 
 def seconds(time_ns: int) -> float:
-    """Return the nanoseconds as float seconds, rounded like tf2 (whole seconds and fraction separately)."""
+    """Convert nanoseconds to float seconds, rounded like tf2 (whole seconds and fraction separately)."""
     whole, rest = divmod(time_ns, 1_000_000_000)
     return whole + rest * 1e-9
 
 
 def seconds_text(time_ns: int) -> str:
-    """Return the seconds with six decimals, as in tf2's messages."""
+    """Return the seconds as a string with six decimals, as in tf2's messages."""
     return f'{seconds(time_ns):.6f}'
 
 
 def rate(history: History) -> float:
-    """Return the samples per second over the stored time span; 10000 for a single or static sample, as in tf2."""
+    """Return the samples per second over the stored time span. For a single or static sample, return 10000, as tf2 does."""
     return history.count / max(seconds(history.newest - history.oldest), SHORTEST_SPAN_S)
 
 
@@ -35,7 +35,7 @@ def all_frames_as_string(frames: Mapping[str, History | None]) -> str:
 
 
 def all_frames_as_yaml(frames: Mapping[str, History | None]) -> str:
-    """Return the text that `view_frames` reads: parent, broadcaster, rate and span of each child frame."""
+    """Return the YAML that `view_frames` reads: parent, broadcaster, rate and time span of each child frame."""
     if not frames:
         return '[]'
     return ''.join(_yaml_block(name, history) for name, history in _with_data(frames))
@@ -60,7 +60,7 @@ def _yaml_block(name: str, history: History) -> str:
 
 
 def all_frames_as_dot(frames: Mapping[str, History | None], now_ns: int = 0) -> str:
-    """Return a graphviz graph; with `now_ns` also the age of each newest sample, and a legend at each root."""
+    """Return a graphviz graph. With `now_ns`, it also shows the age of each newest sample, and a legend at each root."""
     if not frames:
         return 'digraph G {\n"no tf data received"}'
     edges = [_dot_edge(name, history, now_ns) for name, history in _with_data(frames)]

@@ -1,4 +1,4 @@
-"""The error of the buffer for a lookup without a result."""
+"""The error that the buffer raises for a lookup without a result."""
 
 from __future__ import annotations
 
@@ -9,10 +9,12 @@ INVALID_ARGUMENT = 'invalid_argument'
 
 
 class TransformFailure(Exception):
-    """A lookup without a result; `str()` is the message of the real tf2. It never reaches a student, because `tf2_py` raises
-    the exception of tf2 that belongs to `kind`.
+    """A lookup has no result. The message is that of the real tf2.
 
-    :param kind: one of the kinds of this module.
+    Students do not see this error, because `tf2_py` raises the exception of tf2 that belongs to `kind`.
+
+    :param kind: one of the kinds that this module defines.
+    :param text: the message.
     """
 
     def __init__(self, kind: str, text: str) -> None:

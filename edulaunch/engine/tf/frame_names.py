@@ -10,10 +10,10 @@ ARGUMENTS = ('target_frame', 'source_frame', 'fixed_frame')
 
 
 def check_name(frames: Container[str], name: str, function: str) -> None:
-    """Check that a frame exists.
+    """Raise an error unless a frame exists.
 
     :raises TransformFailure: with tf2's message, in which `function` is the called function.
-    :raises TypeError: for a value that is not a string, such as the None of a parameter without a value.
+    :raises TypeError: if the name is not a string, such as None from a parameter without a value.
     """
     if name in frames:
         return
@@ -24,13 +24,13 @@ def check_name(frames: Container[str], name: str, function: str) -> None:
 
 
 def check_names(frames: Container[str], *names: str) -> None:
-    """Call :func:`check_name` for the arguments of lookupTransform: target, source and fixed frame."""
+    """Call :func:`check_name` for each argument of lookupTransform: target, source and fixed frame."""
     for name, argument in zip(names, ARGUMENTS, strict=False):
         check_name(frames, name, f'lookupTransform argument {argument}')
 
 
 def problem(frames: Container[str], *names: str) -> str:
-    """Return canTransform's message about its arguments; '' if all of them are known frames."""
+    """Return canTransform's message about its arguments, or '' if all frames are known."""
     for name, argument in zip(names, ARGUMENTS, strict=False):
         if name not in frames:
             rule = _broken_rule(name) or 'frame does not exist'

@@ -14,8 +14,8 @@ COMPACT_AT = 64
 class History:
     """The samples of one child frame, oldest first: three parallel lists from index `first` on.
 
-    Old samples are dropped by moving `first`. The lists are cut when half of their entries have been dropped, so the cost of an
-    insert does not depend on their length. A lookup at any time costs a bisection.
+    Old samples are dropped by increasing `first`. The lists are cut when half of their entries have been dropped, so the cost
+    of an insert does not depend on their length. A lookup at any time uses a bisection.
 
     :param name: the child frame.
     :param static: True for a frame of /tf_static: one sample, valid at all times.
@@ -40,16 +40,16 @@ class History:
 
     @property
     def newest(self) -> int:
-        """The stamp of the newest sample; 0 for a static or empty history."""
+        """The stamp of the newest sample in ns, or 0 for a static or empty history."""
         return self.stamps[-1] if self.stamps else 0
 
     @property
     def oldest(self) -> int:
-        """The stamp of the oldest sample; 0 for a static or empty history."""
+        """The stamp of the oldest sample in ns, or 0 for a static or empty history."""
         return self.stamps[self.first] if self.stamps else 0
 
     def replace(self, parent: str, pose: Transform) -> None:
-        """Store only this sample, which is a static transform without a stamp."""
+        """Replace all samples by a static transform without a stamp."""
         self.stamps[:], self.poses[:], self.parents[:] = [0], [pose], [parent]
 
     def forget(self) -> None:
@@ -61,7 +61,7 @@ class History:
         self.mixed = False
 
     def prune(self, horizon_ns: int) -> None:
-        """Drop samples older than `horizon_ns`; the newest one always stays."""
+        """Drop samples older than `horizon_ns`. The newest sample always stays."""
         stamps, first = self.stamps, self.first
         while stamps[first] < horizon_ns:
             first += 1
@@ -73,7 +73,9 @@ class History:
                 self.mixed = any(parent != self.parents[-1] for parent in self.parents)
 
     def insert(self, parent: str, stamp_ns: int, pose: Transform) -> None:
-        """Insert a sample in order of time. Among equal stamps it becomes the newest; a known sample is ignored.
+        """Insert a sample in order of time. Do nothing if the history already contains the sample.
+
+        Among samples with equal stamps, the new sample becomes the newest.
 
         :param parent: the name of the parent frame.
         :param stamp_ns: the time of the sample in ns.
@@ -96,12 +98,16 @@ class History:
         self.parents.insert(place, parent)
 
     def pose_at(self, time_ns: int) -> Transform | None:
-        """Return the pose at a time (0 means the newest); None if it would need extrapolation. See :func:`poses_at`."""
+        """Return the pose at a time (0 means the newest), or None if it would need extrapolation. See :func:`poses_at`."""
         found = poses_at((self,), time_ns) if self.stamps else None
         return found[0] if found else None
 
     def sample(self, time_ns: int) -> tuple[Transform, str] | None:
-        """Return (:meth:`pose_at`, parent); between samples of different parents, the older one counts unchanged."""
+        """Return (pose, parent) at a time, or None if the pose would need extrapolation.
+
+        The pose is that of :meth:`pose_at`. Between samples with different parents, it is the pose of the older sample, without
+        interpolation.
+        """
         pose = self.pose_at(time_ns)
         if pose is None:
             return None
@@ -115,11 +121,11 @@ class History:
 
 
 def poses_at(histories: Sequence[History], time_ns: int) -> list[Transform] | None:
-    """Return the pose of each frame at a time (0 means the newest); None if one of them would need extrapolation.
+    """Return the pose of each frame at a time (0 means the newest), or None if a pose would need extrapolation.
 
-    Between two samples, the result is interpolated. At a stamp with several samples, the last inserted one counts, except at the
-    oldest stamp, where the first one counts (as in tf2). The loop has no function call for each frame, because lookups in the
-    past spend their time here.
+    Between two samples, the result is interpolated. At a stamp with several samples, the last inserted one is used. At the
+    oldest stamp, the first one is used (as in tf2). The loop has no function call for each frame, because lookups in the past
+    spend their time here.
 
     :param histories: the histories of the frames, which must not be empty.
     """

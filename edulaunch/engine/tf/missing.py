@@ -1,4 +1,4 @@
-"""The line of help that tf2 lacks: it names the existing frames if a name is unknown."""
+"""A line of help that tf2 lacks: it names the existing frames if a frame is unknown."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ from edulaunch.engine.tf.buffer import TransformBuffer
 
 
 def explain_missing(buffer: TransformBuffer, name: str) -> str | None:
-    """Return one line of help about a frame that a lookup did not find; None if the buffer has the frame. The line names the
-    nearest frames, or reports that no transform has been received.
+    """Return one line of help about a frame that a lookup did not find, or None if the buffer has the frame.
+
+    The line names the nearest frames, or reports that no transform has been received.
     """
     from difflib import get_close_matches  # imported here, because only failed lookups need it
 

@@ -15,8 +15,8 @@ MAX_DEPTH = 1000
 class Path:
     """The path from a source frame and from a target frame up to their first common ancestor.
 
-    :param up: histories from the source to below the ancestor.
-    :param down: histories from the target to below the ancestor.
+    :param up: the histories of the frames from the source up to the last one below the ancestor.
+    :param down: the histories of the frames from the target up to the last one below the ancestor.
     """
 
     __slots__ = ('_stamps', 'down', 'dynamic', 'up')
@@ -28,7 +28,10 @@ class Path:
         self._stamps = [history.stamps for history in self.dynamic]
 
     def latest_common_time(self) -> int:
-        """Return the oldest of the newest stamps; 0 if all frames are static."""
+        """Return the latest time in ns at which all frames have data, or 0 if all frames are static.
+
+        This is the oldest of the frames' newest stamps.
+        """
         latest = 0
         for stamps in self._stamps:
             newest = stamps[-1]
@@ -37,7 +40,7 @@ class Path:
         return latest
 
     def covers(self, time_ns: int) -> bool:
-        """Return whether every history has a pose at `time_ns` (0 means always)."""
+        """Return whether every frame has a pose at `time_ns`. For 0, return True."""
         if time_ns:
             for history in self.dynamic:
                 if not history.stamps[history.first] <= time_ns <= history.stamps[-1]:
@@ -45,8 +48,9 @@ class Path:
         return True
 
     def at(self, time_ns: int) -> tuple[int, Transform] | None:
-        """Return (time, target_from_source at that time), where 0 means the latest common time; None if a frame would need
-        extrapolation.
+        """Return (time, target_from_source at that time), or None if a frame would need extrapolation.
+
+        :param time_ns: the time in ns; 0 means the latest common time.
         """
         stamp_ns = time_ns or self.latest_common_time()
         found = IDENTITY
@@ -69,10 +73,11 @@ class Path:
 
 
 def find_path(frames: Mapping[str, History | None], target: str, source: str) -> Path | None:
-    """Return the path by the newest parents; None without a path, or if it changes over time.
+    """Return the path that follows the newest parents. Return None if there is no path, or if a parent changes over time.
 
-    :param frames: the samples of each frame by name; None for a frame without a parent.
-    :param target, source: names of frames in `frames`. The path goes up from both to their first common frame.
+    :param frames: the history of each frame by name; None for a frame without a parent.
+    :param target: the name of the target frame, which must be in `frames`.
+    :param source: the name of the source frame, which must be in `frames`.
     """
     up: list[History] = []
     place = {source: 0}

@@ -1,7 +1,6 @@
-"""Rotations as unit quaternions: plain tuples (x, y, z, w), the order in which ROS messages list them.
+"""Rotations as unit quaternions: plain tuples (x, y, z, w), in the order of the fields in ROS messages.
 
-Angles are radians. Euler angles are tf2's roll, pitch, yaw about *fixed* axes: R = Rz(yaw) Ry(pitch)
-Rx(roll).
+Angles are radians. Euler angles are tf2's roll, pitch, yaw about *fixed* axes: R = Rz(yaw) Ry(pitch) Rx(roll).
 """
 
 from __future__ import annotations
@@ -20,7 +19,8 @@ NEGATIVE_NAN = copysign(nan, -1.0)
 def multiply(a: Quaternion, b: Quaternion) -> Quaternion:
     """Return the Hamilton product, which first rotates by `b`, then by `a`.
 
-    :param a, b: quaternions (x, y, z, w) of any length; the length of the product is the product of their lengths.
+    :param a: a quaternion (x, y, z, w) of any length.
+    :param b: a quaternion (x, y, z, w) of any length. The length of the product is the product of both lengths.
     """
     ax, ay, az, aw = a
     bx, by, bz, bw = b
@@ -33,14 +33,14 @@ def multiply(a: Quaternion, b: Quaternion) -> Quaternion:
 
 
 def conjugate(q: Quaternion) -> Quaternion:
-    """Return the opposite rotation of a unit quaternion `q`, as (x, y, z, w)."""
+    """Return the inverse rotation of a unit quaternion `q`, as (x, y, z, w)."""
     return (0.0 - q[0], 0.0 - q[1], 0.0 - q[2], q[3])
 
 
 def rotate(q: Quaternion, v: Vector) -> Vector:
     """Return the vector `v`, rotated about the origin.
 
-    :param q: a unit quaternion (x, y, z, w). Another length gives a wrong vector, and no error.
+    :param q: a unit quaternion (x, y, z, w). A quaternion of another length gives a wrong vector, and no error.
     :param v: (x, y, z) in any unit; the result has the same unit.
     """
     qx, qy, qz, qw = q
@@ -52,9 +52,9 @@ def rotate(q: Quaternion, v: Vector) -> Vector:
 def canonical(q: Quaternion) -> Quaternion:
     """Return the quaternion of length 1 that tf2 shows for the rotation `q`.
 
-    q and -q are the same rotation. tf2 converts every rotation to a matrix and back, which determines the sign. For turns below
-    120 degrees (trace > 0), w is positive. Otherwise, the largest of x, y, z is positive and w may be negative. A zero
-    quaternion, and one with nan or infinity, becomes nan.
+    q and -q are the same rotation. tf2 converts every rotation to a matrix and back, which determines the sign. For rotations
+    below 120 degrees (trace > 0), w is positive. Otherwise, the largest of x, y, z is positive and w may be negative. A zero
+    quaternion, and a quaternion with nan or infinity, become nan.
     """
     x, y, z, w = q
     square = x * x + y * y + z * z + w * w
@@ -72,7 +72,7 @@ def canonical(q: Quaternion) -> Quaternion:
 
 
 def to_matrix(q: Quaternion) -> Matrix:
-    """Return the 3x3 rotation matrix, by rows, of the quaternion `q`. Any length is accepted; length 0 gives nan."""
+    """Return the 3x3 rotation matrix of the quaternion `q`, as rows. Any length is accepted; length 0 gives nan."""
     x, y, z, w = q
     square = x * x + y * y + z * z + w * w
     scale = 2.0 / square if square else inf
@@ -103,10 +103,13 @@ def from_matrix(m: Matrix) -> Quaternion:
 
 
 def from_euler(roll: float, pitch: float, yaw: float) -> Quaternion:
-    """Return the unit quaternion of a turn by `roll` about x, then `pitch` about y, then `yaw` about z, as `setRPY` of tf2.
+    """Return the unit quaternion of a rotation by `roll` about x, then `pitch` about y, then `yaw` about z, as `setRPY` of tf2
+    does.
 
-    :param roll, pitch, yaw: angles in radians about fixed axes, each of any size.
-    :returns: (x, y, z, w), whose sign is not the one of :func:`canonical`.
+    :param roll: the angle about the fixed x axis in radians.
+    :param pitch: the angle about the fixed y axis in radians.
+    :param yaw: the angle about the fixed z axis in radians.
+    :returns: (x, y, z, w). Its sign may differ from that of :func:`canonical`.
     """
     cr, sr = cos(roll / 2.0), sin(roll / 2.0)
     cp, sp = cos(pitch / 2.0), sin(pitch / 2.0)

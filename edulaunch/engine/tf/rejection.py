@@ -1,4 +1,4 @@
-"""The log lines in which tf2 explains why it ignores a transform."""
+"""The log lines with which tf2 explains why it ignores a transform."""
 
 from __future__ import annotations
 
@@ -13,11 +13,12 @@ UNIT_TOLERANCE = 0.01  # largest difference of a quaternion's squared length fro
 
 
 def reasons_against(parent: str, child: str, pose: Transform, authority: str) -> tuple[Rejection, ...]:
-    """Return tf2's errors about one transform, in the order of tf2; () for a valid transform.
+    """Return tf2's errors about one transform, in the same order as tf2; () for a valid transform.
 
-    :param parent, child: the names of the frames, without a slash at the start.
+    :param parent: the name of the parent frame, without a leading slash.
+    :param child: the name of the child frame, without a leading slash.
     :param pose: parent_from_child. Its quaternion is canonical, so it has length 1 or is nan.
-    :param authority: the publisher, as tf2 names it in its log.
+    :param authority: the name of the publisher in tf2's log.
     """
     x, y, z, w = pose[3:]
     rotation = _numbers(pose[3:])
@@ -62,5 +63,5 @@ def _numbers(values: tuple[float, ...]) -> str:
 
 
 def _number(value: float) -> str:
-    """Format a number like printf's %f, which shows the sign of nan, unlike Python."""
+    """Format a number like printf's %f. Unlike Python, printf shows the sign of nan."""
     return f'{"-" if copysign(1.0, value) < 0.0 else ""}nan' if isnan(value) else f'{value:.6f}'

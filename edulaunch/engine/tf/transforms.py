@@ -1,7 +1,7 @@
 """Rigid transforms as flat tuples (x, y, z, qx, qy, qz, qw): metres and a unit quaternion.
 
 A transform is named `target_from_source`. It converts coordinates in *source* to coordinates in *target*. It is also the pose of
-the source frame seen from the target frame.
+the source frame in the target frame.
 """
 
 from __future__ import annotations
@@ -19,7 +19,8 @@ IDENTITY: Transform = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 def compose(c_from_b: Transform, b_from_a: Transform) -> Transform:
     """Return c_from_a, which applies `b_from_a` first and then `c_from_b`.
 
-    :param c_from_b, b_from_a: (x, y, z, qx, qy, qz, qw): metres and unit quaternions.
+    :param c_from_b: (x, y, z, qx, qy, qz, qw): metres and a unit quaternion.
+    :param b_from_a: (x, y, z, qx, qy, qz, qw): metres and a unit quaternion.
     """
     q = c_from_b[3:]
     x, y, z = quaternions.rotate(q, b_from_a[:3])
@@ -27,8 +28,9 @@ def compose(c_from_b: Transform, b_from_a: Transform) -> Transform:
 
 
 def product(poses: Sequence[Transform]) -> Transform:
-    """Return top_from_bottom from `poses`, the pose of each frame in the next one, bottom first. This is the inner loop of
-    lookups.
+    """Return top_from_bottom from `poses`: the pose of each frame in the next frame, bottom first.
+
+    Lookups spend most of their time in this loop.
     """
     x, y, z, qx, qy, qz, qw = poses[0]
     for px, py, pz, ax, ay, az, aw in poses[1:]:
@@ -47,8 +49,9 @@ def product(poses: Sequence[Transform]) -> Transform:
 
 
 def relative(top_from_b: Transform, top_from_a: Transform) -> Transform:
-    """Return b_from_a from the poses `top_from_b` and `top_from_a` in a common frame: inverse(top_from_b) composed with
-    top_from_a.
+    """Return b_from_a from the poses `top_from_b` and `top_from_a` in a common frame.
+
+    The result is inverse(top_from_b) composed with top_from_a.
     """
     bx, by, bz, qx, qy, qz, qw = top_from_b
     ax, ay, az, rx, ry, rz, rw = top_from_a
@@ -76,6 +79,6 @@ def apply(b_from_a: Transform, point_in_a: Vector) -> Vector:
 
 
 def canonical(transform: Transform) -> Transform:
-    """Return the same `transform` as tf2 shows it: a rotation of length 1 with tf2's sign, and no negative zeros."""
+    """Return `transform` in the form that tf2 shows: a rotation of length 1 with tf2's sign, and no negative zeros."""
     x, y, z = transform[:3]
     return (x + 0.0, y + 0.0, z + 0.0, *quaternions.canonical(transform[3:]))

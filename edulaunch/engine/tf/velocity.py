@@ -13,11 +13,11 @@ def lookup_velocity(
 ) -> tuple[Vector, Vector]:
     """Return the mean velocity of a frame's origin as (linear in m/s, angular in rad/s), in axes of the observation frame.
 
-    :param buffer: has the transforms.
-    :param tracking: name of the moving frame.
-    :param observation: name of the frame relative to which it moves.
+    :param buffer: the buffer with the transforms.
+    :param tracking: the name of the moving frame.
+    :param observation: the name of the frame relative to which it moves.
     :param time_ns: the middle of the time span in ns; 0 means the latest time.
-    :param averaging_ns: length of the time span in ns; the span moves back where data ends.
+    :param averaging_ns: the length of the time span in ns. If there is no data at the end of the span, the span is moved back.
     :raises TransformFailure: as in :meth:`TransformBuffer.lookup`.
     """
     latest_ns = buffer.lookup(observation, tracking)[0]
@@ -32,7 +32,7 @@ def lookup_velocity(
 
 
 def _turn_rate(turn: Quaternion, span_s: float) -> Vector:
-    """Return axis times angle per second of a small rotation, in the shorter direction."""
+    """Return the axis times the angle per second of a small rotation, in the shorter direction."""
     x, y, z, w = turn if turn[3] >= 0.0 else (-turn[0], -turn[1], -turn[2], -turn[3])
     sine = sqrt(x * x + y * y + z * z)
     if sine == 0.0:

@@ -1,6 +1,6 @@
-"""Lookups step by step in tf2's own order, so that they fail with tf2's own messages.
+"""Lookups step by step in the same order as tf2, so that failures have tf2's own messages.
 
-`path.py` answers the usual lookups faster. This walk handles the rest: failures, and frames whose parent has changed.
+`path.py` handles the usual lookups faster. This module handles the others: failures, and frames whose parent has changed.
 """
 
 from __future__ import annotations
@@ -17,8 +17,9 @@ Histories = Mapping[str, 'History | None']
 
 
 def walk(frames: Histories, target: str, source: str, time_ns: int) -> tuple[int, Transform]:
-    """Return (stamp, target_from_source); time 0 is the latest common time.
+    """Return (stamp in ns, target_from_source) for the frames `target` and `source`.
 
+    :param time_ns: the time in ns; 0 means the latest common time.
     :raises TransformFailure: with tf2's message.
     """
     if target == source:
@@ -42,9 +43,9 @@ def walk(frames: Histories, target: str, source: str, time_ns: int) -> tuple[int
 
 
 def latest_common_time(frames: Histories, target: str, source: str) -> int:
-    """Return the newest time at which every frame between the two has data; 0 if all are static.
+    """Return the newest time in ns at which every frame on the path has data, or 0 if all frames are static.
 
-    :raises TransformFailure: when the frames are not connected, or form a loop.
+    :raises TransformFailure: if the frames are not connected, or form a loop.
     """
     if target == source:
         history = frames[source]
@@ -67,9 +68,9 @@ def latest_common_time(frames: Histories, target: str, source: str) -> int:
 
 
 def chain(frames: Histories, target: str, source: str, time_ns: int) -> list[str]:
-    """Return the frames from `source` over the first common ancestor to `target`, both included.
+    """Return the frames on the path from `source` through the first common ancestor to `target`, including both.
 
-    :raises TransformFailure: when there is no such chain at `time_ns`.
+    :raises TransformFailure: if there is no such path at `time_ns`.
     """
     walk(frames, target, source, time_ns)
     up = _ancestors(frames, source, time_ns)
@@ -89,7 +90,7 @@ def _ancestors(frames: Histories, frame: str, time_ns: int) -> list[str]:
 
 
 def _climb(frames: Histories, frame: str, stops: tuple[str, ...], time_ns: int) -> tuple[Transform, str, History | None]:
-    """Return (reached_from_start, frame reached, history that had no sample at that time or None)."""
+    """Return (reached_from_start, the frame that was reached, and the history without a sample at that time or None)."""
     pose = IDENTITY
     steps = 0
     while frame not in stops and (history := frames[frame]) is not None:
@@ -104,7 +105,7 @@ def _climb(frames: Histories, frame: str, stops: tuple[str, ...], time_ns: int) 
 
 
 def _newest_upward(frames: Histories, frame: str, stops: tuple[str, ...]) -> list[tuple[int, str]]:
-    """Return (newest stamp, newest parent) of each frame upward, until a parent is one of the stops."""
+    """Return (newest stamp, newest parent) of each frame on the way up. Stop when a parent is in `stops`."""
     found: list[tuple[int, str]] = []
     while (history := frames[frame]) is not None and history.stamps:
         frame = history.parents[-1]

@@ -1,1 +1,1 @@
-"""Worlds: the turtles' canvas and a planar robot as plain numbers, without a node, a topic or a clock."""
+"""Worlds: the turtles on their canvas, and a planar robot. They are plain numbers, without a node, a topic or a clock."""

@@ -1,4 +1,4 @@
-"""The drawing layer of a turtle window: the lines of the pens, with the single precision of turtlesim's numbers."""
+"""The drawing layer of a turtle window: the lines of the pens, computed with turtlesim's single precision."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _unpack = _single.unpack
 
 
 def as_float32(value: float) -> float:
-    """Round `value` to the nearest 32-bit float, as a C `float` does; one too large becomes infinite."""
+    """Round `value` to the nearest 32-bit float, as a C `float` does. A number that is too large becomes infinite."""
     try:
         rounded: float = _unpack(_pack(value))[0]
     except OverflowError:
@@ -33,8 +33,10 @@ UNTOUCHED: Color = (255, 255, 255)
 class Pen:
     """The pen of a turtle: colour, width in pixels, and whether it touches the canvas.
 
-    :ivar last_x, last_y: where the last line ended, in pixels.
-    :ivar column, row: the first pixel of the last square, counted from the margin.
+    :ivar last_x: the x coordinate of the end of the last line in pixels, or nan.
+    :ivar last_y: the y coordinate of the end of the last line in pixels, or nan.
+    :ivar column: the left column of the last square, counted from the margin.
+    :ivar row: the top row of the last square, counted from the margin.
     """
 
     __slots__ = (
@@ -67,14 +69,16 @@ class Pen:
         self.lift()
 
     def lift(self) -> None:
-        """Forget the end of the last line, because its pixels have been wiped."""
+        """Forget the end of the last line, because its pixels have been deleted."""
         self.last_x = self.last_y = nan
 
 
 class DrawingLayer:
-    """500 x 500 pixels over the background. A pixel that no pen has touched is white, with any background. A line consists of
-    squares of the pen's width, close to each other. The pixels are created with the first line. `version` grows with every
-    change, so that a resting turtle need not read its colour again.
+    """A layer of 500 x 500 pixels over the background.
+
+    A pixel that no pen has touched is white, whatever the background. A line consists of squares of the pen's width, close to
+    each other. The pixels are created with the first line. `version` increases with every change, so that a resting turtle
+    does not need to read its colour again.
     """
 
     __slots__ = ('version', '_pixels', '_newest')
@@ -85,16 +89,21 @@ class DrawingLayer:
         self._newest: Pen | None = None  # the pen that drew the last square
 
     def clear(self) -> None:
-        """Wipe every line. Turtles that continue to draw must lift their pens."""
+        """Delete every line. Turtles that continue to draw must lift their pens."""
         self.version += 1
         self._pixels = None
         self._newest = None
 
     def trace(self, pen: Pen, x0: float, y0: float, x1: float, y1: float) -> Color:
-        """Move the pen: return the colour at the new position (on the canvas), and draw the line to it.
+        """Draw a line with a pen, and return the colour that was at the end of the line (on the canvas) before.
 
-        A slow turtle stays on one pixel for many ticks. If the square to draw equals the last one, nothing changes, and the
-        colour there is the pen's. (This makes the large project 15 % faster.)
+        A slow turtle stays on one pixel for many ticks. If the square to draw equals the last one, the drawing does not
+        change, and the colour is that of the pen. (This makes the large project 15 % faster.)
+
+        :param x0: x coordinate of the start, in metres from the left edge of the canvas.
+        :param y0: y coordinate of the start, in metres from the upper edge; y points down.
+        :param x1: x coordinate of the end, in metres from the left edge of the canvas.
+        :param y1: y coordinate of the end, in metres from the upper edge; y points down.
         """
         if pen is self._newest and x0 * METRE_PX == pen.last_x and y0 * METRE_PX == pen.last_y:
             x = x1 * METRE_PX
@@ -108,9 +117,11 @@ class DrawingLayer:
         return color
 
     def color_at(self, x: float, y: float) -> Color:
-        """Return the colour of the nearest pixel as (red, green, blue), each 0 to 255; `UNTOUCHED` outside the canvas.
+        """Return the colour of the nearest pixel as (red, green, blue), each from 0 to 255. Outside the canvas, return
+        `UNTOUCHED`.
 
-        :param x, y: metres from the upper left corner of the canvas; y points down.
+        :param x: metres from the left edge of the canvas.
+        :param y: metres from the upper edge of the canvas; y points down.
         """
         pixels = self._pixels
         x = x * METRE_PX + 0.5
@@ -123,7 +134,10 @@ class DrawingLayer:
     def draw(self, pen: Pen, x0: float, y0: float, x1: float, y1: float) -> None:
         """Draw a line with a pen. The part outside the canvas is left out.
 
-        :param x0, y0, x1, y1: start and end in metres from the upper left corner of the canvas; y points down.
+        :param x0: x coordinate of the start, in metres from the left edge of the canvas.
+        :param y0: y coordinate of the start, in metres from the upper edge; y points down.
+        :param x1: x coordinate of the end, in metres from the left edge of the canvas.
+        :param y1: y coordinate of the end, in metres from the upper edge; y points down.
         """
         self.version += 1
         x0 *= METRE_PX
@@ -160,7 +174,7 @@ class DrawingLayer:
         pen.last_y = y1
 
     def _stamp(self, pen: Pen, x: float, y: float) -> None:
-        """Draw the square of the pen's width around the pixel position (x, y)."""
+        """Draw a square of the pen's width around the pixel position (x, y)."""
         pixels = self._pixels
         if pixels is None:
             pixels = self._pixels = bytearray(b'\xff') * (_ROW * SIDE_PX)
@@ -182,7 +196,7 @@ class DrawingLayer:
 
 
 def _stamp_clipped(pixels: bytearray, pen: Pen, column: int, row: int) -> None:
-    """Draw the part of a square that is on the canvas; the square is given by its upper left pixel."""
+    """Draw the part of a square that is on the canvas. `column` and `row` are the position of its upper left pixel."""
     left, right = max(column, 0), min(column + pen.width, SIDE_PX)
     if left < right:
         stroke = pen.stroke[: 3 * (right - left)]
@@ -191,8 +205,10 @@ def _stamp_clipped(pixels: bytearray, pen: Pen, column: int, row: int) -> None:
 
 
 def _visible_part(x0: float, y0: float, x1: float, y1: float) -> tuple[float, float, float, float] | None:
-    """Return the part of a line (in pixels) that is on the canvas or near enough for a broad pen, or None. A line with infinity
-    or nan has no such part.
+    """Return the part of a line (in pixels) that is on the canvas, or close enough to it for a broad pen. Return None without
+    such a part.
+
+    A line with infinity or nan has no such part.
     """
     enter, leave = 0.0, 1.0
     for start, way in ((x0, x1 - x0), (y0, y1 - y0)):

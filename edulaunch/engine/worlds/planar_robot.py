@@ -8,12 +8,12 @@ from math import cos, inf, pi, sin
 class PlanarRobot:
     """A robot that drives with a linear and an angular velocity, like a TurtleBot3 Waffle.
 
-    Position (metres) and `theta` (radians, counter-clockwise from x, in [-pi, pi)) are in the world frame. The robot keeps its
-    last command, however old. It has no mass, so a new velocity applies immediately. Between commands, it moves along an exact
-    circular arc, so the result does not depend on the number of calls.
+    Position (metres) and `theta` (radians, counter-clockwise from x, in [-pi, pi)) are in the world frame. The last command
+    stays valid, however old it is. The robot has no mass, so a new velocity applies immediately. Between commands, the robot
+    moves along an exact circular arc, so the result does not depend on the number of calls.
 
-    :param max_linear: limit of the linear velocity in both directions, m/s (the Waffle's is 0.26).
-    :param max_angular: limit of the angular velocity in both directions, rad/s (the Waffle's is 1.82).
+    :param max_linear: limit of the linear velocity in both directions, m/s (0.26 for the Waffle).
+    :param max_angular: limit of the angular velocity in both directions, rad/s (1.82 for the Waffle).
     """
 
     __slots__ = ('x', 'y', 'theta', 'linear', 'angular', 'time_ns', 'max_linear', 'max_angular')
@@ -49,7 +49,7 @@ class PlanarRobot:
         self.angular = _limited(angular, self.max_angular)
 
     def advance_to(self, now_ns: int) -> None:
-        """Simulate up to the time `now_ns`; a time before the last one changes nothing."""
+        """Simulate up to the time `now_ns`. A time before the last one has no effect."""
         dt = (now_ns - self.time_ns) * 1e-9
         if dt <= 0.0:
             return

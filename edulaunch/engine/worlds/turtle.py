@@ -1,4 +1,4 @@
-"""One turtle: its motion, drawing and colour sensor in one tick, and its turn for the action rotate_absolute."""
+"""One turtle: its motion, drawing and colour sensor in one tick, and its rotation for the action rotate_absolute."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ CLOSE_ENOUGH = 0.02
 
 
 def normalize(angle: float) -> float:
-    """Return the angle equivalent to `angle` in [-PI, PI), radians; nan for infinity and nan."""
+    """Return the angle in [-PI, PI) radians that is equivalent to `angle`. For infinity and nan, return nan."""
     try:
         return angle - TWO_PI * floor((angle + PI) / TWO_PI)
     except (OverflowError, ValueError):
@@ -25,9 +25,10 @@ def normalize_single(angle: float) -> float:
 
 
 class RotationGoal:
-    """A turn to the absolute heading `theta` (radians), started at the heading `start`.
+    """A rotation to the absolute heading `theta` (radians), started at the heading `start`.
 
-    `remaining` is the feedback and `delta` the result: start minus current heading, which is negative after a left turn.
+    `remaining` is the feedback, and `delta` is the result. `delta` is the start heading minus the current heading, which is
+    negative after a left turn.
     """
 
     __slots__ = ('theta', 'start', 'remaining', 'delta')
@@ -39,7 +40,7 @@ class RotationGoal:
         self.delta = 0.0
 
     def step(self, heading: float) -> float:
-        """Return the angular velocity (rad/s) for the turn at the current `heading` (radians); 0.0 at the goal."""
+        """Return the angular velocity (rad/s) for the rotation at the current `heading` (radians), or 0.0 at the goal."""
         heading = as_float32(heading)
         self.remaining = normalize_single(as_float32(self.theta - heading))
         self.delta = normalize_single(as_float32(self.start - heading))
@@ -55,12 +56,12 @@ COMMAND_LASTS_NS = 1_000_000_000
 class Turtle:
     """A turtle on the canvas.
 
-    Positions are metres: x to the right, `down` from the top edge (:attr:`y` from the bottom edge). `theta` is in radians,
-    counter-clockwise from the x axis. Velocities are in the turtle's own frame, m/s and rad/s.
+    Positions are in metres: `x` from the left edge, `down` from the top edge, and :attr:`y` from the bottom edge. `theta` is in
+    radians, counter-clockwise from the x axis. Velocities are in the turtle's own frame, in m/s and rad/s.
 
     Each :meth:`update` sets these attributes. `color` is the value of the colour sensor. `wall_hit` is the position (x, down)
-    outside the canvas where a wall stopped it, or None. `turned` is whether a rotation goal was reached. `still` is whether the
-    turtle had no velocity and did not move.
+    outside the canvas where a wall stopped the turtle, or None. `turned` states whether the turtle has reached a rotation goal.
+    `still` states whether the turtle had no velocity and did not move.
     """
 
     __slots__ = (
@@ -106,19 +107,20 @@ class Turtle:
 
     @property
     def y(self) -> float:
-        """Metres from the bottom edge."""
+        """The distance from the bottom edge in metres."""
         return SIDE - self.down
 
     @property
     def linear_velocity(self) -> float:
-        """The magnitude of the velocity, m/s: never negative, even if the turtle drives backward."""
+        """The magnitude of the velocity in m/s. It is never negative, even if the turtle drives backward."""
         return hypot(self.speed, self.sideways) if self.sideways else abs(self.speed)
 
     def command(self, linear: float, angular: float, now_ns: int, sideways: float | None = None) -> None:
-        """Move with these velocities for a second, or until the next command.
+        """Move with these velocities for one second, or until the next command.
 
-        :param linear, sideways: m/s along the turtle's x and y axes. Without `sideways`, that velocity does not change.
+        :param linear: m/s along the turtle's x axis.
         :param angular: rad/s, counter-clockwise.
+        :param sideways: m/s along the turtle's y axis, or None to leave this velocity unchanged.
         :param now_ns: simulated time in ns.
         """
         self.command_ns = now_ns
@@ -131,8 +133,8 @@ class Turtle:
         """Set the pen.
 
         :param color: red, green and blue from 0 to 255.
-        :param width: width in pixels of the window.
-        :param off: only lift the current pen.
+        :param width: the width in pixels of the window.
+        :param off: whether to lift the current pen, without changing its colour and width.
         """
         if off:
             self.pen.on = False
@@ -140,7 +142,9 @@ class Turtle:
             self.pen = Pen(color, width)
 
     def teleport_absolute(self, x: float, y: float, theta: float) -> None:
-        """Move to (`x`, `y`, `theta`), in metres and radians, in the next update. A y above the top edge means the top edge."""
+        """Move to (`x`, `y`, `theta`), in metres and radians, in the next update. A y above the top edge is replaced by the
+        top edge.
+        """
         self._requests.append((True, x, y, theta))
 
     def teleport_relative(self, linear: float, angular: float) -> None:
@@ -148,7 +152,7 @@ class Turtle:
         self._requests.append((False, linear, 0.0, angular))
 
     def rotate_to(self, theta: float) -> RotationGoal:
-        """Turn on the spot until the heading is `theta`; this replaces an earlier goal."""
+        """Rotate on the spot until the heading is `theta` (radians). This replaces an earlier goal."""
         self.rotation = RotationGoal(theta, self.theta)
         return self.rotation
 

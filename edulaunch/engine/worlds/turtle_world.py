@@ -13,9 +13,9 @@ CENTER = as_float32(SIDE / 2.0)
 
 
 class TurtleWorld:
-    """Turtles on a square canvas of :data:`SIDE` metres, updated in alphabetical order of their names.
+    """Turtles on a square canvas with sides of :data:`SIDE` metres. They are updated in alphabetical order of their names.
 
-    :param random: chooses each turtle's picture, which is the only random value here.
+    :param random: the generator that selects each turtle's picture, which is the only random value here.
     """
 
     def __init__(self, random: Random) -> None:
@@ -40,12 +40,13 @@ class TurtleWorld:
                 return name
 
     def spawn(self, x: float, y: float, theta: float, name: str = '') -> Turtle | None:
-        """Create a turtle at (x, y, theta); if that is off the canvas, the first update clamps it.
+        """Create a turtle at (x, y, theta). If this is off the canvas, the first update moves the turtle to the edge.
 
-        :param x, y: metres from the lower left corner, y upward.
+        :param x: metres from the left edge of the canvas.
+        :param y: metres from the bottom edge of the canvas; y points up.
         :param theta: radians, counter-clockwise from the x axis.
-        :param name: empty for an automatic name.
-        :returns: the turtle, or None when the name is taken.
+        :param name: the name of the turtle, or '' for an automatic name.
+        :returns: the turtle, or None if the name is taken.
         """
         name = name or self.free_name()
         if self.find(name) is not None:
@@ -62,14 +63,14 @@ class TurtleWorld:
         return turtle
 
     def kill(self, name: str) -> bool:
-        """Remove the turtle `name`; its trail stays. Return False for an unknown name."""
+        """Remove the turtle `name`; its lines stay. Return False for an unknown name."""
         turtle = self.find(name)
         if turtle is not None:
             self.turtles.remove(turtle)
         return turtle is not None
 
     def clear(self) -> None:
-        """Wipe the drawing; the turtles stay where they are."""
+        """Delete the drawing; the turtles stay where they are."""
         self.drawing.clear()
         for turtle in self.turtles:
             turtle.pen.lift()
@@ -80,6 +81,9 @@ class TurtleWorld:
         self._named = 0
 
     def update(self, now_ns: int) -> None:
-        """Simulate one tick of 16 ms for every turtle. `now_ns` only decides which commands are too old."""
+        """Simulate one tick of 16 ms for every turtle.
+
+        :param now_ns: simulated time in ns, which decides which commands are too old.
+        """
         for turtle in self.turtles:
             turtle.update(now_ns)

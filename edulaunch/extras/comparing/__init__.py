@@ -1,4 +1,5 @@
-"""Compare a launch file in simulation and on real rclpy.
+"""Compare a run of a launch file in simulation with a run on the real rclpy.
 
-`observation` describes a run in either world, `simulated` and `for_real` create one, and `differing` lists the differences.
+`observation` describes either kind of run, `simulated` and `for_real` create an observation, and `differing` lists the
+differences.
 """

@@ -1,7 +1,7 @@
-"""Decide which differences count, and which only inform because they depend on the speed of the computer.
+"""Decide which differences count, and which are only information because they depend on the speed of the computer.
 
 A busy computer starts programs late, repeats actions less often, and may not have done everything in time. So these differences
-only inform: rates, lines about waiting or about a missing transform, and events that the real run may still reach later.
+are only information: rates, lines about waiting or about a missing transform, and events that the real run may still reach later.
 An event that the real run lacks counts when it is overdue: see :func:`is_overdue`.
 """
 
@@ -14,12 +14,12 @@ from edulaunch.extras.comparing.differing import MISSING, NOT_THERE, Difference
 from edulaunch.extras.comparing.observation import Observation, program_of
 
 SLOWNESS = 2.0
-"""A real run may need this many times as long as the simulation."""
+"""How many times as long as the simulation a real run may take."""
 SPARE_S = 5.0
-"""The additional seconds that it may need, not counting the time in which its programs started."""
+"""The additional seconds that a real run may need, without the time in which its programs started."""
 _WAITING = re.compile(r'\b(still )?wait(s|ing)?\b', re.IGNORECASE)
 _NOT_YET = re.compile(r'extrapolation|does not exist|not part of the same tree|[Cc]ould not (find a connection|transform)')
-"""What tf2 reports before a transform has arrived."""
+"""The messages of tf2 before a transform has arrived."""
 
 
 def is_pace(difference: Difference) -> bool:
@@ -31,9 +31,9 @@ def is_pace(difference: Difference) -> bool:
 
 
 def informs(difference: Difference, simulated: Observation, real: Observation, late_s: float) -> bool:
-    """Return whether a difference depends only on the speed of the computer.
+    """Return whether a difference is only information, because it depends on the speed of the computer.
 
-    :param late_s: the extra seconds that the last program needed to start in the real run.
+    :param late_s: the additional time, in seconds, that the last program needed to start in the real run.
     """
     if is_pace(difference):
         return True
@@ -51,7 +51,9 @@ def is_overdue(difference: Difference, simulated: Observation, real: Observation
 
 
 def _is_past(process: str, text: str, simulated: Observation, real: Observation) -> bool:
-    """Return whether the real program printed a line that the simulated program first prints, or repeats, after that line."""
+    """Return whether the real program printed a line that the simulated program first prints, or repeats, after the given
+    line.
+    """
     printed = sorted((line for line in simulated.lines if line.process == process), key=lambda line: line.time_s)
     texts = [line.text for line in printed]
     if text not in texts:
@@ -64,7 +66,7 @@ def _is_past(process: str, text: str, simulated: Observation, real: Observation)
 
 
 def _has_as_many(difference: Difference, simulated: Observation, real: Observation) -> bool:
-    """Return whether the real run had as many messages as the simulation until Ctrl-C."""
+    """Return whether the real run had at least as many messages as the simulation until Ctrl-C."""
     topic = difference.name.rpartition(' ')[0]
     names = (f'tf {topic}', topic)
     here, there = (next((seen.flows[name].times for name in names if name in seen.flows), []) for seen in (simulated, real))
@@ -72,7 +74,7 @@ def _has_as_many(difference: Difference, simulated: Observation, real: Observati
 
 
 def _first_s(difference: Difference, simulated: Observation) -> float | None:
-    """Return when the missing event first occurred in simulation, or None if that time is unknown."""
+    """Return when the missing event first occurred in simulation, in seconds, or None if that time is unknown."""
     kind, name, text, *_ = difference
     if kind == 'output':
         times = [line.time_s for line in simulated.lines if (line.process, line.text) == (name, text)]

@@ -1,8 +1,8 @@
-"""List the differences between runs in simulation and a real run, except those due to chance.
+"""List the differences between simulations and a real run, except those due to chance.
 
 Real programs take time to start and to find each other, and messages during that time may be lost. The real run need not receive
-what the simulation published before :data:`FOUND_S`, or before the topic had a real subscription. Rates may differ by a quarter,
-and ranges of numbers by a quarter of their length.
+messages that the simulation published before :data:`FOUND_S`, or before the topic had a real subscription. Rates may differ by a
+quarter, and ranges of numbers by a quarter of their length.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from typing import Any, NamedTuple
 from edulaunch.extras.comparing.observation import BRIEFLY, Flow, Line, Observation, Range, Values, program_of
 
 FOUND_S = 3.0
-"""From this time, all programs have found each other."""
+"""The time, in seconds, from which all programs have found each other."""
 YOUNG_S = 1.0
 SHARE = 0.25
 FEWEST, SHORTEST_S = 5, 0.5
-"""This many messages in this time are enough for a rate: fewer may be delayed by a busy computer."""
+"""The number of messages, and the time in seconds, that a rate requires. A busy computer may delay fewer messages."""
 MISSING = 'missing'
 NOT_THERE = (MISSING, 'none', 'still running')
 _CHANCE = (
@@ -37,15 +37,15 @@ _CHANCE = (
     *(f'object {what:9}: ' for what in ('address', 'refcount', 'type', 'repr')),
     'object type name: ',
 )
-"""What a program may print when Ctrl-C interrupts it, or its peers, at a bad moment."""
+"""Messages that a program may print when Ctrl-C interrupts the program or its peers at a bad moment."""
 _CRASHES = (-signal.SIGSEGV, -signal.SIGABRT)
-"""The exit codes of an interruption in C++ code."""
+"""The exit codes of a program that was interrupted in C++ code."""
 
 
 class Difference(NamedTuple):
-    """A difference: its kind, its subject, and the state in each world.
+    """A difference: its kind, its subject, and the state in the simulation and in the real run.
 
-    :ivar lacks: whether the real run, not the simulation, lacks values of messages.
+    :ivar lacks: True if the real run lacks values of messages; False if the simulation lacks them.
     """
 
     kind: str
@@ -56,26 +56,26 @@ class Difference(NamedTuple):
 
 
 def differences(simulated: Sequence[Observation], real: Observation) -> list[Difference]:
-    """Return every difference of the real run from all simulations, in a fixed order, with the state in the last one."""
+    """Return every difference of the real run from all simulations, in a fixed order, with the state in the last simulation."""
     found = [_differences(one, real) for one in simulated]
     in_all = set.intersection(*({_about(each) for each in row} for row in found))
     return [each for each in found[-1] if _about(each) in in_all]
 
 
 def _about(difference: Difference) -> tuple[object, ...]:
-    """Return the key under which two simulations have the same difference."""
+    """Return a key that is equal for the same difference in two simulations."""
     kind, name, simulated, real, lacks = difference
     return difference if kind == 'output' else (kind, name, lacks, simulated in NOT_THERE, real in NOT_THERE)
 
 
 def by_chance(simulated: Sequence[Observation]) -> set[tuple[str, ...]]:
-    """Return the subjects that differ between simulations with different seeds, in values or in presence."""
+    """Return the subjects that differ between simulations with different seeds, in their values or their presence."""
     pairs = permutations(simulated, 2)
     return {subject(each) for one, other in pairs for each in _differences(one, other)}
 
 
 def subject(difference: Difference) -> tuple[str, ...]:
-    """Return the subject; for output, the line."""
+    """Return the subject of a difference; for a difference of output, it includes the line."""
     kind, name, simulated, real, _ = difference
     return (kind, name, simulated if real == MISSING else real) if kind == 'output' else (kind, name)
 
@@ -147,7 +147,7 @@ def _flows(simulated: Observation, real: Observation, late_s: float) -> Iterator
 def _values(kind: str, name: str, here: Flow, there: Flow, late_s: float) -> Iterator[Difference]:
     """Yield the fields with a real value that did not occur in simulation, or without a value that occurred in simulation.
 
-    Only values since the first real subscription count.
+    Only the values since the first real subscription count.
     """
     for path in sorted({*here.fields, *there.fields}):
         one, other = (flow.fields.get(path) or Values() for flow in (here, there))
@@ -177,9 +177,9 @@ def _rates(kind: str, name: str, here: Flow, there: Flow) -> Iterator[Difference
 
 
 def not_up(simulated: Observation, real: Observation) -> set[str]:
-    """Return programs that received a signal in the real run before they had started, or just after (:data:`YOUNG_S`).
+    """Return the programs that received a signal in the real run before they had started, or just after (:data:`YOUNG_S`).
 
-    Their behaviour after the signal is a matter of chance.
+    The behaviour of these programs after the signal is a matter of chance.
     """
     found = set()
     for name, program in real.programs.items():
@@ -203,7 +203,9 @@ def _lines(simulated: Observation, real: Observation) -> Iterator[Difference]:
 
 
 def _unlucky(seen: Observation) -> set[str]:
-    """Return programs that a signal interrupted at a bad moment; later output and the exit code are a matter of chance."""
+    """Return the programs that a signal interrupted at a bad moment. Their later output and their exit code are a matter of
+    chance.
+    """
     crashed = {
         program_of(name) for name, each in seen.programs.items() if each.signalled_s < BRIEFLY and each.returncode in _CRASHES
     }
@@ -216,7 +218,7 @@ def _signalled_s(seen: Observation, process: str) -> float:
 
 
 def _is_last(seen: Observation, line: Line) -> bool:
-    """Return whether the program had received a signal before a time or, in simulation, whether it had ended before."""
+    """Return whether a line came after the program had received a signal or, in a simulation, after the program had ended."""
     ends = (each.ended_s for name, each in seen.programs.items() if program_of(name) == line.process)
     return line.time_s >= min([_signalled_s(seen, line.process), *(end_s for end_s in ends if end_s is not None)])
 

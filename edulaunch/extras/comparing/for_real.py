@@ -1,4 +1,4 @@
-"""Observe a real run through an additional node, and through the output of the processes of the run."""
+"""Observe a real run through an additional node, and through the output of its processes."""
 
 from __future__ import annotations
 
@@ -44,12 +44,12 @@ from edulaunch.ros.serialization.cdr import decode
 from edulaunch.runtime.session import Session
 
 END_S = 15.0
-"""Seconds after Ctrl-C until launch kills programs that still run."""
+"""The seconds after Ctrl-C until launch kills programs that still run."""
 LOOK_EVERY_S = 0.5
 DOMAINS = range(70, 100)
 """ROS_DOMAIN_IDs that are safe on every system and rarely used."""
 FIRST_PORT, PORTS_OF_DOMAIN, MOST_PROGRAMS = 7400, 250, 100
-"""The ports of DDS: the first one of a domain is for multicast, and each program has two ports from the tenth."""
+"""The ports of DDS. The first port of a domain is for multicast, and each program has two ports from the tenth on."""
 _OBSERVER = Executable('entry_point', '', 'observer', 'observer', module='edulaunch.extras.native.observer', function='main')
 IsEnough = Callable[[Observation], bool]
 
@@ -65,9 +65,9 @@ def run_for_real(
 ) -> Observation:
     """Launch a file in a separate domain of this computer, press Ctrl-C, and return the observation.
 
-    :param seconds: duration of the run, which is extended by up to `patience_s` until `is_enough` accepts the observation.
-    :raises UnusableInput: when it cannot be launched, or the real rclpy is not installed.
-    :raises KeyboardInterrupt: when the user pressed Ctrl-C before.
+    :param seconds: the duration of the run, which is extended by up to `patience_s` until `is_enough` accepts the observation.
+    :raises UnusableInput: when the file cannot be launched, or the real rclpy is not installed.
+    :raises KeyboardInterrupt: when the user pressed Ctrl-C before the end of the run.
     """
     # a shell ignores SIGINT for background jobs, and programs would inherit that
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -91,9 +91,9 @@ def run_for_real(
 
 
 def _run(session: Session, seconds: float) -> None:
-    """Let real time pass.
+    """Wait while real time passes.
 
-    :raises KeyboardInterrupt: when the user pressed Ctrl-C; the observation until then cannot be compared.
+    :raises KeyboardInterrupt: when the user pressed Ctrl-C. The observation until then cannot be compared.
     """
     if session.run(seconds, speed=1.0):
         raise KeyboardInterrupt
@@ -101,7 +101,7 @@ def _run(session: Session, seconds: float) -> None:
 
 @contextmanager
 def _domain() -> Iterator[int]:
-    """Reserve an empty domain, which no other comparison on this computer uses at the same time."""
+    """Reserve an empty domain that no other comparison on this computer uses at the same time."""
     for number in random.SystemRandom().sample(DOMAINS, len(DOMAINS)):
         with open(os.path.join(tempfile.gettempdir(), f'edulaunch-{os.getuid()}-domain-{number}'), 'w') as lock:
             try:
@@ -119,7 +119,7 @@ def _domain() -> Iterator[int]:
 
 
 def is_empty(domain: int) -> bool:
-    """Return whether no program of this computer is in a domain, in which each program would use a port."""
+    """Return whether a domain contains no program of this computer. Each program in a domain uses a port."""
     first = FIRST_PORT + PORTS_OF_DOMAIN * domain
     return all(map(_is_free, (first, *range(first + 10, first + 10 + 2 * MOST_PROGRAMS))))
 
@@ -137,7 +137,7 @@ def _is_free(port: int) -> bool:
 def _observer(session: Session) -> Iterator[Callable[[str], Any]]:
     """Start a node that observes the run and reports on request, while the session continues.
 
-    :raises EdulaunchError: when the observer did not start, or died.
+    :raises EdulaunchError: when the observer did not start, or ended unexpectedly.
     """
     assert isinstance(session.host, NativeHost)
     words = command(session.host.environment, _OBSERVER, ProcessSpec((), 'observer'), session.index)
@@ -174,7 +174,10 @@ def _observer(session: Session) -> Iterator[Callable[[str], Any]]:
 
 
 class _Watch:
-    """The reports of a run's observer so far, and the output of its processes. Times count from the creation of this object."""
+    """The reports of a run's observer so far, and the output of the run's processes.
+
+    Times are in seconds since the creation of this object.
+    """
 
     def __init__(self, session: Session) -> None:
         assert isinstance(session.host, NativeHost)
@@ -202,11 +205,11 @@ class _Watch:
 
     @property
     def now_s(self) -> float:
-        """Return the duration of the run so far."""
+        """Return the duration of the run so far, in seconds."""
         return time.time() - self._began_s
 
     def seen(self) -> Observation:
-        """Return the observation until now."""
+        """Return the observation so far."""
         lines: list[Line] = []
         programs: dict[str, Program] = {}
         began_s = self._began_s

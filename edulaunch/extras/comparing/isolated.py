@@ -1,6 +1,6 @@
-"""Run each part of a comparison in its own folder, with access to the current folder but not to files of other runs.
+"""Run each part of a comparison in a separate folder, with access to the current folder but not to files of other runs.
 
-For example, both runs may record a bag. Each folder is deleted afterwards.
+For example, the simulation and the real run may both record a bag. Each folder is deleted afterwards.
 """
 
 from __future__ import annotations
@@ -15,7 +15,9 @@ Result = TypeVar('Result')
 
 
 def in_isolation(run: Callable[Args, Result], /, *args: Args.args, **kwargs: Args.kwargs) -> Result:
-    """Call a function in a new folder with links to the contents of the current and the parent folder, then delete it."""
+    """Call a function in a new folder with links to the contents of the current and the parent folder. Delete the folder
+    afterwards.
+    """
     here = os.getcwd()
     with TemporaryDirectory(prefix='edulaunch-compare-') as above:
         place = os.path.join(above, os.path.basename(here) or 'root')

@@ -1,4 +1,4 @@
-"""Known differences, from a table in YAML: they are listed with their reason, and do not count."""
+"""Known differences, from a table in YAML. Reports list them with their reason, and they do not count."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from edulaunch.extras.comparing.differing import Difference
 
 
 class Known(NamedTuple):
-    """One row of the table; `file`, `kind`, `name`, `simulated` and `real` are patterns as in a shell.
+    """One row of the table. `file`, `kind`, `name`, `simulated` and `real` are patterns as in a shell.
 
     :ivar file: the words of the comparison, separated by one space.
-    :ivar why: the reason.
-    :ivar sometimes: whether it depends on chance, so that its absence is fine.
+    :ivar why: the reason for the difference.
+    :ivar sometimes: whether the difference depends on chance, so that it may be absent.
     """
 
     file: str
@@ -47,7 +47,7 @@ BY_DESIGN = [
     Known('*', 'the client was gone', 'output', real='*failed to send response (timeout)*', sometimes=True),
     Known('*', 'the client was gone', 'output', real='*self.__service.service_send_response(*', sometimes=True),
 ]
-"""Differences that any launch file may have, and that cannot be avoided."""
+"""The differences that any launch file may have, and that cannot be avoided."""
 
 
 def reason(known: Sequence[Known], words: Sequence[str], difference: Difference) -> Known | None:
@@ -56,15 +56,15 @@ def reason(known: Sequence[Known], words: Sequence[str], difference: Difference)
 
 
 def split(known: Sequence[Known], words: Sequence[str], found: Sequence[Difference]) -> tuple[list[Difference], list[Known]]:
-    """Return the differences that no row explains, and the rows that explain the others."""
+    """Return the differences that no row explains, and the rows that explain the rest."""
     rows = {each: reason(known, words, each) for each in found}
     return [each for each in found if rows[each] is None], list(dict.fromkeys(row for row in rows.values() if row))
 
 
 def read_known(path: str) -> list[Known]:
-    """Read a table: a list of mappings with the names of :class:`Known`.
+    """Return the rows of a table file, which is a list of mappings with the names of :class:`Known`.
 
-    :raises UnusableInput: when it cannot be read, or a row is invalid.
+    :raises UnusableInput: when the file cannot be read, or a row is invalid.
     """
     import yaml
 

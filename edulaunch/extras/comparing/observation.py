@@ -1,4 +1,6 @@
-"""The observation of a run from outside, in the same terms for both worlds. Times are seconds since launch began."""
+"""The observation of a run from outside, in the same terms for simulations and real runs. Times are seconds since launch
+began.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +12,7 @@ from edulaunch.engine.interfaces.message import Message
 
 ClassOf = Callable[[str], type[Message]]
 NOT_COMPARED = ('/rosout', '/parameter_events')
-"""Topics whose messages appear elsewhere: as output, and as parameters."""
+"""The topics whose messages are compared in another form, as output or as parameters."""
 BRIEFLY = float('inf')
 _HIDDEN_NODE = re.compile(r'/(_|launch_ros_\d)')
 _STAMPED_LOG = re.compile(r'\[\d{9,}\.\d+\]')
@@ -34,7 +36,7 @@ class End(NamedTuple):
 
 
 class Range(NamedTuple):
-    """The values of a field: the range of its numbers (low is above high without numbers), or its strings."""
+    """The values of a field. Numbers become a range (without numbers, `low` is above `high`), and strings become a set."""
 
     low: float
     high: float
@@ -69,19 +71,19 @@ class Values:
                 self.add(time_s, each)
 
     def between(self, begin_s: float, end_s: float) -> Range:
-        """Return the values in a span of time."""
+        """Return the range of the values between two times."""
         numbers = [value for time_s, value in self._numbers if begin_s <= time_s <= end_s]
         texts = frozenset(text for text, time_s in self._texts.items() if begin_s <= time_s <= end_s)
         return Range(min(numbers, default=float('inf')), max(numbers, default=float('-inf')), texts)
 
     @property
     def range(self) -> Range:
-        """Return the values of the whole run."""
+        """Return the range of the values in the whole run."""
         return self.between(float('-inf'), float('inf'))
 
 
 class Flow(NamedTuple):
-    """The messages of a topic, or the transforms of one frame in another."""
+    """The messages of a topic, or the transforms from one frame to another."""
 
     times: list[float]
     fields: dict[str, Values]
@@ -96,7 +98,7 @@ class Line(NamedTuple):
 
 
 class Program(NamedTuple):
-    """A program's start and end (None if it still runs), its known nodes, and its first signal and line."""
+    """A program's start, end (None while it runs) and known nodes, and the times of its first signal and first line."""
 
     started_s: float
     ended_s: float | None = None
@@ -109,12 +111,12 @@ class Program(NamedTuple):
 class Observation(NamedTuple):
     """The nodes, endpoints, parameters, messages, output and programs that were observed in a run.
 
-    :ivar nodes: when each node first existed; :data:`BRIEFLY` for one that ended before all programs can have found it.
-    :ivar ends: QoS (reliability and durability) and first appearance of endpoints, as for nodes.
-    :ivar parameters: parameters at the end, by node.
-    :ivar flows: messages by topic, or 'tf a -> b'.
+    :ivar nodes: when each node first existed; :data:`BRIEFLY` for a node that ended before all programs can have found it.
+    :ivar ends: the QoS (reliability and durability) and the first appearance of endpoints, as for nodes.
+    :ivar parameters: the parameters at the end, by node.
+    :ivar flows: the messages by topic, and the transforms by 'tf a -> b'.
     :ivar lines: the output of programs.
-    :ivar programs: programs by launch name.
+    :ivar programs: the programs by launch name.
     :ivar asked_s: when Ctrl-C was pressed.
     :ivar start_s: when launch began, in seconds since 1970.
     """
@@ -164,7 +166,7 @@ def steady_name(node: str) -> str:
 
 
 def lines_of(process: str, pieces: Iterable[tuple[float, str]]) -> Iterator[Line]:
-    """Return the lines of a program's output; a traceback is reduced to its error, because its frames differ between worlds."""
+    """Return the lines of a program's output. A traceback is reduced to its error, because its frames differ in a real run."""
     rest, in_traceback, last_s = '', False, 0.0
     for time_s, piece in (*pieces, (None, '\n')):
         last_s = last_s if time_s is None else time_s
@@ -176,14 +178,14 @@ def lines_of(process: str, pieces: Iterable[tuple[float, str]]) -> Iterator[Line
 
 
 def program_of(name: str) -> str:
-    """Return a launch name without its number: 'talker' for 'talker-1'."""
+    """Return a launch name without its number, such as 'talker' for 'talker-1'."""
     return name.rpartition('-')[0] or name
 
 
 def add_messages(
     flows: dict[str, Flow], topic: str, type_name: str, rows: Iterable[tuple[float, Any]], class_of: ClassOf
 ) -> None:
-    """Add the messages of a topic, from (seconds, wire tuple) rows."""
+    """Add the messages of a topic, given as rows (seconds, wire tuple)."""
     for time_s, wire in rows:
         if type_name == _TRANSFORMS:
             for transform in wire[0]:

@@ -1,4 +1,4 @@
-"""Run one launch file in both worlds."""
+"""Run one launch file in simulation and in reality."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from edulaunch.extras.comparing.observation import Observation
 from edulaunch.extras.comparing.simulated import simulate
 
 PATIENCE_S = 10.0
-"""Extra seconds for the real run, until it has shown everything that the simulation showed."""
+"""The additional seconds for the real run, until it has shown everything that the simulation showed."""
 
 LATE_S = 1.0
 MOST_ORDERS = 8
@@ -22,10 +22,10 @@ OTHER_SEEDS = (1, 2)
 
 
 class Pair(NamedTuple):
-    """The result of a comparison: the differences, and which of them do not count.
+    """The result of a comparison: the differences, split by whether they count, and the observations of both runs.
 
     Differences that depend on the computer's speed do not count. Neither do subjects that depend on random numbers, and
-    programs that had not started before Ctrl-C. It also has both observations.
+    programs that had not started before Ctrl-C.
     """
 
     found: list[Difference]
@@ -46,12 +46,13 @@ def compare(
 ) -> Pair:
     """Run a launch file in simulation, as long as the real run may take, and then in reality.
 
-    Some differences depend on the order in which programs start. So in further simulations, programs start as late as in reality,
-    at the same time of day. Other differences depend on random numbers, see :func:`by_chance`. The rest is the result.
+    Some differences depend on the order in which programs start. In further simulations, programs therefore start as late as in
+    reality, at the same time of day. Other differences depend on random numbers; see :func:`by_chance`. The result contains the
+    rest.
 
-    :param seconds: simulated seconds until Ctrl-C.
-    :param is_known: recognises known differences, for which the run does not wait.
-    :raises UnusableInput: when it cannot be launched, or the real rclpy is not installed.
+    :param seconds: the simulated seconds until Ctrl-C.
+    :param is_known: returns whether a difference is known. The run does not wait for known differences.
+    :raises UnusableInput: when the file cannot be launched, or the real rclpy is not installed.
     """
     what = os.path.abspath(path) if not file and os.path.exists(path) else path, file, arguments
     workspaces = [os.path.abspath(folder) for folder in workspaces]
@@ -90,7 +91,8 @@ def _lates(simulated: Observation, late: dict[str, float]) -> Iterator[dict[str,
 def delays(simulated: Observation, real: Observation) -> dict[str, float]:
     """Return how many seconds later than in simulation each program started in the real run.
 
-    A program has started when its first node exists or it ends by itself. If a signal ended it before, the end of the run counts.
+    A program has started when its first node exists or it ends by itself. If a signal ended it earlier, the end of the run
+    counts.
     """
     late: dict[str, float] = {}
     for name, here in simulated.programs.items():

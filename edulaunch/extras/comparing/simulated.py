@@ -1,4 +1,4 @@
-"""Observe a run in simulation: everything comes from its recording."""
+"""Observe a run in simulation. The observation comes from the recording of the run."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ from edulaunch.extras.comparing.observation import (
 from edulaunch.runtime.session import Session
 
 FOUND_S = 3.0
-"""In reality, all programs find a node or endpoint that exists longer than this."""
+"""The time, in seconds, after which all real programs have found a new node or endpoint."""
 END_S = 15.0
 """Seconds after Ctrl-C."""
 
@@ -43,7 +43,7 @@ END_S = 15.0
 class RealProgram:
     """A real program of this computer that a simulation started: its output and its end, in simulated seconds.
 
-    :ivar written: by stream, (when, text).
+    :ivar written: the output of each stream as pairs (time, string).
     """
 
     def __init__(self, host: Host, spec: ProcessSpec, on_output: OnOutput | None, on_exit: OnExit | None) -> None:
@@ -58,29 +58,29 @@ class RealProgram:
         return (self._host.sim.now_ns - self._host.sim.start_ns) / 1e9
 
     def hear(self, stream: str, text: str) -> None:
-        """Record output."""
+        """Record output of the program."""
         self.written.setdefault(stream, []).append((self._now_s(), text))
         if self._on_output is not None:
             self._on_output(stream, text)
 
     def end(self, returncode: int) -> None:
-        """Record the end."""
+        """Record the end of the program."""
         self.returncode, self.ended_s = returncode, self._now_s()
         if self._on_exit is not None:
             self._on_exit(returncode)
 
 
 class LateHost(Host):
-    """A host whose programs start as late as in the real run: `delays_s`, by launch name.
+    """A host whose programs start as late as in the real run. `delays_s` has the delays by launch name.
 
-    It records the programs of this computer, which are in no recording.
+    The host also records the programs that run directly on this computer, which no recording contains.
     """
 
     delays_s: Mapping[str, float] = {}
 
     @cached_property
     def of_computer(self) -> list[RealProgram]:
-        """Return the programs of this computer that were started, in order."""
+        """Return the programs that were started directly on this computer, in order."""
         return []
 
     def start(
@@ -104,9 +104,9 @@ class LateHost(Host):
 
 
 class EndsRecorder(Recorder):
-    """A recorder that notes when publishers, subscriptions, services and clients are removed.
+    """A recorder that also records when publishers, subscriptions, services and clients are removed.
 
-    :ivar gone_s: times of removal by number.
+    :ivar gone_s: the times of removal, by the number of the endpoint.
     """
 
     def __init__(self, sim: Simulation) -> None:
@@ -138,11 +138,11 @@ def simulate(
 ) -> Observation:
     """Run a launch file, press Ctrl-C after `seconds`, and return the observation.
 
-    :param delays_s: delays before programs start, by launch name.
-    :param start_s: the time of day at which it begins, in seconds since 1970.
-    :param seed: the seed of its random numbers.
-    :raises UnusableInput: when it cannot be launched.
-    :raises KeyboardInterrupt: when the user pressed Ctrl-C before.
+    :param delays_s: the delays before programs start, by launch name.
+    :param start_s: the time of day at which the run begins, in seconds since 1970.
+    :param seed: the seed of the random numbers.
+    :raises UnusableInput: when the file cannot be launched.
+    :raises KeyboardInterrupt: when the user pressed Ctrl-C before the end of the run.
     """
     with LateSession(workspaces=workspaces, start_ns=round(start_s * 1e9), seed=seed) as session:
         assert isinstance(session.host, LateHost) and isinstance(session.recorder, EndsRecorder)
@@ -167,7 +167,11 @@ def with_programs(seen: Observation, programs: Sequence[RealProgram]) -> Observa
 
 
 def observe(recording: Recording, gone_s: Sequence[float], asked_s: float, class_of: ClassOf) -> Observation:
-    """Return the observation of a recording; Ctrl-C was pressed at `asked_s`, and each endpoint was removed at `gone_s`."""
+    """Return the observation of a recording.
+
+    :param asked_s: when Ctrl-C was pressed.
+    :param gone_s: when each endpoint was removed, by its number.
+    """
     nodes: dict[str, float] = {}
     for node in recording.nodes:
         if is_compared(node.name):

@@ -1,4 +1,6 @@
-"""Compare many launch files in both worlds, several at once, each in its own process."""
+"""Compare many launch files in simulation and in reality. Several comparisons run at the same time, each in a separate
+process.
+"""
 
 from __future__ import annotations
 
@@ -14,16 +16,16 @@ from edulaunch.extras.comparing.differing import Difference
 from edulaunch.extras.comparing.known import Known
 
 LONGEST_S = 240.0
-"""Extra seconds beyond `--for` for a comparison, more than the busiest computer needs, so that one that hangs is found."""
+"""The seconds for a comparison beyond `--for`, more than the busiest computer needs, to find a hanging comparison."""
 LAUNCH_ENDINGS = ('launch.py', 'launch.xml', 'launch.yaml', 'launch.yml')
 
 
 class Row(NamedTuple):
     """The result of comparing one launch file.
 
-    :ivar words: as for `edulaunch compare`.
-    :ivar found: differences that are not known.
-    :ivar known: the rows that explain the other differences.
+    :ivar words: the command-line words, as for `edulaunch compare`.
+    :ivar found: the differences that are not known.
+    :ivar known: the rows that explain the known differences.
     :ivar problem: the reason why there is no result.
     """
 
@@ -46,7 +48,7 @@ class Row(NamedTuple):
 
 
 def launch_files(folder: str) -> Iterator[str]:
-    """Return the launch files below a folder, without hidden and built ones."""
+    """Return the launch files below a folder, without those in hidden folders and build folders."""
     for place, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders if name[0] not in '._' and name not in ('build', 'install', 'log'))
         yield from (os.path.join(place, name) for name in sorted(names) if name.endswith(LAUNCH_ENDINGS))
@@ -60,11 +62,11 @@ def sweep(
     folder_of: Callable[[Sequence[str]], str | None] = lambda words: None,
     progress: Callable[[Row], object] = lambda row: None,
 ) -> list[Row]:
-    """Compare each item, `jobs` at a time; return rows in the order of the items.
+    """Compare each item, `jobs` at a time. Return the rows in the order of the items.
 
     :param items: the words of each comparison: a path, or a package and a file, and launch arguments.
     :param options: further options of each comparison.
-    :param folder_of: the folder in which each file is launched; by default, the current one.
+    :param folder_of: returns the folder in which a file is launched; by default, the current folder.
     :param progress: called with each finished row.
     :raises KeyboardInterrupt: after Ctrl-C, when the running comparisons have ended.
     """
@@ -110,7 +112,7 @@ def _row(
 
 
 def gone(known: Sequence[Known], rows: Sequence[Row]) -> list[Known]:
-    """Return known differences of these launch files that did not occur, except differences that depend on chance."""
+    """Return the known differences of these launch files that did not occur, except differences that depend on chance."""
     compared = [row for row in rows if not row.problem]
     return [
         each

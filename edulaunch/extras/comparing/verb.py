@@ -1,4 +1,4 @@
-"""`edulaunch compare`: run launch files in simulation and on real rclpy, and list the differences."""
+"""`edulaunch compare`: run launch files in simulation and on the real rclpy, and list the differences."""
 
 from __future__ import annotations
 
@@ -33,10 +33,12 @@ WIDEST = 60
 
 
 def compare_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the launch files, the duration, and the form of the output."""
+    """Add the arguments for the launch files, the duration, and the form of the output."""
     parser.epilog = EXAMPLES
     parser.add_argument('target', metavar='PACKAGE | PATH', help='package of the launch file, its path, or a folder of them')
-    parser.add_argument('rest', nargs='*', metavar='FILE | name:=value', help='launch file name, launch arguments; or more paths')
+    parser.add_argument(
+        'rest', nargs='*', default=[], metavar='FILE | name:=value', help='launch file name, launch arguments; or more paths'
+    )
     parser.add_argument(
         '--for',
         dest='seconds',
@@ -54,7 +56,7 @@ def compare_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def compare_verb(arguments: argparse.Namespace) -> int:
-    """Run everything in both worlds, and print the differences."""
+    """Run all launch files in simulation and in reality, and print the differences."""
     from edulaunch.extras.comparing.known import BY_DESIGN, read_known
     from edulaunch.extras.native.environment import needed
 
@@ -196,7 +198,7 @@ def report(
     chance: Sequence[Difference],
     not_up: set[str],
 ) -> str:
-    """Return the lines on one comparison: the outcome, then the differences, then ignored differences with reasons."""
+    """Return the lines on one comparison: the outcome, the differences, and the ignored differences with reasons."""
     from edulaunch.canvas.table import TextTable
 
     lines = ['The real run does not differ from the simulation.']
@@ -219,7 +221,7 @@ def report(
 
 
 def counts(simulated: Observation, real: Observation) -> str:
-    """Return how much was compared; each count has the number in simulation and in reality."""
+    """Return how many items were compared. Each count has the number in simulation and the number in reality."""
     here, there = _sizes(simulated), _sizes(real)
     return ', '.join(f'{what} {here[what]}/{there[what]}' for what in here)
 

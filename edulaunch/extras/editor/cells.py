@@ -1,4 +1,4 @@
-"""Read notebook cells that write a file: `%%writefile follow.launch.py` and the lines below it."""
+"""Read notebook cells that write a file. Such a cell begins with a line such as `%%writefile follow.launch.py`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ _FIRST = re.compile(r'%%(?:writefile|file)\s+(?:-a\s+)?(?P<name>[^\n]+?)\s*(?:\n
 
 
 def written_file(cell: str) -> tuple[str, str] | None:
-    """Return the name of the file that a cell writes, and its content with as many lines as the cell; None for other cells.
+    """Return the name of the file that a cell writes, and its content with as many lines as the cell. Return None for other
+    cells.
 
     The magic line becomes a comment or an empty line, so that line numbers stay the same.
     """

@@ -21,7 +21,7 @@ class Choice(NamedTuple):
 
 
 def choices(text: Text, offset: int, around: Around) -> tuple[list[Choice], Span] | None:
-    """Return the completions at an offset, and the text that they replace; return None if no completions are known."""
+    """Return the completions at an offset, and the string that they replace. Return None if no completions are known."""
     subject = subject_at(text, offset)
     if subject is None:
         return None

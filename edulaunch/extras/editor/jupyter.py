@@ -13,7 +13,7 @@ START = 'import sys; sys.path.pop(0); from edulaunch.desk.commands import edulau
 
 
 def spec(manager: Any) -> dict[str, Any]:
-    """Return how JupyterLab starts the server, and for which languages. pylsp serves Python files if it is installed."""
+    """Return how JupyterLab starts the server, and for which languages. If pylsp is installed, it serves Python files instead."""
     if find_spec('pygls') is None:
         return {}
     languages = ['xml', 'yaml', CELLS, *([] if find_spec('pylsp') is not None else ['python'])]

@@ -1,4 +1,4 @@
-"""The plug-in for editors: it adds `edulaunch lsp`, and the files of a VS Code extension for a course."""
+"""The plug-in for editors, which adds `edulaunch lsp` and the files of a VS Code extension for a course."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@ from edulaunch.extras.editor.programs import file_of, interface_of, launch_files
 from edulaunch.extras.editor.subjects import Subject, subject_at
 
 Values = dict[str, Any]
-"""Values from the last dry run: launch argument -> steps in the form of `edulaunch.advice.plan.why`."""
+"""The values from the last dry run: for each launch argument, the steps in the form of `edulaunch.advice.plan.why`."""
 _DECLARED = re.compile(
     r"""DeclareLaunchArgument\(\s*(?:name\s*=\s*)?['"](?P<python>[\w.-]+)['"]"""
     r"""(?:\s*,\s*default_value\s*=\s*(?P<value>['"][^'"]*['"]|\w+|\[[^\]]*\]))?"""
@@ -24,7 +24,7 @@ _PASSED = r"""(?:['"]{name}['"]\s*:|\(\s*['"]{name}['"]\s*,|<(?:arg|let)\b[^>]*?
 
 
 class Declaration(NamedTuple):
-    """A launch argument in the file: its name, its default as written, and the place of its name."""
+    """A launch argument in the file: its name, its default as written in the file, and the place of its name."""
 
     name: str
     default: str
@@ -41,7 +41,7 @@ class Target(NamedTuple):
 
 
 def declarations(text: Text) -> list[Declaration]:
-    """Return the launch arguments that the file declares; the file may be unfinished."""
+    """Return the launch arguments that the file declares. The file may be unfinished."""
     found = []
     for match in _DECLARED.finditer(text.text):
         kind = next(name for name in ('python', 'xml', 'yaml') if match[name])
@@ -85,7 +85,7 @@ def _interface(around: Around, subject: Subject) -> Target | None:
 
 
 def _relative_file(text: Text, offset: int) -> Target | None:
-    """Return the path of a file that a string names, relative to the folder of the file."""
+    """Return the absolute path of a file that a string in the file names relative to the folder of the file."""
     line = text.whole_line(text.place(offset).line)
     for match in re.finditer(r"""['"]([\w./-]+\.(?:py|xml|ya?ml|urdf|xacro|rviz))['"]""", text.text[line.start : line.end]):
         if line.start + match.start() <= offset <= line.start + match.end():
@@ -95,7 +95,10 @@ def _relative_file(text: Text, offset: int) -> Target | None:
 
 
 def references(text: Text, offset: int, around: Around) -> list[Target]:
-    """Return all uses of the launch argument at an offset: in this file, and in launch files that include this one and set it."""
+    """Return all uses of the launch argument at an offset.
+
+    The uses are in this file, and in launch files that include this file and set the argument.
+    """
     subject = subject_at(text, offset)
     if subject is None or subject.kind != 'argument':
         return []
@@ -130,9 +133,9 @@ def _target(text: Text, span: Span) -> Target:
 
 
 def hover(text: Text, offset: int, around: Around, values: Values) -> tuple[str, Span] | None:
-    """Return a description of the object at an offset, as Markdown, and its place.
+    """Return a description of the object at an offset, as Markdown, and the place of the object.
 
-    :param values: values from the last dry run of the file.
+    :param values: the values from the last dry run of the file.
     """
     subject = subject_at(text, offset)
     if subject is None or not subject.name:

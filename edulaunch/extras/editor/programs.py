@@ -1,4 +1,6 @@
-"""Find the file, parameters and topics of programs. Student programs are only read; built-in programs run for half a second."""
+"""Find the file, the parameters and the topics of programs. Student programs are only read; built-in programs run for half a
+second.
+"""
 
 from __future__ import annotations
 
@@ -18,11 +20,11 @@ MOMENT_S = 0.5
 _FRAME = re.compile(r"""frame_id\s*=\s*['"]([\w/]+)['"]|frame-id['"]?,\s*['"]([\w/]+)['"]""")
 MOST_FILES = 400
 HIDDEN = ('qos_overrides.', 'start_type_description_service')
-"""Parameters that ROS 2 itself declares for each node."""
+"""The parameters that ROS 2 itself declares for each node."""
 
 
 class Interface(NamedTuple):
-    """The parameters of a program with their defaults, and the types of its topics, by name."""
+    """The interface of a program: its parameters with their defaults, and the types of its topics, by name."""
 
     parameters: dict[str, str]
     topics: dict[str, str]
@@ -44,7 +46,7 @@ def file_of(around: Around, package: str, executable: str) -> tuple[str, int] | 
 
 
 def interface_of(around: Around, package: str, executable: str) -> Interface:
-    """Return the declarations of a program; a student's program is read and not run."""
+    """Return the interface of a program. A student's program is read, but not run."""
     place = file_of(around, package, executable)
     if place is not None:
         return _read(place[0])
@@ -68,7 +70,7 @@ def _read(path: str) -> Interface:
 
 @lru_cache(maxsize=64)
 def _of_built_in(package: str, executable: str) -> Interface:
-    """Return the declarations from a run of a built-in program, which is not a student's code."""
+    """Return the interface that a run of a built-in program shows. The program is not a student's code."""
     from edulaunch.engine.processes.spec import ProcessSpec
     from edulaunch.runtime.session import Session
 
@@ -88,7 +90,7 @@ def _of_built_in(package: str, executable: str) -> Interface:
 
 
 def frames(around: Around, text: str) -> list[str]:
-    """Return the names of frames in the file and in the Python files of the workspace."""
+    """Return the names of the frames in the file and in the Python files of the workspace."""
     found = set(_FRAME.findall(text))
     for path in [path for path in _files(around) if path.endswith('.py')][:MOST_FILES]:
         try:

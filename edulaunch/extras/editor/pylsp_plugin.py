@@ -1,6 +1,6 @@
-"""A plug-in of python-lsp-server that adds our diagnostics, completion and hover to its Python files.
+"""A plug-in of python-lsp-server that adds edulaunch's diagnostics, completion and hover to Python files.
 
-JupyterLab asks one server for each language. pylsp calls these functions by their names and parameters.
+JupyterLab uses one server for each language. pylsp calls these functions by their names and parameters.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def _text(document: Any) -> Text | None:
 
 @hookimpl
 def pylsp_settings(config: Any) -> dict[str, Any]:
-    """Enable the plug-in."""
+    """Return settings that enable the plug-in."""
     return {'plugins': {'edulaunch': {'enabled': True}}}
 
 

@@ -18,7 +18,7 @@ Outcome = dict[str, Any]
 
 
 def saved_check(path: str, workspaces: Sequence[str], deadline_s: float = DEADLINE_S) -> Outcome | None:
-    """Return the findings of a launch file's dry run: `findings`, and the steps of each launch argument as `values`.
+    """Return the findings of a launch file's dry run as `findings`, and the steps of each launch argument as `values`.
 
     If the dry run did not end, return None. The file runs in another process. Where the system allows it, the process can
     write only in a temporary folder, and opens no socket.
@@ -50,7 +50,9 @@ def saved_check(path: str, workspaces: Sequence[str], deadline_s: float = DEADLI
 
 
 def confined(home: str, readable: Sequence[str]) -> dict[str, str]:
-    """Confine this process permanently, as far as the system can. Return for each layer 'held', or why it does not hold."""
+    """Confine this process permanently, as far as the system can. Return for each layer 'held', or the reason why it is not
+    active.
+    """
     import resource
 
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
@@ -81,7 +83,7 @@ def outcome_of(path: str, workspaces: Sequence[str]) -> Outcome:
 
 
 def main() -> None:
-    """Run the child: read the job, confine the process, run the file, and write the outcome."""
+    """Run the child process: read the job, confine the process, run the file, and write the outcome."""
     job = json.load(sys.stdin)
     out = os.fdopen(os.dup(1), 'w', encoding='utf-8')
     os.dup2(2, 1)  # discard the output of the launch file

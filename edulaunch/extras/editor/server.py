@@ -1,7 +1,7 @@
 """The language server (pygls): diagnostics, quick fixes, completion, hover, definitions and uses of launch arguments.
 
-While the student types, only `check` runs, which executes nothing. A saved launch file gets a dry run in a child process
-(`saving.py`), unless an option disables it.
+While the student types, only `check` runs, which executes nothing. When a launch file is saved, a child process performs a dry
+run (`saving.py`), unless an option disables it.
 """
 
 from __future__ import annotations
@@ -35,9 +35,9 @@ KINDS = {
 
 
 class Documents:
-    """The server's data on each open document, besides its content.
+    """The server's data about open documents, in addition to their content.
 
-    :param runs: whether a saved launch file may be executed.
+    :param runs: whether the server may execute a saved launch file.
     """
 
     def __init__(self, runs: bool, workspaces: Sequence[str]) -> None:
@@ -49,14 +49,14 @@ class Documents:
         self.values: dict[str, Values] = {}
 
     def around(self, path: str) -> Around:
-        """Return the packages around a file; they are read again after a file was saved."""
+        """Return the packages around a file. They are read again after a file was saved."""
         folder = os.path.dirname(path)
         if folder not in self._around:
             self._around[folder] = Around(path, self.workspaces)
         return self._around[folder]
 
     def forget(self) -> None:
-        """Read packages again at the next use."""
+        """Forget the packages, which are then read again at their next use."""
         self._around.clear()
 
     def executed(self, text: Text, findings: list[Finding], values: Values) -> None:
@@ -66,7 +66,7 @@ class Documents:
             self.values[text.path] = values
 
     def marks(self, text: Text) -> list[Marked]:
-        """Return the mistakes in a document; if it has not changed since it was saved, include the findings of its dry run."""
+        """Return the mistakes in a document. If it has not changed since it was saved, include the findings of its dry run."""
         found = check(text.text, text.path, self.around(text.path))
         saved, findings = self._executed.get(text.path, ('', []))
         if saved != text.text:
@@ -90,7 +90,7 @@ def make_server(documents: Documents) -> LanguageServer:
 
 
 def _text_of(server: LanguageServer, uri: str) -> Text:
-    """Return the content of a document; a cell that writes a file has the content of that file."""
+    """Return the content of a document. For a cell that writes a file, return the content of that file."""
     content = server.workspace.get_text_document(uri).source
     written = written_file(content)
     path = path_of(uri)
@@ -101,7 +101,7 @@ def _text_of(server: LanguageServer, uri: str) -> Text:
 
 
 def _follow_documents(server: LanguageServer, documents: Documents) -> None:
-    """Handle a document that is opened, changed, saved or closed."""
+    """Register the handlers for documents that are opened, changed, saved or closed."""
 
     def show(uri: str) -> None:
         text = _text_of(server, uri)
@@ -144,7 +144,7 @@ def _follow_documents(server: LanguageServer, documents: Documents) -> None:
 
 
 def _answer_questions(server: LanguageServer, documents: Documents) -> None:
-    """Answer requests about a place in a document."""
+    """Register the handlers of requests about a place in a document."""
 
     @server.feature(types.TEXT_DOCUMENT_CODE_ACTION, types.CodeActionOptions(code_action_kinds=[types.CodeActionKind.QuickFix]))
     def code_action(params: types.CodeActionParams) -> list[types.CodeAction]:
@@ -243,7 +243,7 @@ def _item(label: str, detail: str, place: types.Range) -> types.CompletionItem:
 
 
 def _location(target: Target, text: Text, uri: str) -> types.Location:
-    """Return a place of a file; a place in the document itself has the document's address."""
+    """Return a place of a file. A place in the document itself gets the document's address."""
     is_own = target.path == os.path.realpath(text.path)
     start = types.Position(line=target.line - 1, character=target.column)
     end = types.Position(line=target.line - 1, character=target.end or target.column)
@@ -251,7 +251,7 @@ def _location(target: Target, text: Text, uri: str) -> types.Location:
 
 
 def serve(runs: bool = True, workspaces: Sequence[str] = ()) -> None:
-    """Serve the editor that started this process, over standard input and output."""
+    """Serve the editor that started this process, through standard input and output."""
     documents = Documents(runs, workspaces)
     with suppress(EdulaunchError):  # each document will show the error
         check('from launch.actions import LogInfo\nLogInfo(msg="warm")\n', os.path.abspath('warm.launch.py'))

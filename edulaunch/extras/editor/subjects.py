@@ -16,9 +16,9 @@ class Subject(NamedTuple):
 
     :ivar kind: 'package', 'executable', 'argument', 'launch file', 'parameter', 'topic', 'frame', 'interface', 'interface
         module', 'element' or 'keyword'.
-    :ivar name: its whole name; for an unfinished name, the part up to the cursor is `text[span.start:cursor]`.
-    :ivar owner: the package of an executable or launch file, or 'package/executable' of a parameter or topic. For an interface it
-        is the module, and for a keyword the action.
+    :ivar name: the whole name. For an unfinished name, the part up to the cursor is `text[span.start:cursor]`.
+    :ivar owner: the package of an executable or launch file, or 'package/executable' of a parameter or topic. For an interface,
+        it is the module, and for a keyword, the action.
     """
 
     kind: str
@@ -40,7 +40,7 @@ _BEFORE = [
     (re.compile(r'\bframe_id\s*=\s*$'), 'frame'),
     (re.compile(_SHARE + r'\(\s*["\'](?P<owner>[\w-]+)["\']\s*\)\s*,\s*(?:["\']launch["\']\s*,\s*)?$'), 'launch file'),
 ]  # fmt: skip
-"""Kinds by the text before the string under the cursor."""
+"""The kinds of subjects, by the text before the string under the cursor."""
 _MARKUP = [
     (re.compile(r'\$\(var\s+(?P<name>[\w.-]*)$'), 'argument'),
     (re.compile(r'\$\(find-pkg-(?:share|prefix)\s+(?P<name>[\w-]*)$'), 'package'),
@@ -54,7 +54,7 @@ _MARKUP = [
     (re.compile(r'<(?P<name>[\w-]*)$'), 'element'),
     (re.compile(r'^\s*-\s*(?P<name>[\w-]*)$', re.MULTILINE), 'element'),
 ]
-"""Kinds in XML and YAML, by the text before the cursor, including the beginning of the name."""
+"""The kinds of subjects in XML and YAML, by the text before the cursor, including the beginning of the name."""
 _MODULE = re.compile(r'^from\s+(?P<name>[\w.]*)$', re.MULTILINE)
 _IMPORT = re.compile(
     r'^from\s+(?P<owner>\w+\.(?:msg|srv|action))\s+import\s+(?:\(?[\w\s,]*,\s*|\(\s*)?(?P<name>\w*)$', re.MULTILINE
@@ -107,15 +107,17 @@ def _in_python(text: Text, offset: int) -> Subject | None:
 
 
 def _whole(text: Text, start: int, pattern: str) -> tuple[str, Span]:
-    """Return the whole name that begins at an offset, and its place."""
+    """Return the whole name that begins at an offset, and the place of this name."""
     match = re.compile(pattern).match(text.text, start)
     end = start if match is None else match.end()
     return text.text[start:end], Span(start, end)
 
 
 def _string_start(text: Text, offset: int) -> int | None:
-    """Return where the string around an offset begins, after its quotation mark; None outside strings. Strings end with a
-    line."""
+    """Return the offset after the opening quotation mark of the string around an offset. Return None outside strings.
+
+    A string ends at the end of its line.
+    """
     start = text.whole_line(text.place(offset).line).start
     quote, begin = '', 0
     for place in range(start, offset):

@@ -10,6 +10,8 @@ PLACE = '.vscode/extensions/edulaunch'
 
 
 def vscode(requirements: str, exercises: list[tuple[str, str]]) -> dict[str, bytes]:
-    """Return the files by path. VS Code suggests the extensions in this folder when a student opens the course."""
+    """Return the files of the template by path. VS Code suggests the extensions in this folder when a student opens the
+    course.
+    """
     names = sorted(name for name in os.listdir(FOLDER) if name.endswith(('.js', '.json', '.md')))
     return {f'{PLACE}/{name}': Path(FOLDER, name).read_bytes() for name in names}

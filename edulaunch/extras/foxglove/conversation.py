@@ -1,6 +1,7 @@
-"""The server's end of one client: its subscriptions, its publications, and the messages that the server sends to it. A client
-that reads slowly gets fewer turns. Then the server leaves out old messages, and counts them.
-The queue of answers is limited.
+"""The server's state for one client: the client's subscriptions and publications, and the messages that the server sends.
+
+A slow client receives messages less often. The server then leaves out old messages, and counts them. The queue of replies is
+limited.
 """
 
 from __future__ import annotations
@@ -16,20 +17,20 @@ from edulaunch.extras.foxglove.server_messages import Message
 from edulaunch.ros.serialization.cdr import encode
 
 MOST_ROWS = 500
-"""The most messages of one topic in one turn."""
+"""The maximum number of messages of one topic in one turn."""
 MOST_BYTES = 12 << 20
-"""The most bytes of messages in one turn."""
+"""The maximum number of bytes of messages in one turn."""
 MOST_WAITING = 4 << 20
-"""The most bytes of answers that wait for a client. A client that sends more requests without reading is disconnected."""
+"""The maximum number of bytes of waiting replies. A client that sends more requests without reading is disconnected."""
 MOST_CHANNELS = 1000
-"""The most subscriptions of one client, and the most topics on which it publishes."""
+"""The maximum number of subscriptions of one client, and of topics on which it publishes."""
 ENCODING, SCHEMA = 'cdr', 'ros2msg'
 PUBLISHED = (ENCODING, 'json')
-"""Encodings of the messages that a client publishes."""
+"""The encodings of the messages that a client publishes."""
 
 
 class TooMuch(ValueError):
-    """A client sends more requests than it reads answers."""
+    """The client sends requests faster than it reads the replies."""
 
 
 class Conversation:
@@ -57,7 +58,7 @@ class Conversation:
         self._begin()
 
     def _begin(self) -> None:
-        """Send the server's first messages. They replace everything that the client knew of another session."""
+        """Send the first messages of a session. They replace all data that the client has from an earlier session."""
         feed = self._feed
         self._session = feed.session()
         self._version: object = None
@@ -131,7 +132,7 @@ class Conversation:
         tells: str,
         what: str,
     ) -> list[int]:
-        """Report new and removed entries, and return the numbers of the removed ones."""
+        """Report new and removed entries, and return the numbers of the removed entries."""
         gone = [number for number, topic in known.items() if topic not in here]
         for number in gone:
             del known[number]
@@ -175,7 +176,7 @@ class Conversation:
         return {'id': self._number, 'name': service.name, 'type': service.type, **parts}
 
     def _data(self) -> list[bytes]:
-        """Return the messages of subscribed topics since the last turn. If there are too many, leave out the oldest."""
+        """Return the messages of subscribed topics since the last turn. If there are too many, leave out the oldest messages."""
         messages: list[bytes] = []
         left = MOST_BYTES
         for number, (channel, key) in self._subscribed.items():
@@ -220,9 +221,9 @@ class Conversation:
     # -- messages from the client
 
     def take(self, message: Message) -> None:
-        """Handle a request of the client. An error message answers an impossible request.
+        """Handle a request of the client. If the request is impossible, reply with an error message.
 
-        :raises TooMuch: when the client sends more requests than it reads answers.
+        :raises TooMuch: when the client sends requests faster than it reads the replies.
         """
         if self._waiting_bytes > MOST_WAITING:
             raise TooMuch
@@ -330,12 +331,12 @@ class Conversation:
         self._say(server_messages.no_asset(request.request, 'edulaunch serves no files'))
 
     def close(self) -> None:
-        """Handle the end of the client."""
+        """Release the resources of a client that has disconnected."""
         self._feed.close()
 
 
 def _schema(registry: Any, type_name: str) -> str | None:
-    """Return the definition of a type and of all types in it; return None for an unknown type."""
+    """Return the definition of a type and of all types that it contains, or None for an unknown type."""
     try:
         return definition(registry, type_name)
     except (InterfaceError, AssertionError):

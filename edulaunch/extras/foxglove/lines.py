@@ -1,4 +1,7 @@
-"""The line of a web socket to its conversation, which is in the machine's process or, for a recording, in this process."""
+"""The connection of a web socket with the object that handles its client.
+
+This object is in the machine's process or, for a recording, in this process.
+"""
 
 from __future__ import annotations
 
@@ -20,28 +23,28 @@ END = frame(_LAST)
 
 
 def packed(message: Message) -> bytes:
-    """Return a message in the form for the connection between the processes of the machine and of the server."""
+    """Return a message as a frame for the connection between the machine's process and the server's process."""
     return frame(TEXT, message.encode()) if isinstance(message, str) else frame(BYTES, message)
 
 
 class Line(Protocol):
-    """The connection of a web socket to a conversation."""
+    """The connection of a web socket with the Conversation that handles its client."""
 
     async def say(self, message: Message) -> None:
-        """Pass on a message of the client."""
+        """Pass a message of the client to the conversation."""
 
     async def turn(self) -> list[Message]:
         """Return the messages for the client."""
 
     def close(self) -> None:
-        """Handle the end of the client."""
+        """Release the resources of a client that has disconnected."""
 
 
 class MachineLine:
-    """A conversation in the machine's process.
+    """The connection with a Conversation in the machine's process.
 
     :param connection: a socket that is connected to the machine.
-    :param hello: the first frame to send on it.
+    :param hello: the first frame to send on the socket.
     """
 
     def __init__(self, connection: socket.socket, hello: bytes) -> None:
@@ -61,7 +64,7 @@ class MachineLine:
         """Return the messages for the client.
 
         :raises StreamClosedError: when the machine has ended.
-        :raises OSError: with the message of a machine that accepts no more clients.
+        :raises OSError: when the machine accepts no more clients, with the machine's message.
         """
         await self._send(frame(TURN))
         found: list[Message] = []
@@ -82,7 +85,7 @@ class MachineLine:
 
 
 class HereLine:
-    """A conversation in this process."""
+    """The connection with a Conversation in this process."""
 
     def __init__(self, conversation: Conversation) -> None:
         self._conversation = conversation

@@ -1,4 +1,6 @@
-"""A running machine as the feed of one client. A client that publishes or sends requests has its own node in the graph."""
+"""A running machine as the feed of one client. If the client publishes or sends requests, it gets a separate node in the
+graph.
+"""
 
 from __future__ import annotations
 
@@ -22,19 +24,19 @@ from edulaunch.ros.serialization.cdr import decode, encode
 from edulaunch.runtime.session import Session
 
 MOST_CALLS = 100
-"""The most requests of one client that wait for their reply."""
+"""The maximum number of requests of one client that wait for their reply."""
 MOST_PROBLEMS = 5
-"""The most parameters in one error message."""
+"""The maximum number of parameters in one error message."""
 ANSWER_NS = 30 * 10**9
-"""Simulated seconds after which a request is given up."""
+"""The simulated nanoseconds after which a request without a reply ends with an error."""
 SLOTS = ('', 'bool', 'integer', 'double', 'string', 'byte_array', 'bool_array', 'integer_array', 'double_array', 'string_array')
-"""The fields of rcl_interfaces/msg/ParameterValue by the number of the type; each ends in '_value'."""
+"""The fields of rcl_interfaces/msg/ParameterValue by the number of the type. The name of each field ends in '_value'."""
 
 
 class LiveFeed:
     """The feed of the current session of a machine.
 
-    :param number: the number of the client, for the name of its node.
+    :param number: the number of the client, which is part of the name of its node.
     """
 
     name = 'edulaunch'
@@ -66,7 +68,7 @@ class LiveFeed:
         return self._session.sim.now_ns
 
     def advance(self) -> list[bytes]:
-        """Give up requests that got no answer; the machine's own clock lets time pass."""
+        """End requests that received no reply in time. The time itself passes with the machine's own clock."""
         late = [call for call, (until_ns, _) in self._calls.items() if until_ns < self.now_ns()]
         for call in late:
             _, answer = self._calls.pop(call)
@@ -144,7 +146,7 @@ class LiveFeed:
             publisher.destroy()
 
     def _class(self, type_name: str) -> Any:
-        """Return the class of a message type, from an endpoint that uses it or from the machine."""
+        """Return the class of a message type, from an endpoint that uses the type or from the machine."""
         for node in self._graph.nodes:
             for end in node.endpoints:
                 if end.type_name == type_name and hasattr(end.cls, 'from_wire'):
@@ -244,7 +246,7 @@ class LiveFeed:
 
 
 def _known(table: dict[str, list[Any]]) -> list[Topic]:
-    """Return the names of a table of the graph with each of their known types."""
+    """Return the names in a table of the graph, each with its known types."""
     found: dict[Key, Topic] = {}
     for name, ends in table.items():
         for end in ends:
@@ -263,7 +265,7 @@ def _decoded(cls: Any, data: bytes, what: str) -> Any:
 
 
 def _from_json(cls: Any, data: bytes, what: str) -> Any:
-    """Return the wire of a message in JSON; a field that the object does not name has its default."""
+    """Return the wire tuple of a message in JSON. A field that is missing in the JSON object has its default value."""
     message = cls()
     try:
         values = json.loads(data)
@@ -276,7 +278,7 @@ def _from_json(cls: Any, data: bytes, what: str) -> Any:
 
 
 def _typed(name: str, value: Value, kind: str | None, current: Any) -> dict[str, Any]:
-    """Return the fields of a ParameterValue. In JSON, 2 can also mean 2.0, so the current type counts."""
+    """Return the fields of a ParameterValue. In JSON, 2 can also mean 2.0, so the current type decides."""
     if kind == 'byte_array':
         raise Refused(f'{name}: byte arrays cannot be set')
     was = type_of_value(current)

@@ -67,7 +67,7 @@ def foxglove(shown: LiveMachine | Recording, port: int = 0, origins: Sequence[st
     """Serve a machine or a recording to Foxglove and Lichtblick while the notebook's kernel runs.
 
     :param shown: the machine or the recording.
-    :param port: a port of the loopback, or 0 for any free one.
+    :param port: a port of the loopback interface, or 0 for any free port.
     :param origins: the origins of pages that may connect in addition to Foxglove's.
     :raises UnusableInput: without a running asyncio loop, and when the port is in use.
     """

@@ -1,4 +1,4 @@
-"""The plug-in for Foxglove: it adds `edulaunch view --foxglove`, `.foxglove()` in notebooks, and a service of the machine."""
+"""The plug-in for Foxglove, which adds `edulaunch view --foxglove`, `.foxglove()` in notebooks, and a service of the machine."""
 
 from __future__ import annotations
 

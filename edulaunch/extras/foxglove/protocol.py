@@ -1,6 +1,6 @@
 """The messages that a client of the Foxglove WebSocket protocol may send.
 
-This module checks everything, and answers an invalid message with an error message. A client may be hostile, so the size of
+This module checks every message, and replies to an invalid message with an error message. A client may be hostile, so the size of
 messages, the length of lists and the range of numbers are limited.
 """
 
@@ -15,34 +15,34 @@ from typing import Any, NamedTuple, NoReturn
 SDK, OLD = 'foxglove.sdk.v1', 'foxglove.websocket.v1'
 SUBPROTOCOLS = (SDK, OLD)
 LONGEST_MESSAGE = (1 << 20) - 64
-"""The most bytes of one message of a client."""
+"""The maximum number of bytes of one message of a client."""
 MOST_ITEMS = 1000
-"""The most entries of one list."""
+"""The maximum number of entries of one list."""
 LONGEST_TEXT = 512
-"""The most letters of one name."""
+"""The maximum number of characters of one name."""
 FASTEST = 100.0
 """The highest speed of a recording, relative to real time."""
 Value = bool | int | float | str | list[Any]
 
 
 class ProtocolError(ValueError):
-    """A message that a client may not send. The text is for the user of the client."""
+    """A client sent a message that it may not send. Users of the client read the error message."""
 
 
 class Subscribe(NamedTuple):
-    """A request for the messages of these channels: (subscription, channel)."""
+    """A request for the messages of channels, as pairs (subscription, channel)."""
 
     pairs: tuple[tuple[int, int], ...]
 
 
 class Unsubscribe(NamedTuple):
-    """A request to end these subscriptions."""
+    """A request to end subscriptions."""
 
     ids: tuple[int, ...]
 
 
 class ClientChannel(NamedTuple):
-    """A topic on which a client wants to publish."""
+    """A topic on which a client publishes."""
 
     id: int
     topic: str
@@ -51,13 +51,13 @@ class ClientChannel(NamedTuple):
 
 
 class Advertise(NamedTuple):
-    """The client wants to publish on these channels."""
+    """An announcement that the client will publish on these channels."""
 
     channels: tuple[ClientChannel, ...]
 
 
 class Unadvertise(NamedTuple):
-    """The client no longer wants to publish on these channels."""
+    """An announcement that the client stops publishing on these channels."""
 
     ids: tuple[int, ...]
 
@@ -79,21 +79,21 @@ class Call(NamedTuple):
 
 
 class GetParameters(NamedTuple):
-    """A request for some parameters, or for all if it has no names."""
+    """A request for the named parameters, or for all parameters if it has no names."""
 
     names: tuple[str, ...]
     request: str | None
 
 
 class SetParameters(NamedTuple):
-    """A request to set parameters: (name, value, type). The type is 'float64', 'float64_array', 'byte_array' or None."""
+    """A request to set parameters, as (name, value, type). The type is 'float64', 'float64_array', 'byte_array' or None."""
 
     values: tuple[tuple[str, Value, str | None], ...]
     request: str | None
 
 
 class WatchParameters(NamedTuple):
-    """A request to start or stop sending these parameters when they change. Without names, it means all parameters."""
+    """A request to start or stop sending the named parameters when they change. Without names, it means all parameters."""
 
     names: tuple[str, ...]
     on: bool
@@ -106,7 +106,7 @@ class WatchGraph(NamedTuple):
 
 
 class Playback(NamedTuple):
-    """A request to play or pause a recording at a speed, after moving to a time if it names one."""
+    """A request to play or pause a recording at a speed. If it contains a time, the recording first moves to this time."""
 
     plays: bool
     speed: float
@@ -138,9 +138,9 @@ Request = (
 
 
 def parse(message: str | bytes) -> Request:
-    """Parse a message of a client.
+    """Return the parsed message of a client.
 
-    :raises ProtocolError: when the client may not send it.
+    :raises ProtocolError: when the client may not send the message.
     """
     if len(message) > LONGEST_MESSAGE:
         raise ProtocolError(f'a message may have at most {LONGEST_MESSAGE} bytes')
@@ -205,7 +205,7 @@ def _checked_text(op: str, name: str, value: Any) -> str:
 
 
 def _unicode(op: str, value: str) -> str:
-    """Return a string that UTF-8 can represent. Strings in JSON may also contain halves of a character."""
+    """Return a string that UTF-8 can represent. Strings in JSON may contain lone surrogates, which UTF-8 cannot represent."""
     try:
         value.encode()
     except UnicodeEncodeError:
@@ -241,7 +241,7 @@ def _set_parameters(fields: dict[str, Any]) -> SetParameters:
 
 
 def _value(value: Any) -> Value:
-    """Return a value that a parameter can have."""
+    """Return the value if a parameter can have it."""
     if isinstance(value, list):
         if any(isinstance(one, list) for one in value):
             raise ProtocolError('setParameters: a parameter of ROS 2 has no lists inside lists')

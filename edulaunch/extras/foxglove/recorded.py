@@ -1,4 +1,4 @@
-"""A recording as the feed of one client: it plays, pauses and seeks only for this client."""
+"""A recording as the feed of one client. It plays, pauses and seeks only for this client."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ NO_CHANGES = 'a recording cannot be changed'
 
 
 class RecordingFeed:
-    """Plays a recording from its beginning, at the speed of real time until the client asks for another one.
+    """Plays a recording from its beginning, at the speed of real time until the client requests another speed.
 
     :param controls: whether the client can control how the recording plays.
-    :param clock: returns real time, in seconds (for tests).
+    :param clock: returns real time in seconds. Tests replace it.
     """
 
     def __init__(
@@ -130,8 +130,9 @@ class RecordingFeed:
         return bisect_right(self._columns[key]['times'], self._at_ns)
 
     def kept(self, key: Key) -> list[Row]:
-        """Return the messages for a client that subscribes now: the last message of each publisher or, for a latched topic, as
-        many as it keeps.
+        """Return the messages for a client that subscribes now, which are the last message of each publisher.
+
+        For a latched topic, return as many messages as the publisher stores.
         """
         wires, column, end = self._wires_of(key), self._columns[key], self.end(key)
         depths = {row[4]: _depth(row[6]) for row in self._ends if row[0] == 'publisher' and row[1] == key[0]}
@@ -181,6 +182,6 @@ class RecordingFeed:
 
 
 def _depth(policies: Sequence[Any]) -> int:
-    """Return how many messages a publisher keeps for late subscribers, at least one."""
+    """Return how many messages a publisher stores for late subscribers, at least one."""
     qos = QoS(*policies)
     return 1 if qos.durability != TRANSIENT_LOCAL else (qos.queue_length or 1000)

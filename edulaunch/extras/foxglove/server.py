@@ -1,6 +1,8 @@
-"""The web sockets: they accept clients, and pass messages between a client and its line. A client needs the token in the
-address, and the host name from the server's address. A page in a browser also needs an allowed origin. While a client does not
-read, the server requests no messages from the line. Messages that are invalid or too long do not reach the machine.
+"""The web sockets, which accept clients and pass messages between a client and the object that handles it.
+
+A client needs the token in the address, and the host name from the server's address. A page in a browser also needs an allowed
+origin. While a client does not read, the server requests no further messages for it. Messages that are invalid or too long do not
+reach the machine.
 """
 
 from __future__ import annotations
@@ -21,12 +23,12 @@ from edulaunch.extras.foxglove import protocol, server_messages
 from edulaunch.extras.foxglove.lines import Line
 
 EVERY_S = 1 / 40
-"""Seconds between two turns of a client."""
+"""The seconds between two turns of a client."""
 APP = 'https://app.foxglove.dev'
 TOO_MUCH = 'this client asks for more than it reads'
 PATH = r'/([\w-]+)/'
 Open = Callable[[str], Awaitable[Line]]
-"""Creates the line for a client with a subprotocol."""
+"""A function that creates the connection of a client with a subprotocol."""
 
 
 class Client(Guarded, WebSocketHandler):
@@ -61,7 +63,7 @@ class Client(Guarded, WebSocketHandler):
         self._talk = asyncio.create_task(self._tell())
 
     async def _tell(self) -> None:
-        """Request a turn from the line whenever the client has read the previous one."""
+        """Request the next messages whenever the client has read the previous ones."""
         assert self._line is not None
         try:
             while True:
@@ -79,7 +81,7 @@ class Client(Guarded, WebSocketHandler):
             self.close(1011, 'edulaunch made a mistake')
 
     async def on_message(self, message: str | bytes) -> None:
-        """Pass a valid message of the client on, before reading the next one."""
+        """Pass a valid message of the client on, before reading the next message."""
         if self._line is None:
             return
         try:
@@ -102,9 +104,9 @@ class Client(Guarded, WebSocketHandler):
 
 
 async def serve(open_line: Open, *, port: int = 0, origins: Sequence[str] = (), opened: Callable[[str], object]) -> None:
-    """Serve clients until cancelled.
+    """Serve clients until the task is cancelled.
 
-    :param port: a port of the loopback, or 0 for any free one.
+    :param port: a port of the loopback interface, or 0 for any free port.
     :param origins: the origins of pages that may connect in addition to Foxglove's.
     :param opened: called with the address for clients when the server is ready.
     :raises OSError: when the port is in use.
@@ -118,7 +120,7 @@ async def serve(open_line: Open, *, port: int = 0, origins: Sequence[str] = (), 
 
 
 def open_server(open_line: Open, *, port: int, origins: Sequence[str]) -> tuple[HTTPServer, str]:
-    """Return a server on the running loop, and its address; the parameters and errors are those of :func:`serve`."""
+    """Return a server on the running loop, and its address. The parameters and errors are those of :func:`serve`."""
     server, address = open_paths([(PATH, Client)], port=port, **_settings(open_line, origins))
     return server, address.replace('http', 'ws', 1)
 

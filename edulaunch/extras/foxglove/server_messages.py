@@ -12,20 +12,20 @@ from typing import Any
 Message = str | bytes
 Graph = Mapping[str, Mapping[str, Sequence[str]]]
 INFO, WARNING, ERROR = range(3)
-"""Levels of a status."""
+"""The levels of a status."""
 PLAYING, PAUSED, ENDED = 0, 1, 3
-"""States of a recording."""
+"""The states of a recording."""
 
 
 def op(operation: str, /, **fields: Any) -> str:
-    """Return a message in JSON."""
+    """Return a message of the protocol as a JSON string."""
     return json.dumps({'op': operation, **fields}, separators=(',', ':'))
 
 
 def status(level: int, text: str, number: str | None = None) -> str:
-    """Return a sentence for the user.
+    """Return the message that shows a sentence to the user.
 
-    :param number: a new sentence replaces an older one with the same number.
+    :param number: the number of the sentence. A new sentence replaces an older one with the same number.
     """
     return op('status', level=level, message=text, **({} if number is None else {'id': number}))
 
@@ -54,7 +54,7 @@ def no_asset(request: int, why: str) -> bytes:
 def playback(state: int, now_ns: int, speed: float, did_seek: bool = False, request: str = '') -> bytes:
     """Return the message with the state of a played recording.
 
-    :param request: the identifier of the request that caused it.
+    :param request: the identifier of the request that caused the message.
     """
     text = request.encode()
     return struct.pack('<BBQfBI', 5, state, now_ns, speed, did_seek, len(text)) + text
@@ -82,10 +82,9 @@ def _parameter(name: str, value: Any) -> dict[str, Any]:
 
 def graph_update(now: Graph, before: Graph | None) -> str | None:
     """Return the message with the differences between two graphs: 'published', 'subscribed' and 'served', each with nodes by
-    name.
+    name. Return None if the graphs are equal.
 
-    :param before: the graph that the client knows, or None.
-    :returns: None if the graphs are equal.
+    :param before: the graph that the client has, or None.
     """
     is_first, before = before is None, before or {}
     parts = (

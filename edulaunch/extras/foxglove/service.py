@@ -1,6 +1,7 @@
-"""The machine's end of `edulaunch view --foxglove`: one conversation for each client. The server of web sockets is between the
-machine and the clients. The machine sends nothing before the server requests a turn. So a client that does not read causes no
-work for the machine.
+"""The service of the machine for `edulaunch view --foxglove`, with one Conversation for each client.
+
+The server of web sockets is a process between the machine and the clients. The machine sends nothing until this server requests
+a turn. A client that does not read therefore causes no work for the machine.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ _clients: list[Client] = []
 
 
 class Client:
-    """Takes the place of a terminal, and receives the same frames."""
+    """A client of the server, in place of a terminal. It receives the same frames as a terminal."""
 
     def __init__(self, machine: LiveMachine, connection: Connection) -> None:
         self._connection = connection
@@ -32,7 +33,7 @@ class Client:
     def take(self, kind: int, payload: bytes) -> None:
         """Handle a message of the client, or the server's request for a turn.
 
-        :raises ValueError: for a client that sends more requests than it reads answers, and for an invalid payload.
+        :raises ValueError: when the client sends requests faster than it reads the replies, and for an invalid payload.
         """
         if kind != wire.INPUT:
             return
@@ -44,13 +45,13 @@ class Client:
                 self._conversation.take(data.decode() if mark == TEXT else data)
 
     def hang_up(self) -> None:
-        """Handle the end of the client."""
+        """Release the resources of a client that has disconnected."""
         _clients.remove(self)
         self._conversation.close()
 
 
 def peer(machine: LiveMachine, connection: Connection) -> Client:
-    """Return the peer of a new client."""
+    """Return the object that handles a new client."""
     if len(_clients) >= MOST_CLIENTS:
         connection.send(wire.ERRORS, f'{MOST_CLIENTS} clients are connected already'.encode())
         connection.end()

@@ -1,4 +1,4 @@
-"""The few names that our rclpy has in addition to ROS 2's, for our programs on the real rclpy, built from public names."""
+"""The few names that edulaunch's rclpy has in addition to ROS 2's, for edulaunch's programs on the real rclpy."""
 
 from __future__ import annotations
 
@@ -14,27 +14,27 @@ from edulaunch.ros import node_facts
 from edulaunch.ros.serialization.cdr import decode, encode
 
 AT_ONCE = 100
-"""`rcl_spin_ready` runs this many callbacks at once before it checks for later events."""
+"""The number of callbacks that `rcl_spin_ready` runs before it checks for later events."""
 _ITS_OWN = frozenset(('rclpy', 'rcl_interfaces', 'rpyutils', 'rosidl_parser', 'rosidl_pycommon'))
 
 
 class Faces:
-    """Finds our Python packages before others of the same name; rclpy and its parts are the real ones."""
+    """Finds edulaunch's Python packages before others of the same name. rclpy and its parts are the real ones."""
 
     def __init__(self, folder: str) -> None:
         self._folder = folder
 
     def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
-        """Implement the import protocol."""
+        """Find a top-level package of edulaunch, as the import protocol requires."""
         if path is not None or name in _ITS_OWN or not os.path.isdir(os.path.join(self._folder, name)):
             return None
         return PathFinder.find_spec(name, [self._folder])
 
 
 def install(faces: str) -> None:
-    """Provide our programs with the modules that they need in the real rclpy.
+    """Provide edulaunch's programs with the modules that they need in the real rclpy.
 
-    :param faces: the folder of our Python packages.
+    :param faces: the folder of edulaunch's Python packages.
     """
     sys.meta_path.insert(0, Faces(faces))
     node_facts.choose(_NodeFacts.of)
@@ -44,7 +44,7 @@ def install(faces: str) -> None:
 
 
 def _messages() -> None:
-    """Let publishers accept and subscriptions return wire tuples, which avoids creating messages."""
+    """Make publishers accept and subscriptions return wire tuples, so that no message objects are created."""
     from rclpy.context import Context
     from rclpy.publisher import Publisher
     from rclpy.subscription import Subscription
@@ -73,7 +73,7 @@ def _park(context: Any, deadline_ns: int | None) -> None:
 
 
 class _NodeFacts:
-    """The facts about one of our nodes: its names, and its parameter values from outside."""
+    """The facts about one node of an edulaunch program: its names, and its parameter overrides."""
 
     destroyed = True  # prevents collecting facts from it
 
@@ -82,13 +82,13 @@ class _NodeFacts:
 
     @classmethod
     def of(cls, node: Any) -> _NodeFacts:
-        """Return the data of a node, created once."""
+        """Return the data of a node. Create them at the first call."""
         found: _NodeFacts = node.__dict__.setdefault('_edulaunch_facts', cls(node))
         return found
 
     @property
     def takes_any_type(self) -> bool:
-        """Return False: a real subscription cannot accept several types."""
+        """Return False, because a real subscription cannot accept several types."""
         return False
 
     @takes_any_type.setter
@@ -96,7 +96,7 @@ class _NodeFacts:
         pass
 
     def resolve(self, name: str, kind: str, only_expand: bool = False) -> str:
-        """Return the absolute name: remapped, or only expanded on request."""
+        """Return the absolute name, after remapping. On request, only expand the name."""
         resolve = self._node.resolve_topic_name if kind == 'topic' else self._node.resolve_service_name
         return str(resolve(name, only_expand=only_expand))
 
@@ -115,7 +115,7 @@ class _NodeFacts:
 
     @property
     def overrides(self) -> Any:
-        """Return the parameter values of the command line and its parameter files."""
+        """Return the parameter values from the command line and its parameter files."""
         from edulaunch.engine.graph.ros_arguments import parse_ros_arguments
 
         return parse_ros_arguments(sys.argv).overrides_for(self._node.get_fully_qualified_name())

@@ -1,4 +1,4 @@
-"""The topics of a real network for `ros2 bag record`, in place of a graph: the bytes of messages as they arrive."""
+"""The topics of a real network for `ros2 bag record`. In place of a graph, they provide the bytes of messages as they arrive."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from edulaunch.errors import InterfaceError
 from edulaunch.extras.native.qos import from_rclpy, to_rclpy
 
 AT_ONCE = 100
-"""The number of messages of one topic that one turn of the executor takes; the turn costs more than they do."""
+"""The number of messages of one topic that one turn of the executor takes. A turn costs more than taking these messages."""
 
 
 class BagTopics:
-    """The publishers that the node `node` sees.
+    """The publishers that the node `node` has discovered.
 
-    :ivar entry: represents the node.
+    :ivar entry: the object that represents the node.
     """
 
     def __init__(self, node: Any, process: Any) -> None:
@@ -35,7 +35,7 @@ class BagTopics:
 
     @property
     def publishers(self) -> BagTopics:
-        """Return the topics that can be recorded, for `in` and `[]` by the name of a topic."""
+        """Return the topics that can be recorded. The result supports `in` and `[]` with the name of a topic."""
         return self
 
     def __contains__(self, topic: str) -> bool:
@@ -60,7 +60,7 @@ class BagTopics:
             return None
 
     def create_subscription(self, entry: Any, topic: str, cls: Any, qos: QoS, on_ready: Callable[[], object]) -> Any:
-        """Return a subscription whose `queue` has the bytes of each message after `on_ready` is called."""
+        """Return a subscription. Its `queue` contains the bytes of each message when `on_ready` is called."""
         queue: deque[tuple[bytes]] = deque()
         kind = self._class(topic, cls.TYPE)
 

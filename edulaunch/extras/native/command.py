@@ -18,7 +18,10 @@ HOME = os.path.dirname(engine_folder())
 
 
 def interface_layers(registry: Registry) -> list[tuple[list[str], list[str]]]:
-    """Return the share folders of a registry and those below it, with the packages that each leaves to others; lowest first."""
+    """Return the share folders of a registry and of the registries below it, lowest first.
+
+    Each entry also has the packages that the registry leaves to other registries.
+    """
     layers: list[tuple[list[str], list[str]]] = []
     below: Registry | None = registry
     while below is not None:
@@ -30,9 +33,10 @@ def interface_layers(registry: Registry) -> list[tuple[list[str], list[str]]]:
 def command(
     environment: Environment, program: Program, spec: ProcessSpec, index: Index, *, parent: int | str | None = None
 ) -> tuple[str, ...]:
-    """Return the words that run a program in the environment of the real rclpy; the program's own words follow.
+    """Return the words that run a program in the environment of the real rclpy. The program's own words follow them.
 
-    :param parent: the process with which it ends (default: this one), or a file that is locked while that process lives.
+    :param parent: the process with which the program ends, or a file that is locked while that process runs. None means this
+        process.
     """
     known = description(program, spec, index, os.getpid() if parent is None else parent)
     return environment.python, os.path.join(HOME, 'edulaunch', 'extras', 'native', 'program.py'), known

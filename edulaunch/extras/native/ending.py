@@ -1,4 +1,4 @@
-"""Make a process end together with its launch, even if SIGKILL ends the launch."""
+"""Functions that end a process together with its launch, even if SIGKILL ends the launch."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ _PR_SET_PDEATHSIG = 1
 
 
 def end_with(parent: int | str) -> None:
-    """Kill this process when another one ends.
+    """Kill this process when its parent ends.
 
-    :param parent: the number of the process that has started this one; 0 for none. If other processes start this one, it is a
-        file that is locked while the parent lives.
+    :param parent: the number of the process that has started this one, or 0 for no parent. If another process started this one,
+        it is a file that is locked while the parent runs.
     """
     if isinstance(parent, str):
         threading.Thread(target=_wait_for, args=(parent,), daemon=True).start()

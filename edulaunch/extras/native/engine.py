@@ -1,6 +1,6 @@
-"""The parts of the engine that our programs need in a separate process: real time, real threads, this process.
+"""The parts of the engine that edulaunch's programs need in a real process: real time, real threads, and the process itself.
 
-They are registered under the names of the engine's modules; the engine itself is not loaded.
+The parts are registered under the names of the engine's modules; the engine itself is not loaded.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from edulaunch.engine.packages import Index
 
 DISCOVERY_S, SETTLED_S, LONGEST_DISCOVERY_S = 3.5, 1.0, 15.0
-"""A program that misses the first announcements of a node receives the next one after three seconds."""
+"""The limits of discovery. A program that misses the first announcements of a node receives the next one after 3 s."""
 
 
 class SystemTime:
@@ -34,7 +34,7 @@ class SystemTime:
 
     @property
     def now_ns(self) -> int:
-        """Return the time, in ns since 1970."""
+        """Return the real time, in ns since 1970."""
         return time.time_ns()
 
     def random(self, name: str) -> random.Random:
@@ -54,7 +54,7 @@ class RealTask:
         time.sleep(max(0, at_ns - time.time_ns()) / 1e9)
 
     def poll(self) -> None:
-        """Wait, because a program that reads the clock in a loop waits in this way."""
+        """Wait a moment, so that a program that reads the clock in a loop does not block the computer."""
 
 
 class _Loader:
@@ -72,16 +72,16 @@ class RealHost:
     is_real = True
 
     def where_on_network(self) -> str:
-        """Describe the network of its programs, and the library that connects to it."""
+        """Return the network of the host's programs, and the library that connects to it."""
         from rclpy import get_rmw_implementation_identifier
 
         domain = os.environ.get('ROS_DOMAIN_ID') or '0'
         return f'domain {domain}, by {get_rmw_implementation_identifier()}'
 
     def discover(self, node: Any) -> None:
-        """Wait until discovery is complete: for this time, and longer until no news has arrived for a moment.
+        """Wait until discovery is complete: at least `DISCOVERY_S`, and until no new information has arrived for `SETTLED_S`.
 
-        A busy computer answers late.
+        A busy computer replies late.
         """
         began_s = changed_s = time.monotonic()
         known: object = None
@@ -95,7 +95,7 @@ class RealHost:
 
 
 class RealStreams:
-    """The streams of this process."""
+    """The standard streams of this process."""
 
     @property
     def stdin(self) -> Any:
@@ -116,10 +116,10 @@ class RealStreams:
 
 
 class RealLifecycle:
-    """The end of this process."""
+    """The lifecycle of this process. It can only end the process."""
 
     def exit_now(self, code: int) -> NoReturn:
-        """End immediately: with a code, or by the signal that a negative code names."""
+        """End the process immediately, with an exit code, or with the signal that a negative code names."""
         if code < 0:
             signal.signal(-code, signal.SIG_DFL)
             os.kill(os.getpid(), -code)
@@ -127,7 +127,7 @@ class RealLifecycle:
 
 
 class ThisProcess:
-    """This process in place of a simulated one. It collects no facts for advice."""
+    """This real process in place of a simulated one. It collects no facts for advice."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -145,12 +145,12 @@ class ThisProcess:
 
     @property
     def argv(self) -> list[str]:
-        """Return its command line."""
+        """Return the command line of the process."""
         return sys.argv
 
     @cached_property
     def index(self) -> Index:
-        """Return the packages that it finds."""
+        """Return the index of the packages that the process finds."""
         from edulaunch.engine.packages import Index
 
         return Index([path for path in self.sourced_path.split(os.pathsep) if path])
@@ -161,18 +161,18 @@ class ThisProcess:
         getattr(sys, stream).flush()
 
     def has_imported(self, package: str) -> bool:
-        """Return whether a package is imported; the process belongs to this program alone."""
+        """Return whether the program has imported a package. No other program shares this process."""
         return package in sys.modules
 
     def fact(self, kind: str, key: object, data: object) -> None:
-        """Do nothing, because nothing keeps it."""
+        """Do nothing, because a real process stores no facts."""
 
     def fact_over(self, kind: str, key: object) -> None:
-        """Do nothing, because no fact is stored."""
+        """Do nothing, because a real process stores no facts."""
 
 
 def install(name: str) -> ThisProcess:
-    """Replace the engine in this process."""
+    """Replace the modules of the engine in this process."""
     process = ThisProcess(name)
     task = RealTask(process.sim, process)
     _module('edulaunch.engine.sim.task', current_task=lambda: task, running_task=lambda: task)

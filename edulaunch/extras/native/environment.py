@@ -1,7 +1,7 @@
-"""The environment of the real rclpy: a virtual environment in the user's cache, made by `edulaunch network install`.
+"""The environment of the real rclpy: a virtual environment in the user's cache, which `edulaunch network install` creates.
 
-It must be a separate one. Its wheels start every Python of their environment twice, and a simulation cannot share an interpreter
-with a real rclpy.
+The environment must be separate, because its wheels start every Python of their environment twice. Also, a simulation cannot
+share an interpreter with a real rclpy.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from edulaunch.errors import EdulaunchError, UnusableInput
 REQUIREMENT = 'ros-jazzy-rclpy[fastrtps]'
 PLACE_VARIABLE = 'EDULAUNCH_REAL_RCLPY'
 MARK = 'edulaunch.json'
-"""A file in a finished environment that describes its content."""
+"""A file in a complete environment that describes its content."""
 NEEDED_MB = 220
 _PROBE = "import json, rclpy; from importlib.metadata import version; print(json.dumps({'rclpy': version('ros-jazzy-rclpy')}))"
 _OFFLINE_SIGNS = ('Temporary failure in name resolution', 'NewConnectionError', 'Connection refused', 'Network is unreachable')
@@ -29,10 +29,10 @@ _NO_WHEEL_SIGNS = ('No matching distribution found', 'Could not find a version t
 
 
 class Environment(NamedTuple):
-    """A finished environment.
+    """A complete environment.
 
-    :ivar place: its folder.
-    :ivar version: the version of the real rclpy in it.
+    :ivar place: the folder of the environment.
+    :ivar version: the version of the real rclpy in the environment.
     """
 
     place: str
@@ -45,7 +45,10 @@ class Environment(NamedTuple):
 
 
 def place() -> str:
-    """Return its folder, existing or not: $EDULAUNCH_REAL_RCLPY, or a folder for this Python in the user's cache."""
+    """Return the folder of the environment, which may not exist yet.
+
+    The folder is $EDULAUNCH_REAL_RCLPY or, without this variable, a folder for this version of Python in the user's cache.
+    """
     given = os.environ.get(PLACE_VARIABLE)
     if given:
         return os.path.abspath(given)
@@ -54,7 +57,7 @@ def place() -> str:
 
 
 def found() -> Environment | None:
-    """Return the environment, if it was created."""
+    """Return the environment, or None if it does not exist."""
     folder = place()
     try:
         with open(os.path.join(folder, MARK), encoding='utf-8') as file:
@@ -64,7 +67,7 @@ def found() -> Environment | None:
 
 
 def needed() -> Environment:
-    """Return the environment, for code that requires it.
+    """Return the environment. Unlike :func:`found`, raise an error if it does not exist.
 
     :raises UnusableInput: when there is no environment.
     """
@@ -77,7 +80,7 @@ def needed() -> Environment:
 
 
 def unsuited() -> str | None:
-    """Return why this machine has no wheels, or None."""
+    """Return the reason why there are no wheels for this machine, or None if there are."""
     system, machine, version = platform.system(), platform.machine(), sys.version_info[:2]
     if (system, machine) != ('Linux', 'x86_64'):
         return f'its wheels are for Linux on x86-64, and this is {system} on {machine}'
@@ -87,11 +90,11 @@ def unsuited() -> str | None:
 
 
 def install(say: Callable[[str], object]) -> Environment:
-    """Create the environment again.
+    """Create the environment. If it exists, create it again.
 
     :param say: called with each step, one line at a time.
     :raises UnusableInput: when there are no wheels for this machine or this Python.
-    :raises EdulaunchError: when they could not be downloaded, or do not run.
+    :raises EdulaunchError: when the wheels could not be downloaded, or do not run.
     """
     reason = unsuited()
     if reason:
@@ -121,7 +124,7 @@ def install(say: Callable[[str], object]) -> Environment:
 
 @contextmanager
 def _alone(folder: str) -> Iterator[None]:
-    """Wait for another installation to the same folder."""
+    """Wait until no other process installs to the same folder."""
     import fcntl
 
     os.makedirs(os.path.dirname(folder), exist_ok=True)
@@ -131,7 +134,7 @@ def _alone(folder: str) -> Iterator[None]:
 
 
 def _pip() -> list[str] | None:
-    """Return an installer for other environments, or None: then that environment gets its own pip."""
+    """Return the command of an installer for other environments, or None if the environment needs its own pip."""
     from importlib.util import find_spec
 
     if find_spec('pip') is not None:
@@ -147,7 +150,7 @@ def _pip_words(pip: list[str] | None, python: str) -> list[str]:
 
 
 def _fetch(command: list[str], say: Callable[[str], object]) -> None:
-    """Run an installer, and report the current package."""
+    """Run an installer, and report the package that it currently processes."""
     lines: list[str] = []
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors='replace') as child:
         assert child.stdout is not None

@@ -1,4 +1,4 @@
-"""Starts the programs of a launch as real processes on the real rclpy; launch itself does not change."""
+"""A host that starts the programs of a launch as real processes on the real rclpy. Launch itself does not change."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from edulaunch.extras.native.loopback import confined
 NATIVE_KINDS = ('entry_point', 'script', 'module')
 ROS2 = Program('ros2', '', 'ros2', 'ros2')
 HERE_COMMANDS = ('launch', 'run', 'component standalone')
-"""Commands of ros2 that only start programs: they run in a simulation whose programs are real, like launch itself."""
+"""The commands of ros2 that only start programs. They run in a simulation whose programs are real, like launch itself."""
 _ROS2_FILE = """#!/bin/sh
 case "$1 $2 " in
 {here}) PYTHONPATH={home} exec {python} -m edulaunch.extras.network.real_command {lock} "$@";;
@@ -37,7 +37,7 @@ exec {real} ros2 "$@"
 class NativeHost(Host):
     """A host whose programs are real processes.
 
-    A program that only explains why it cannot run (C++ in a workspace, an absent package) does so as in the simulation.
+    A program that cannot run (C++ in a workspace, an absent package) only explains the reason, as in the simulation.
     """
 
     _commands: TemporaryDirectory[str] | None = None
@@ -52,14 +52,14 @@ class NativeHost(Host):
     def environment(self) -> Environment:
         """Return the environment of the real rclpy.
 
-        :raises UnusableInput: when it is not installed.
+        :raises UnusableInput: when the environment is not installed.
         """
         return needed()
 
     def start(
         self, spec: ProcessSpec, on_output: OnOutput | None = None, on_exit: OnExit | None = None, *, index: Index | None = None
     ) -> Process | RealProcess:
-        """Start a program: see :meth:`Host.start`."""
+        """Start a program; see :meth:`Host.start`."""
         index = index or self._index_here()
         known = self.known_command(spec, index)
         if known is not None:
@@ -102,9 +102,9 @@ class NativeHost(Host):
         return environment
 
     def commands(self, spec: ProcessSpec, index: Index) -> str:
-        """Return a folder with the `ros2` that programs themselves start, created at first use.
+        """Return a folder with a command `ros2` for programs that start `ros2` themselves. Create the folder on first use.
 
-        Background programs of this `ros2` end with this process, even after SIGKILL: they wait for its lock.
+        Background programs of this `ros2` end with this process, even after SIGKILL, because they wait for its lock.
         """
         if self._commands is None:
             self._commands = TemporaryDirectory(prefix='edulaunch-ros2-')
@@ -125,7 +125,7 @@ class NativeHost(Host):
         return self._commands.name
 
     def close(self) -> None:
-        """See `Host.close`. Background commands of ros2 end, too."""
+        """Close the host; see `Host.close`. Background commands of ros2 end, too."""
         super().close()
         if self._commands is not None:
             self._lock.close()
@@ -139,7 +139,7 @@ class NativeHost(Host):
 class NativeProcess(RealProcess):
     """A program on the real rclpy.
 
-    :ivar run: its records.
+    :ivar run: the output and the end of the program.
     """
 
     run: NativeRun
@@ -153,9 +153,10 @@ class NativeProcess(RealProcess):
 class NativeRun:
     """The output and the end of one program.
 
-    :ivar written: (when, stream, text); times are seconds since 1970.
-    :ivar started_s, ended_s: its start and its end. The end has the value None while it runs.
-    :ivar signalled_s: when it got its first signal; infinite without a signal.
+    :ivar written: the output as (time, stream, string). Times are seconds since 1970.
+    :ivar started_s: when the program started.
+    :ivar ended_s: when the program ended; None while it runs.
+    :ivar signalled_s: when the program received its first signal; infinite without a signal.
     """
 
     def __init__(self, name: str, on_output: OnOutput | None, on_exit: OnExit | None) -> None:
@@ -168,13 +169,13 @@ class NativeRun:
         self._on_output, self._on_exit = on_output, on_exit
 
     def hear(self, stream: str, text: str) -> None:
-        """Record output."""
+        """Record output of the program."""
         self.written.append((time.time(), stream, text))
         if self._on_output is not None:
             self._on_output(stream, text)
 
     def end(self, returncode: int) -> None:
-        """Record the end."""
+        """Record the end of the program."""
         self.returncode, self.ended_s = returncode, time.time()
         if self._on_exit is not None:
             self._on_exit(returncode)

@@ -1,4 +1,4 @@
-"""Keep programs on the real rclpy on this computer: otherwise, DDS binds sockets that other computers can reach."""
+"""Keep programs on the real rclpy on this computer. Without this, DDS binds sockets that other computers can reach."""
 
 from __future__ import annotations
 
@@ -6,22 +6,22 @@ import os
 from collections.abc import Mapping
 
 PROFILES = ('FASTRTPS_DEFAULT_PROFILES_FILE', 'FASTDDS_DEFAULT_PROFILES_FILE')
-"""The variable for the configuration of Fast DDS."""
+"""The environment variables for the configuration of Fast DDS."""
 _PROFILE = os.path.join(os.path.dirname(__file__), 'loopback.xml')
 
 
 def is_alone(env: Mapping[str, str]) -> bool:
-    """Return whether an environment limits programs to this computer: LOCALHOST, and no static peers."""
+    """Return whether an environment limits programs to this computer, that is, LOCALHOST and no static peers."""
     wide = env.get('ROS_AUTOMATIC_DISCOVERY_RANGE', '').strip()
     has_peers = any(peer.strip() for peer in env.get('ROS_STATIC_PEERS', '').split(';'))
     return (wide == 'LOCALHOST' or env.get('ROS_LOCALHOST_ONLY') == '1') and not has_peers
 
 
 def confined(env: Mapping[str, str]) -> dict[str, str]:
-    """Return the environment for a program on the real rclpy; within this computer, Fast DDS uses only loopback and shared
+    """Return the environment for a program on the real rclpy. On this computer, Fast DDS then uses only loopback and shared
     memory.
 
-    A configuration of the user is kept.
+    A configuration of the user does not change.
     """
     own = {name: value for name, value in env.items() if not (name == PROFILES[0] and value == _PROFILE)}
     if is_alone(own) and not any(own.get(name) for name in PROFILES):

@@ -1,7 +1,7 @@
 """A node on the real rclpy that records nodes and messages, for `edulaunch compare`.
 
-It prints a line when it is ready. It answers each line on its standard input with one line of JSON: the nodes until now,
-and the messages since the last answer. After 'end', or the end of its input, it first asks all nodes for their parameters.
+The node prints a line when it is ready. It replies to each line on its standard input with one line of JSON: the nodes so far,
+and the messages since the last reply. After 'end', or the end of its input, it first requests the parameters of all nodes.
 """
 
 from __future__ import annotations
@@ -30,16 +30,16 @@ UNCLAIMED = '_NODE_NAME_UNKNOWN_'
 """ROS 2's name for the node of an endpoint until that node is known."""
 LOOK_EVERY_S = 0.25
 LOOK_AT_ALL_EVERY_S = 1.0
-"""After this many rounds, it asks for the endpoints of nodes even without a new node or topic, because asking is slow."""
+"""The number of rounds between two requests for the endpoints of all nodes, which are slow."""
 TAKE_EVERY_S = 0.05
 MOST_MESSAGES = 20_000
-"""The maximum number of messages of one topic; later ones are left out."""
+"""The maximum number of messages of one topic. Later messages are left out."""
 PATIENCE_S = 10.0
-"""Nodes have this many seconds to report their parameters."""
+"""The seconds in which nodes can report their parameters."""
 
 
 class Observer:
-    """The observation; times are seconds since 1970."""
+    """The observation so far. Times are seconds since 1970."""
 
     def __init__(self) -> None:
         self.node = rclpy.create_node(NAME, start_parameter_services=False, enable_rosout=False)
@@ -113,7 +113,9 @@ class Observer:
         )
 
     def take(self) -> None:
-        """Take messages directly, because a turn of the executor for each message takes longer than all other work here."""
+        """Take the waiting messages directly, because a turn of the executor for each message takes longer than all other work
+        here.
+        """
         for topic, subscription in self._subscriptions.items():
             while (taken := subscription.handle.take_message(subscription.msg_type, True)) is not None:
                 data, info = taken
@@ -123,7 +125,7 @@ class Observer:
                     self.messages[topic][1].append((sent_s, base64.b64encode(data).decode()))
 
     def ask(self) -> None:
-        """Ask all nodes for their parameters, and ignore messages from then on."""
+        """Request the parameters of all nodes, and ignore messages from then on."""
         for subscription in self._subscriptions.values():
             self.node.destroy_subscription(subscription)
         self._subscriptions.clear()
@@ -149,7 +151,7 @@ class Observer:
             self.node.destroy_client(client)
 
     def report(self) -> str:
-        """Return everything new since the last answer, as JSON."""
+        """Return all data that were recorded since the last report, as JSON."""
         messages, self.messages = self.messages, {topic: (kind, []) for topic, (kind, _) in self.messages.items()}
         ends = [[*end, when] for end, when in self.ends.items()]
         report = {'nodes': self.nodes, 'ends': ends, 'messages': messages, 'parameters': self.parameters}
@@ -157,7 +159,7 @@ class Observer:
 
 
 def _leave(data: bytes) -> None:
-    """Do nothing in place of a callback, because :meth:`Observer.take` is faster."""
+    """Do nothing. This is the callback of the subscriptions, because :meth:`Observer.take` is faster."""
 
 
 def _read(words: queue.SimpleQueue[str]) -> None:
@@ -167,7 +169,7 @@ def _read(words: queue.SimpleQueue[str]) -> None:
 
 
 def main() -> int:
-    """Observe until standard input says 'end'."""
+    """Observe until a line on standard input is 'end'."""
     rclpy.init(args=[])
     observer = Observer()
     words: queue.SimpleQueue[str] = queue.SimpleQueue()

@@ -2,7 +2,7 @@
 
 INPUT is JSON with these entries:
 
-- `parent`: the process with which it ends, or a file that this process keeps locked
+- `parent`: the process with which the program ends, or a file that this process keeps locked
 - `home`: the folder of edulaunch
 - `path`: further folders for imports
 - `interfaces`: layers of share folders
@@ -20,7 +20,7 @@ from typing import Any
 
 
 def main() -> None:
-    """Prepare everything, and run the program."""
+    """Prepare the process, and run the program."""
     description = json.loads(sys.argv[1])
     sys.argv[:] = sys.argv[2:]
     sys.path[:1] = []  # the folder of this file
@@ -39,7 +39,9 @@ def main() -> None:
 
 
 def _run(program: dict[str, Any], process: Any) -> Any:
-    """Run the program like an executable of a package: the function of an entry point, or a file or module as `__main__`."""
+    """Run the program like an executable of a package. It is the function of an entry point, or a file or module as
+    `__main__`.
+    """
     sys.path[:0] = program['python_roots']  # before Python's own folders, like PYTHONPATH
     kind, file, module = program['kind'], program['file'], program['module']
     if kind == 'ros2':

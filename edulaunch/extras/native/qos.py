@@ -1,4 +1,4 @@
-"""Convert quality of service between our classes and the real rclpy."""
+"""Convert quality of service between edulaunch's classes and the real rclpy."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from rclpy.duration import Duration
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 
 FOREVER_NS = 2**62
-"""rclpy's value for infinite is larger."""
+"""The longest finite duration. rclpy's value for an infinite duration is larger."""
 
 
 def to_rclpy(row: Sequence[Any]) -> QoSProfile:
-    """Return the policies of our QoS, in order, for the real rclpy."""
+    """Return the policies of a profile of edulaunch, in order, for the real rclpy."""
     depth, reliability, durability, history, deadline_ns, lifespan_ns, liveliness, lease_ns = row
     return QoSProfile(
         depth=max(1, depth),
@@ -28,7 +28,7 @@ def to_rclpy(row: Sequence[Any]) -> QoSProfile:
 
 
 def from_rclpy(profile: QoSProfile) -> list[Any]:
-    """Convert in the other direction; unknown policies of a remote endpoint get the default."""
+    """Return the profile of edulaunch for a profile of the real rclpy. Unknown policies of a remote endpoint get the default."""
     history = profile.history.name.lower()
     durations = (profile.deadline, profile.lifespan, profile.liveliness_lease_duration)
     times = [each.nanoseconds if each.nanoseconds < FOREVER_NS else 0 for each in durations]

@@ -1,4 +1,6 @@
-"""Join a machine to a ROS 2 network: its nodes are visible on the network, and real nodes are visible in the machine."""
+"""Join a machine to a ROS 2 network. The machine's nodes are visible on the network, and real nodes are visible in the
+machine.
+"""
 
 from __future__ import annotations
 
@@ -34,21 +36,21 @@ from edulaunch.ros.serialization.cdr import decode, encode
 from edulaunch.runtime.session import Session
 
 REMEMBERED = 1000
-"""The number of remembered messages that have arrived at one of several subscriptions."""
+"""The number of messages that are remembered after they have arrived at one of several subscriptions."""
 MOST_EARLY = 5000
-"""The number of messages that wait until their sender is known."""
+"""The maximum number of messages that wait until their sender is known."""
 MOST_REQUESTS = 1000
-"""The number of requests from the network that wait for one service."""
+"""The maximum number of requests from the network that wait for one service."""
 CLOCKS_DIFFER_NS = 3 * 10**9
-"""Clocks with a larger difference are reported; a machine at its limit is late by less."""
+"""The smallest difference of clocks that is reported. A machine at its limit is late by less."""
 
 
 class Bridge:
-    """One machine on one network.
+    """The connection of one machine with one network.
 
     :param crossing: which topics and services cross, and in which direction.
     :param tell: called with each message for the user.
-    :param wall_ns: this computer's clock.
+    :param wall_ns: returns the time of this computer's clock, in nanoseconds.
     """
 
     def __init__(
@@ -79,7 +81,7 @@ class Bridge:
     def open(self, settings: Settings) -> None:
         """Join the network.
 
-        :raises LinkError: when that fails.
+        :raises LinkError: when the link cannot join.
         """
         self.link.open(settings)
         self._is_open = True
@@ -87,7 +89,7 @@ class Bridge:
         self.after_turn()
 
     def close(self) -> None:
-        """Leave the network; repeating it changes nothing."""
+        """Leave the network. A second call has no effect."""
         if not self._is_open:
             return
         self._is_open = False
@@ -101,14 +103,14 @@ class Bridge:
         self._is_changed = True
 
     def note(self, key: str) -> None:
-        """Record a problem: a key 'clock /node' becomes the kind 'network clock' and the subject '/node'."""
+        """Record a problem. The key 'clock /node' becomes the kind 'network clock' and the subject '/node'."""
         kind, _, text = key.partition(' ')
         self.session.recorder.note(None, f'network {kind}', text)
 
     # This machine's nodes on the network
 
     def after_turn(self) -> None:
-        """Send news of this machine to the network; called after each turn of the machine."""
+        """Send changes of this machine to the network. The machine calls this method after each turn."""
         if self._is_open:
             if self._is_changed:
                 self._is_changed = False
@@ -162,7 +164,7 @@ class Bridge:
             self.link.remove(handle)
 
     def _tap(self, publisher: Any, handle: int) -> None:
-        """Send the messages of a publisher to the network, too, from the moment when each is recorded."""
+        """Send the messages of a publisher to the network, too, at the moment when each is recorded."""
         record, cls, topic, listeners, publish = (
             publisher.record,
             publisher.cls,
@@ -190,7 +192,7 @@ class Bridge:
             end.record = record
 
     def _ask(self, item: Any) -> None:
-        """Send a client's request to a service on the network; several services of one name get it together, as in DDS."""
+        """Send a client's request to the network. As in DDS, all services of that name receive it."""
         wire, (client, number) = item
         if client.index not in self._handles:
             self._show_own()  # the client was created in this turn
@@ -202,7 +204,9 @@ class Bridge:
     # Messages from the network
 
     def take(self) -> None:
-        """Pass what the link has received to the simulation: messages, requests, responses, diagnostics, changes of the graph."""
+        """Pass the data that the link has received to the simulation: messages, requests, responses, diagnostics, changes of the
+        graph.
+        """
         if not self._is_open:
             return
         for event in self.link.take():
@@ -221,7 +225,7 @@ class Bridge:
                 self._response(event)
 
     def _decoded(self, cls: Any, cdr: bytes, what: str) -> Any:
-        """Return the wire tuple; None for bytes that are not of that type."""
+        """Return the wire tuple for the bytes of a message, or None if the bytes are not of that type."""
         try:
             return decode(cls, cdr)
         except (InterfaceError, MemoryError) as error:
@@ -260,7 +264,7 @@ class Bridge:
         subscription.on_ready()
 
     def _compare_clocks(self, publisher: RemotePublisher, source_ns: int) -> None:
-        """Report a computer with another time. A message that was kept for late joiners may be old."""
+        """Report a computer whose clock differs. A message that was stored for late subscriptions may be old."""
         ahead_ns = source_ns - self._wall_ns()
         if not source_ns or abs(ahead_ns) <= CLOCKS_DIFFER_NS or (ahead_ns < 0 and publisher.qos.durability == TRANSIENT_LOCAL):
             return
@@ -294,7 +298,7 @@ class Bridge:
 
 
 class Asker(ServiceClient):
-    """Calls a service here on behalf of clients on the network. No command lists it as a client."""
+    """Calls a service of this machine for clients on the network. No command lists it as a client."""
 
     def __init__(self, bridge: Bridge, server: Any, handle: int) -> None:
         super().__init__(bridge.graph, bridge.mirror.unknown(), server.service_name, server.cls, server.qos, self._answered)
@@ -303,7 +307,7 @@ class Asker(ServiceClient):
         self._whos: OrderedDict[int, bytes] = OrderedDict()
 
     def ask(self, who: bytes, wire: Any) -> None:
-        """Pass on a request."""
+        """Pass a request on to the service."""
         self._sequence = number = self._sequence + 1
         self._whos[number] = who
         if len(self._whos) > MOST_REQUESTS:

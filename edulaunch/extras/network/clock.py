@@ -1,4 +1,4 @@
-"""Publish the time of a machine on /clock, for nodes with `use_sim_time`, here and on the network."""
+"""Publish the time of a machine on /clock for nodes with `use_sim_time`, on the machine and on the network."""
 
 from __future__ import annotations
 
@@ -29,5 +29,5 @@ class ClockNode:
             sim.schedule(sim.now_ns + PERIOD_NS, self._tick)
 
     def stop(self) -> None:
-        """Leave the graph."""
+        """Remove the node from the graph."""
         self._graph.remove_node(self._node)

@@ -1,4 +1,4 @@
-"""Which topics and services cross to a real network, in which direction, and the options for that."""
+"""The topics and services that cross to a real network, the directions in which they cross, and the options for them."""
 
 from __future__ import annotations
 
@@ -18,18 +18,20 @@ LISTS = {
     'in': 'let only these come in from the network',
     'out': 'let only these go out to the network',
 }
-"""Options and their help."""
+"""The options that take lists of names, with their help."""
 
 
 class Crossing(NamedTuple):
-    """The names that cross. A name means that topic or service, and everything in the namespace of that name; '/' is everything.
+    """The names that cross. A name includes that topic or service, and everything in the namespace of that name; '/' means
+    everything.
 
-    Incoming are messages for subscriptions of this machine and calls of its services. Outgoing are messages of its
+    Incoming data are messages for subscriptions of this machine and calls of its services. Outgoing data are messages of its
     publishers and calls of its clients.
 
     :ivar names: the names that may cross; empty means everything.
     :ivar deny: the names that do not cross, even if other lists contain them.
-    :ivar incoming, outgoing: the names that cross in one direction; None means everything.
+    :ivar incoming: the names that cross from the network to this machine; None means everything.
+    :ivar outgoing: the names that cross from this machine to the network; None means everything.
     """
 
     names: Sequence[str] = ()
@@ -38,11 +40,11 @@ class Crossing(NamedTuple):
     outgoing: Sequence[str] | None = None
 
     def allows(self, kind: str, name: str, is_own: bool) -> bool:
-        """Return whether an endpoint may take part.
+        """Return whether the messages or calls of an endpoint may cross.
 
         :param kind: 'publisher', 'subscription', 'service' or 'client'.
-        :param name: the expanded name of its topic or service.
-        :param is_own: whether it belongs to this machine.
+        :param name: the expanded name of the topic or service.
+        :param is_own: whether the endpoint belongs to this machine.
         """
         goes_out = (kind in (PUBLISHER, CLIENT)) == is_own
         one_way = self.outgoing if goes_out else self.incoming
@@ -84,8 +86,8 @@ def covers(names: Sequence[str], name: str) -> bool:
 def add_options(parser: argparse.ArgumentParser, prefix: str = '') -> None:
     """Add the options of a join. Commas may separate the names of a list.
 
-    :param prefix: begins the name of each option, 'network-' for a launch. There each option takes one word, so that it does not
-        take the package and the launch file as well.
+    :param prefix: the beginning of the name of each option, which is 'network-' for a launch. There, each option takes one word,
+        so that it does not take the package and the launch file as well.
     """
     for name, text in LISTS.items():
         parser.add_argument(
@@ -97,7 +99,7 @@ def add_options(parser: argparse.ArgumentParser, prefix: str = '') -> None:
 
 
 def option_words(arguments: argparse.Namespace, prefix: str = '') -> list[str]:
-    """Return the options of :func:`add_options` as words again, without the prefix."""
+    """Return the options of :func:`add_options` as command-line words again, without the prefix."""
     start = prefix.replace('-', '_')
     words = [f'--{name}={value}' for name in LISTS for value in getattr(arguments, start + name)]
     words += [f'--{name}' for name in ('readonly', 'clock') if getattr(arguments, start + name)]
@@ -113,7 +115,7 @@ class _Parser(argparse.ArgumentParser):
 def _names(option: str, values: Sequence[str]) -> tuple[str, ...]:
     """Return the names of a list.
 
-    :raises UnusableInput: for a list without names, which would count as no list, and for a name that no topic can have.
+    :raises UnusableInput: for a list without names, which would mean everything, and for a name that no topic can have.
     """
     names = tuple(each for value in values for each in value.split(',') if each)
     if values and not names:
@@ -128,7 +130,7 @@ def _names(option: str, values: Sequence[str]) -> tuple[str, ...]:
 
 
 def join_request(words: Sequence[str]) -> JoinRequest:
-    """Read the options of a join.
+    """Return the join request that the options describe.
 
     :raises UnusableInput: for unknown options, and for contradictory lists.
     """

@@ -1,4 +1,4 @@
-"""Problems on the way over a network: each is reported once, and counted."""
+"""Problems of a network link. Each problem is reported once, and counted."""
 
 from __future__ import annotations
 
@@ -8,14 +8,15 @@ from edulaunch.extras.network.network_link import LinkDiagnostic
 
 MOST = 100
 MOST_NAMED = 3
-"""If diagnostics differ only in a name, one line lists up to this many names."""
+"""The maximum number of names in one line, for diagnostics that differ only in a name."""
 
 
 class LinkDiagnostics:
-    """Keeps the problems.
+    """Stores the problems of a link.
 
-    :param tell: called with each message the first time.
-    :param note: called with its key the first time: for the recording, from which advice is made.
+    :param tell: called with the message of a problem when the problem first occurs.
+    :param note: called with the key of a problem when the problem first occurs. It adds the problem to the recording, from which
+        advice is made.
     """
 
     def __init__(self, tell: Callable[[str], object], note: Callable[[str], object] = lambda key: None) -> None:
@@ -23,7 +24,7 @@ class LinkDiagnostics:
         self._counts: dict[str, tuple[LinkDiagnostic, int]] = {}
 
     def add(self, diagnostic: LinkDiagnostic) -> None:
-        """Count an occurrence."""
+        """Count an occurrence of a problem."""
         first, count = self._counts.get(diagnostic.key, (diagnostic, 0))
         if count or len(self._counts) < MOST:
             self._counts[diagnostic.key] = first, count + 1
@@ -32,7 +33,7 @@ class LinkDiagnostics:
             self._note(diagnostic.key)
 
     def lines(self) -> list[str]:
-        """Return all messages for `edulaunch network status`; messages that differ only in a name are one."""
+        """Return all messages for `edulaunch network status`. Messages that differ only in a name become one line."""
         groups: dict[str, list[tuple[LinkDiagnostic, int]]] = {}
         for diagnostic, count in self._counts.values():
             shape = diagnostic.text.replace(diagnostic.about, '\0') if diagnostic.about else diagnostic.text

@@ -21,7 +21,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def session_class(arguments: argparse.Namespace) -> type[Session] | None:
-    """Return the session class for the launch; None for the simulation.
+    """Return the session class for the launch, or None for the simulation.
 
     :raises UnusableInput: for --real without the real rclpy or with options that need simulated time, and for --network.
     """

@@ -1,4 +1,6 @@
-"""Keep the machine's graph equal to the network's: an entry here represents each node and endpoint of the network."""
+"""Keep the machine's graph equal to the network's graph. An entry in the machine represents each node and endpoint of the
+network.
+"""
 
 from __future__ import annotations
 
@@ -35,7 +37,7 @@ from edulaunch.extras.network.remote import (
 )
 
 CLAIMED_WITHIN_NS = 10**9
-"""After this time, an endpoint that no node has claimed is listed without a node. Most nodes announce theirs a little later."""
+"""An unclaimed endpoint is listed without a node after this time. Most nodes claim their endpoints a little later."""
 
 
 class Mirror:
@@ -58,7 +60,7 @@ class Mirror:
         self.graph, self.registry, self.crossing, self.ask, self.diagnostic = graph, registry, crossing, ask, diagnostic
         self.network = Network()
         self.listeners: dict[str, int] = {}
-        """Return the number of real subscriptions of each topic."""
+        """The number of real subscriptions of each topic."""
         self._nodes: dict[RemoteNode, NodeEntry] = {}
         self._ends: dict[bytes, tuple[RemoteEndpoint, Any]] = {}
         self._unclaimed: dict[bytes, int] = {}
@@ -83,7 +85,7 @@ class Mirror:
         self.update(self._remote)
 
     def publisher(self, gid: bytes, topic: str) -> RemotePublisher | None:
-        """Return the sender of a message; for a link that does not know it, return a possible sender."""
+        """Return the publisher that sent a message. If the link does not report the sender, return a possible sender."""
         found = self._ends.get(gid)
         if found is None and gid:
             end = next((end for end in self._remote.endpoints if end.gid == gid), None)
@@ -104,7 +106,7 @@ class Mirror:
         return self._unknown
 
     def retype(self) -> None:
-        """Create endpoints again whose types were unknown and may be known now."""
+        """Create endpoints again whose types were unknown and may now be known."""
         for gid, (end, mirrored) in list(self._ends.items()):
             if isinstance(mirrored.cls, TypeName) and not isinstance(self._class(end.type_name), TypeName):
                 self._remove(gid, end, mirrored)
@@ -176,8 +178,9 @@ class Mirror:
         mirrored.destroy()
 
     def _class(self, type_name: str) -> Any:
-        """Return the class of a type: that of this machine, of a program that uses it here, or a placeholder for an unknown
-        type."""
+        """Return the class of a type from this machine, or else from a program that uses it. For an unknown type, return a
+        placeholder.
+        """
         for node in self.graph.nodes:
             for own in () if is_remote(node) else node.endpoints:
                 if own.type_name == type_name:
@@ -188,7 +191,7 @@ class Mirror:
             return TypeName(type_name)
 
     def check_hash(self, own: Any, interface: Interface) -> None:
-        """Report a real endpoint with another definition of its type."""
+        """Report a real endpoint whose type has another definition."""
         name = own.topic_name if own.kind in (PUBLISHER, SUBSCRIPTION) else own.service_name
         for end, _ in self._ends.values():
             if end.name == name and end.type_name == own.type_name and end.hash not in ('', interface.hash):

@@ -18,10 +18,10 @@ LOOK_EVERY_NS = 10_000_000
 
 
 class NativeSession(Session):
-    """A session whose programs are real processes. Its clock has the time of day.
+    """A session whose programs are real processes. Its clock shows the time of day.
 
-    They find each other on this computer only, unless ROS_AUTOMATIC_DISCOVERY_RANGE allows more. When launch creates its own node
-    (to load components, to change the state of lifecycle nodes), that node joins their network over the full link.
+    The processes find each other on this computer only, unless ROS_AUTOMATIC_DISCOVERY_RANGE allows more. When launch creates its
+    own node (to load components, or to change the state of lifecycle nodes), it joins their network through the rclpy link.
     """
 
     host_class = NativeHost

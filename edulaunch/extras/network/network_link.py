@@ -1,6 +1,6 @@
-"""The interface of links, which carry a machine's messages to a ROS 2 network and back. The bridge knows only this interface.
+"""The interface of links, which carry a machine's messages to a ROS 2 network and back. The bridge uses only this interface.
 
-A link identifies its nodes and endpoints by numbers, messages are CDR bytes with their 4-byte header, and remote endpoints
+A link identifies its nodes and endpoints by numbers. Messages are CDR bytes with their 4-byte header. Remote endpoints
 have 16-byte gids. Topic and service names are fully expanded ROS names ('/turtle1/pose'), which the link converts.
 """
 
@@ -17,22 +17,23 @@ if TYPE_CHECKING:
     from edulaunch.engine.interfaces.registry import Registry
 
 MARK = '_edulaunch_link'
-"""The prefix of a link's internal nodes: hidden, like all names with a leading underscore, and never shown."""
+"""The prefix of the names of a link's internal nodes. They are hidden, and edulaunch never shows them."""
 ENCLAVE = f'/{MARK}'
 """The enclave of a machine's participant, by which machines recognise each other. Only SROS 2 uses enclaves."""
 PUBLISHER, SUBSCRIPTION, SERVICE, CLIENT = 'publisher', 'subscription', 'service', 'client'
 """The kinds of endpoints, with the same names as in `graph`."""
 KEPT = 1000
-"""On this computer, a reliable publisher keeps at least this many messages until all have arrived. A subscriber on a busy
-computer may not run for a while. At 200 messages per second, that may be 5 s. DDS does not announce the number."""
+"""The minimum number of messages that a reliable publisher on this computer stores until all have arrived. A subscriber on a busy
+computer may not run for a while, such as 5 s at 200 messages per second. DDS does not announce this number.
+"""
 WAITING = 1000
-"""At most this many messages wait for their subscription, or as many as its depth; other nodes do not see that."""
+"""The number of messages that may wait for their subscription, unless its depth is larger. Other nodes cannot see this number."""
 
 
 class Interface:
     """The type of an endpoint.
 
-    :ivar name: such as 'geometry_msgs/msg/Twist' or 'turtlesim/srv/Spawn'.
+    :ivar name: the name of the type, such as 'geometry_msgs/msg/Twist' or 'turtlesim/srv/Spawn'.
     :ivar registry: holds the definition, the spec and the class of the type and of its nested types.
     """
 
@@ -60,10 +61,10 @@ class Settings(NamedTuple):
 
 
 class RemoteNode(NamedTuple):
-    """A node of the network that is not ours.
+    """A node of the network that does not belong to this machine.
 
-    :ivar participant: the gid of its participant.
-    :ivar is_simulated: whether it is known to belong to another simulated machine.
+    :ivar participant: the gid of the node's participant.
+    :ivar is_simulated: whether the node is known to belong to another simulated machine.
     """
 
     participant: bytes
@@ -73,11 +74,12 @@ class RemoteNode(NamedTuple):
 
 
 class RemoteEndpoint(NamedTuple):
-    """An endpoint of the network that is not ours.
+    """An endpoint of the network that does not belong to this machine.
 
-    :ivar gid: its identifier; for a service that of the reader of requests, for a client that of the writer of requests.
-    :ivar hash: the hash of its type, or '' if it announces none.
-    :ivar node: None for an endpoint that no node has claimed (yet), and for programs that are not ROS 2.
+    :ivar gid: the identifier of the endpoint. For a service, it is the gid of the reader of requests. For a client, it is the gid
+        of the writer of requests.
+    :ivar hash: the hash of the endpoint's type, or '' if the endpoint announces no hash.
+    :ivar node: the node of the endpoint; None if no node has claimed the endpoint (yet), or its program does not use ROS 2.
     """
 
     gid: bytes
@@ -90,8 +92,9 @@ class RemoteEndpoint(NamedTuple):
 
 
 class RemoteGraph(NamedTuple):
-    """The other nodes and endpoints on the network, without those of this link. An unchanged endpoint is the same object
-    again."""
+    """The other nodes and endpoints on the network, without those of this link. If an endpoint has not changed, its object is the
+    same as before.
+    """
 
     nodes: Sequence[RemoteNode]
     endpoints: Sequence[RemoteEndpoint]
@@ -100,9 +103,9 @@ class RemoteGraph(NamedTuple):
 class Message(NamedTuple):
     """A message for a subscription.
 
-    :ivar gid: the gid of its publisher; b'' if the link does not know it.
-    :ivar source_ns: when it was sent, by the sender's clock; with the gid, it shows whether two subscriptions got the same
-        message.
+    :ivar gid: the gid of the publisher; b'' if the link does not report it.
+    :ivar source_ns: when the message was sent, by the sender's clock. With the gid, it shows whether two subscriptions received
+        the same message.
     """
 
     handle: int
@@ -112,7 +115,7 @@ class Message(NamedTuple):
 
 
 class Request(NamedTuple):
-    """A request for a service; `who` is returned with the reply."""
+    """A request for a service. `who` is returned with the reply."""
 
     handle: int
     who: bytes
@@ -120,7 +123,7 @@ class Request(NamedTuple):
 
 
 class Response(NamedTuple):
-    """A reply for a client, with the number that the client gave its request."""
+    """A reply for a client, with the number that the client gave to its request."""
 
     handle: int
     number: int
@@ -128,14 +131,15 @@ class Response(NamedTuple):
 
 
 class GraphChanged(NamedTuple):
-    """:meth:`Link.graph` has news."""
+    """The result of :meth:`Link.graph` has changed."""
 
 
 class LinkDiagnostic(NamedTuple):
-    """A message for the user: what was dropped, or what this link cannot do.
+    """A message for the user about dropped data, or about a limit of this link.
 
-    :ivar key: the same diagnostic has the same key; it is reported once, and counted.
-    :ivar about: the name in `text` that it is about: diagnostics that differ only in that name are one line of a status.
+    :ivar key: identifies the diagnostic. Diagnostics with equal keys are reported once, and counted.
+    :ivar about: the name in `text` to which the diagnostic refers. Diagnostics that differ only in that name become one line of a
+        status.
     """
 
     key: str
@@ -147,15 +151,15 @@ Event = Message | Request | Response | GraphChanged | LinkDiagnostic
 
 
 class LinkError(EdulaunchError):
-    """The link cannot be opened, or cannot create an endpoint."""
+    """A link could not be opened, or could not create an endpoint."""
 
 
 class Link(Protocol):
     """A connection to a ROS 2 network. No method blocks for longer than about a millisecond, except `open` and `close`.
 
-    One thread calls all methods. A link keeps a bounded number of incoming messages until `take`, and makes `fileno` readable.
+    One thread calls all methods. A link stores a limited number of incoming messages until `take`, and makes `fileno` readable.
 
-    :ivar title: its name for `edulaunch network status`, such as 'cyclonedds 11.0.1'.
+    :ivar title: the name of the link for `edulaunch network status`, such as 'cyclonedds 11.0.1'.
     """
 
     title: str
@@ -163,26 +167,26 @@ class Link(Protocol):
     def open(self, settings: Settings) -> None:
         """Join the network.
 
-        :raises LinkError: names what is missing and how to install it.
+        :raises LinkError: when the link cannot join. The message names a missing program and how to install it.
         """
 
     def add_node(self, namespace: str, name: str) -> int:
-        """Announce one of our nodes."""
+        """Announce a node of this machine."""
 
     def remove_node(self, handle: int) -> None:
-        """Withdraw a node; its endpoints were removed before."""
+        """Withdraw a node whose endpoints were removed before."""
 
     def add(self, node: int, kind: str, name: str, interface: Interface, qos: QoS) -> int:
-        """Announce one of our endpoints, and match it.
+        """Announce an endpoint of this machine, and match it with remote endpoints.
 
-        :raises LinkError: when the link cannot carry it.
+        :raises LinkError: when the link does not support the endpoint.
         """
 
     def remove(self, handle: int) -> None:
         """Withdraw an endpoint."""
 
     def publish(self, handle: int, cdr: bytes) -> None:
-        """Send a message from a publisher. A transient-local one keeps it for late subscriptions, as its QoS requires."""
+        """Send a message from a publisher. A transient-local publisher stores it for late subscriptions, as its QoS requires."""
 
     def request(self, handle: int, number: int, cdr: bytes) -> None:
         """Send a request from a client."""
@@ -191,11 +195,13 @@ class Link(Protocol):
         """Send a service's reply to a :class:`Request`."""
 
     def flush(self) -> None:
-        """Send everything now; called after each turn of the machine with new messages or endpoints."""
+        """Send everything that waits. The bridge calls this method after each turn of the machine with new messages or
+        endpoints.
+        """
 
     def take(self) -> Sequence[Event]:
-        """Return incoming messages since the last call, without our own. Their number is limited. If more wait, `fileno` stays
-        readable.
+        """Return the incoming messages since the last call, without those of this link. The number of messages is limited. If
+        more messages wait, `fileno` stays readable.
         """
         ...
 
@@ -204,8 +210,8 @@ class Link(Protocol):
         ...
 
     def fileno(self) -> int:
-        """Return the file to wait for with `select`: readable when `take` has something."""
+        """Return the file descriptor to wait for with `select`. It is readable when `take` has messages."""
         ...
 
     def close(self) -> None:
-        """Leave the network immediately, in any state; repeating it changes nothing."""
+        """Leave the network immediately, in any state. A second call has no effect."""

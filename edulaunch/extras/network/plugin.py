@@ -1,4 +1,4 @@
-"""The plug-in of the network: it adds `edulaunch network`, `ros2 launch --network`, `edulaunch launch --real`, and a service."""
+"""The plug-in of the network. It adds `edulaunch network`, `ros2 launch --network`, `edulaunch launch --real`, and a service."""
 
 from __future__ import annotations
 

@@ -40,22 +40,22 @@ from edulaunch.runtime.framing import Frames
 
 LONGEST_START_S = 30.0
 MOST_WAITING = 32 << 20
-"""The maximum number of bytes that wait for a side process which does not read; later messages are dropped."""
+"""The maximum number of bytes that wait for a child process that does not read. Later messages are dropped."""
 BUFFER = 4 << 20
-"""The size of the socket's own buffer, which must hold everything sent between two turns, such as an image."""
+"""The size of the socket's own buffer, which must hold all data between two turns, such as an image."""
 URGENT = (wire.NODE, wire.ADD)
-"""A new node or endpoint is sent before waiting messages, none of which can refer to it."""
+"""The frames that are sent before waiting messages, because no waiting message can refer to their node or endpoint."""
 AT_ONCE = 1 << 20
-"""The number of bytes that are read in one turn of the machine."""
+"""The number of bytes that one turn of the machine reads."""
 AGAIN = '\n  help: type edulaunch network off, then edulaunch network on'
 RENEW = 'read its errors in the log of the machine; edulaunch network install creates its environment again'
 _PROFILE, _LOOPBACK_PROFILE = (os.path.join(os.path.dirname(__file__), f'rclpy_side{end}.xml') for end in ('', '_loopback'))
-"""The settings of Fast DDS for the side process."""
+"""The settings of Fast DDS for the child process."""
 _SIDE = Program('entry_point', '', 'link', 'link', module='edulaunch.extras.network.rclpy_side', function='main')
 
 
 class RclpyLink:
-    """See `network_link.Link`. It does not know the publisher of a message."""
+    """The link through the real rclpy; see `network_link.Link`. It does not report the publisher of a message."""
 
     title = 'rclpy'
 
@@ -95,9 +95,9 @@ class RclpyLink:
             self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
 
     def _wait(self) -> None:
-        """Wait until the side process is ready.
+        """Wait until the child process is ready.
 
-        :raises LinkError: when it does not start.
+        :raises LinkError: when the child process does not start.
         """
         self._socket.settimeout(LONGEST_START_S)
         try:
@@ -126,7 +126,7 @@ class RclpyLink:
         self._say(wire.NODE_GONE, handle)
 
     def add(self, node: int, kind: str, name: str, interface: Interface, qos: QoS) -> int:
-        """See `Link.add`; if rclpy rejects an endpoint, a :class:`LinkDiagnostic` reports it later."""
+        """Add an endpoint; see `Link.add`. If rclpy rejects the endpoint, a :class:`LinkDiagnostic` reports it later."""
         self._count += 1
         self._kinds[self._count] = f'{kind} {name}'
         message = {
@@ -157,7 +157,7 @@ class RclpyLink:
         self._say(wire.ANSWER, handle, int.from_bytes(who, 'little'), cdr)
 
     def flush(self) -> None:
-        """See `Link.flush`; the rest is sent when the side process accepts it."""
+        """Send waiting frames; see `Link.flush`. Frames that the child process does not accept yet are sent later."""
         try:
             self._out.send(self._socket.send)
         except BlockingIOError:
@@ -214,7 +214,7 @@ class RclpyLink:
         return kind
 
     def _see(self, message: list[list[list[object]]]) -> None:
-        """Update the known nodes and endpoints; an endpoint that existed before is the same object."""
+        """Update the known nodes and endpoints. An endpoint that existed before keeps its object."""
         nodes = {
             (space, name): RemoteNode(bytes.fromhex(str(gid)), str(space), str(name), bool(is_simulated))
             for gid, space, name, is_simulated in message[0]

@@ -1,8 +1,8 @@
-"""The side process of the full link: it creates nodes and endpoints on the real rclpy as the link requests.
+"""The child process of the rclpy link. It creates nodes and endpoints on the real rclpy as the link requests.
 
 Frames (`rclpy_wire`) pass over the socket whose number is the first word of the command line. Messages pass as bytes.
-One thread reads, and publishes what it reads. Everything else of rclpy happens in the thread of its executor, which is woken only
-for that. An executor checks all its nodes each time, which costs more than the messages.
+One thread reads frames and publishes their messages. All other calls of rclpy happen in the thread of its executor, which is
+woken only for them. An executor checks all its nodes each time, which costs more than the messages.
 """
 
 from __future__ import annotations
@@ -39,11 +39,11 @@ LOOK_EVERY_S = 0.1
 LOOK_CLOSELY_EVERY_S = 0.5
 """The period of checks for all endpoints, even without new names."""
 PAUSE = 9
-"""A check is repeated only after this many times its own duration, so that thousands of topics do not take all the time."""
+"""The pause between two checks, in multiples of a check's duration. Thousands of topics would otherwise take all the time."""
 SETTLED_S = 2.0
-"""For this time after a change of names, each check includes all endpoints, because a node creates them one after the other."""
+"""The time after a change of names in which each check includes all endpoints. A node creates them one after the other."""
 AT_ONCE = 100
-"""The number of messages of one subscription that are taken in one turn."""
+"""The number of messages of one subscription that one turn takes."""
 _NOT_YET = object()
 
 
@@ -70,7 +70,7 @@ class Side:
         self.guard = self.helper.create_guard_condition(self.work)
 
     def _own_prefix(self) -> bytes:
-        """Return the first bytes of the gids of our own participant."""
+        """Return the first bytes of the gids of this process's own participant."""
         while True:
             for info in self.helper.get_publishers_info_by_topic('/parameter_events'):
                 if info.node_name == self.helper.get_name():
@@ -78,7 +78,7 @@ class Side:
             time.sleep(0.01)
 
     def say(self, kind: int, handle: int = 0, number: int = 0, data: bytes = b'') -> None:
-        """Send a frame."""
+        """Send a frame to the link."""
         with self.mouth:
             self.connection.sendall(wire.frame(kind, handle, number, data))
 
@@ -93,7 +93,7 @@ class Side:
         rclpy.try_shutdown()
 
     def is_published(self, *frame: Any) -> bool:
-        """Publish a message if all earlier requests are done; pass other frames to the executor."""
+        """Publish a message if all earlier requests are done, and return True. Otherwise, queue the frame for the executor."""
         with self.lock:
             if frame[0] != wire.PUBLISH or self.inbox:
                 self.inbox.append(frame)
@@ -108,7 +108,7 @@ class Side:
                 self.do(*self.inbox.popleft())
 
     def do(self, kind: int, handle: int, number: int, data: bytes) -> None:
-        """Handle one frame; report an error of rclpy, and continue with the others."""
+        """Handle one frame. If rclpy raises an error, report it and continue with the next frame."""
         try:
             _WORK[kind](self, handle, number, data)
         except Exception as error:
@@ -141,7 +141,11 @@ class Side:
         return self.registries[key].get(type_name)
 
     def _add_publisher(self, handle: int, node: Any, name: str, cls: Any, qos: QoSProfile) -> Any:
-        """A slow network could not resend many images in time, so more than the depth is kept on this computer only."""
+        """Create a publisher. If the network stays on this computer, a reliable volatile publisher stores more messages than its
+        depth.
+
+        A slow network could not resend so much data, such as images, in time.
+        """
         silent = PublisherEventCallbacks(use_default_callbacks=False)
         is_kept = qos.reliability == ReliabilityPolicy.RELIABLE and qos.durability == DurabilityPolicy.VOLATILE
         if is_kept and is_alone(os.environ):
@@ -150,7 +154,7 @@ class Side:
 
     def _add_subscription(self, handle: int, node: Any, name: str, cls: Any, qos: QoSProfile) -> Any:
         def on_message(data: bytes, info: Any) -> None:
-            """Pass on a message and all waiting ones, because a turn of the executor takes longer than that."""
+            """Pass on this message and all waiting messages, because another turn of the executor would take longer."""
             self.say(wire.MESSAGE, handle, info['source_timestamp'], data)
             for _ in range(AT_ONCE):
                 taken = made.handle.take_message(cls, True)
@@ -211,7 +215,7 @@ class Side:
         answer(deserialize_message(data, self.ends[handle][1].srv_type.Response), header)
 
     def glance(self) -> None:
-        """Check the network, in more detail after names have changed, because checking each topic is slow."""
+        """Check the network. If names have changed, check it in more detail, because checking each topic is slow."""
         now_s = time.monotonic()
         names = [self.helper.get_node_names_and_namespaces(), self.helper.get_topic_names_and_types()]
         if names != self.names:
@@ -251,7 +255,7 @@ class Side:
             self.say(wire.GRAPH, 0, 0, text.encode())
 
     def _services(self, name: str, namespace: str) -> list[list[Any]]:
-        """Return the services and clients of a node; they have no gid, so one is made from their names."""
+        """Return the services and clients of a node. They have no gid, so this function creates one from their names."""
         try:
             found = {
                 'service': self.helper.get_service_names_and_types_by_node(name, namespace),
@@ -280,7 +284,7 @@ class Side:
 
 
 def _node(name: str, namespace: str) -> Any:
-    """Create a node with as few endpoints as possible: it publishes /parameter_events."""
+    """Create a node with as few endpoints as possible. It still publishes /parameter_events."""
     return rclpy.create_node(
         name,
         namespace=namespace,
@@ -311,7 +315,7 @@ _WORK: dict[int, Callable[[Side, int, int, bytes], None]] = {
 
 
 def main() -> int:
-    """Serve the link on the socket of the given number."""
+    """Serve the link through the socket with the given number."""
     connection = socket.socket(fileno=int(sys.argv[1]))
     rclpy.init(args=['--ros-args', '--enclave', ENCLAVE], signal_handler_options=rclpy.signals.SignalHandlerOptions.NO)
     with suppress(ExternalShutdownException, BrokenPipeError):  # the link has closed

@@ -1,4 +1,4 @@
-"""The protocol of a link and its side process: frames with a kind, a number, another number, and bytes."""
+"""The protocol between a link and its child process. A frame has a kind, a handle, a number, and bytes."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from edulaunch.runtime import framing
 
 _HEAD = struct.Struct('<Iq')
 CHUNK = 1 << 18
-"""Small frames are collected until they have about this many bytes."""
+"""The size, in bytes, up to which small frames are collected before they are sent."""
 
 # Frames of the link.
 NODE, NODE_GONE, ADD, REMOVE, PUBLISH, ASK, ANSWER = range(7)
@@ -24,7 +24,7 @@ def frame(kind: int, handle: int = 0, number: int = 0, data: bytes = b'') -> byt
 
 
 def opened(frames: Iterable[tuple[int, bytes]]) -> Iterator[tuple[int, int, int, bytes]]:
-    """Yield the frames as (kind, handle, number, data)."""
+    """Yield each frame as (kind, handle, number, data)."""
     for kind, payload in frames:
         yield kind, *_HEAD.unpack_from(payload), payload[_HEAD.size :]
 
@@ -44,10 +44,10 @@ class Outbox:
         self.size += len(frame)
 
     def send(self, write: Callable[[memoryview], int]) -> None:
-        """Send everything.
+        """Send all waiting frames.
 
-        :param write: sends the beginning of some bytes and returns how many it accepted.
-        :raises BlockingIOError: from `write`, when it accepts no more now; the rest stays here.
+        :param write: sends the beginning of some bytes and returns the number of bytes that it accepted.
+        :raises BlockingIOError: from `write`, when it accepts no more bytes now. The remaining bytes still wait.
         """
         while self.size:
             if not self._half_sent:
@@ -57,7 +57,7 @@ class Outbox:
             self.size -= count
 
     def clear(self) -> None:
-        """Discard everything."""
+        """Discard all waiting frames."""
         self._half_sent, self.size = memoryview(b''), 0
         self._urgent.clear()
         self._usual.clear()

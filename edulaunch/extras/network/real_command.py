@@ -1,7 +1,7 @@
-"""`ros2 run`, `ros2 launch` and `ros2 component standalone` of a `--real` program: the programs that they start are real, too.
+"""`ros2 run`, `ros2 launch` and `ros2 component standalone` of a `--real` program. The programs that they start are real, too.
 
 The command line is `python -m edulaunch.extras.network.real_command LOCK WORDS...`. LOCK is a file that is locked while the
-launch lives, and WORDS are the words after `ros2`.
+launch runs, and WORDS are the words after `ros2`.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from edulaunch.runtime.session import Session
 
 
 class Command:
-    """A command in place of a launch: it receives Ctrl-C, and its end is the end of the session."""
+    """A command in place of a launch. It receives Ctrl-C, and the session ends when the command ends."""
 
     def __init__(self, session: Session, words: Sequence[str]) -> None:
         spec = ProcessSpec(argv=('ros2', *words), name='ros2', env=dict(session.host.env))
@@ -28,16 +28,16 @@ class Command:
 
     @property
     def is_over(self) -> bool:
-        """Return whether it has ended."""
+        """Return whether the command has ended."""
         return self._process.returncode is not None
 
     def interrupt(self) -> None:
-        """Press Ctrl-C."""
+        """Interrupt the command as Ctrl-C does."""
         self._process.send_signal(signal.SIGINT)
 
     @property
     def code(self) -> int:
-        """Return its exit code."""
+        """Return the exit code of the command."""
         return self._process.returncode or 0
 
 
@@ -48,7 +48,7 @@ def _write(stream: str, text: str) -> None:
 
 
 def main() -> int:
-    """Run the command to its end."""
+    """Run the command until it ends."""
     lock, *words = sys.argv[1:]
     end_with(lock)
     with NativeSession(workspaces=workspaces_of_command((), words[1] if len(words) > 1 else '')) as session:

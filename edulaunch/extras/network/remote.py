@@ -1,6 +1,6 @@
-"""Nodes and endpoints in the machine's graph that represent real ones on the network.
+"""Nodes and endpoints in the machine's graph that represent real nodes and endpoints on the network.
 
-No message passes between two of them: the real ones communicate directly, and two bridges make no loop.
+No message passes between two of them, because the real endpoints communicate directly. Two bridges therefore form no loop.
 """
 
 from __future__ import annotations
@@ -36,23 +36,23 @@ class TypeName:
 
 
 class NullQueue:
-    """A queue without a reader: `last` is the last message."""
+    """A queue without a reader. `last` is the last message."""
 
     last: Any = None
 
     def append(self, item: Any) -> None:
-        """Keep the message."""
+        """Store the message as the last one."""
         self.last = item
 
     def clear(self) -> None:
-        """Do nothing: the queue is always empty."""
+        """Do nothing, because the queue is always empty."""
 
     def extend(self, items: Any) -> None:
-        """Do nothing: the link itself sends old samples."""
+        """Do nothing, because the link itself sends old samples."""
 
 
 class RemotePublisher(Publisher):
-    """A publisher on the network: the link, not this object, passes its messages to subscriptions."""
+    """A publisher on the network. The link, not this object, passes its messages to subscriptions."""
 
     def __init__(self, graph: Graph, node: NodeEntry, name: str, cls: Any, qos: QoS) -> None:
         Endpoint.__init__(self, graph, node, name, cls, qos)
@@ -63,7 +63,7 @@ class RemotePublisher(Publisher):
         self._channel: Callable[[Any], object] | None = None
 
     def record(self, wire: Any) -> None:
-        """Record a message of it."""
+        """Record a message of this publisher."""
         if self._channel is None:
             self._channel = self.graph.tracer.channel(self)
         self.published += 1
@@ -81,7 +81,7 @@ class RemoteSubscription(Subscription):
 class RemoteService(ServiceServer):
     """A service on the network.
 
-    :param ask: called with each request: (wire, (client, number)).
+    :param ask: called with each request, as (wire tuple, (client, number)).
     """
 
     def __init__(self, graph: Graph, node: NodeEntry, name: str, cls: Any, qos: QoS, ask: Callable[[Any], object]) -> None:
@@ -97,17 +97,17 @@ class RemoteClient(ServiceClient):
 
 
 def is_remote(node: NodeEntry) -> bool:
-    """Return whether a node of the graph represents a real one."""
+    """Return whether a node of the graph represents a real node."""
     return isinstance(node.process, Network)
 
 
 def named(node: NodeEntry) -> str:
-    """Return the name of a node for a message; endpoints that no node has claimed belong to a node without a name."""
+    """Return the name of a node for a message. Endpoints that no node has claimed belong to a node without a name."""
     return 'a node with an unknown name' if node.name == UNKNOWN_NAME else node.fully_qualified_name
 
 
 def join(end: Any) -> None:
-    """Add an endpoint of the network to this graph, and match it with its counterparts here."""
+    """Add an endpoint of the network to this graph, and match it with the endpoints of this machine."""
     graph = end.graph
     if isinstance(end, RemotePublisher):
         graph.add_end(end.node, graph.publishers, end.topic_name, end)

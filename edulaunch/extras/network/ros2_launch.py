@@ -17,14 +17,14 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def wants_network(arguments: argparse.Namespace) -> bool:
-    """Return whether any of those options was used."""
+    """Return whether the command line contains `--network` or one of its options."""
     return bool(arguments.network or crossing.option_words(arguments, 'network-'))
 
 
 def begin(arguments: argparse.Namespace, process: Process) -> None:
     """Join the network that the options describe, until the program ends.
 
-    :raises EdulaunchError: when that fails.
+    :raises EdulaunchError: when the machine cannot join.
     """
     if not wants_network(arguments):
         return

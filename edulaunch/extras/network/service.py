@@ -1,6 +1,4 @@
-"""The network as a service of the machine: whether it is available, and the function that creates it. The function loads the
-bridge.
-"""
+"""The network as a service of the machine: whether it is available, and the function that creates it and loads the bridge."""
 
 from __future__ import annotations
 
@@ -16,12 +14,12 @@ if TYPE_CHECKING:
 
 
 def is_available() -> bool:
-    """Return whether Cyclone DDS is installed, which the button of a page needs to join."""
+    """Return whether Cyclone DDS is installed. A page needs it for the button with which a machine joins."""
     return find_spec('cyclonedds') is not None
 
 
 def make(session: Session, time: RealTime, selector: selectors.BaseSelector) -> Switch:
-    """Return the network of one machine, switched off."""
+    """Return the network of one machine. It is off at first."""
     from edulaunch.extras.network.switch import Switch
 
     return Switch(session, time, selector)

@@ -1,4 +1,4 @@
-"""Read from a terminal's environment how a machine joins the network: ROS 2's own variables."""
+"""Read how a machine joins the network from the environment variables of a terminal, which are those of ROS 2."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def settings_of(env: Mapping[str, str]) -> Settings:
 
 
 def nobody_found(settings: Settings) -> str:
-    """Return what to check if no real node is found, cheapest first."""
+    """Return what to check if no real node is found. The easiest check comes first."""
     if settings.discovery_range == 'OFF':
         return 'ROS_AUTOMATIC_DISCOVERY_RANGE is OFF, so this machine does not search for nodes'
     domain = f'check that all terminals have ROS_DOMAIN_ID={settings.domain}.'

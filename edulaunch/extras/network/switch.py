@@ -1,4 +1,4 @@
-"""The network of one machine, switched on and off by `edulaunch network` and `ros2 launch --network`."""
+"""The network of one machine, which `edulaunch network` and `ros2 launch --network` switch on and off."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ from edulaunch.runtime.session import Session
 MOST_MISTAKES = 20
 LONGEST_WAIT_S = 0.01
 SETTLED_NS = 3 * 10**9
-"""Seconds after joining in which the other nodes have been found."""
+"""The time after joining in which the machine finds the other nodes."""
 ALONE_NS = 10 * 10**9
-"""Seconds without other nodes after which the doctor reports that, too."""
+"""The time without other nodes after which the doctor reports that, too."""
 WIDE = {'LOCALHOST': 'this computer alone', 'SUBNET': 'the whole subnet', 'OFF': 'nobody (OFF)'}
 
 
 class Switch:
     """Joins a machine to the network, and disconnects it.
 
-    :param selector: the machine waits on it.
+    :param selector: the selector on which the machine waits.
     """
 
     def __init__(self, session: Session, time: RealTime, selector: selectors.BaseSelector) -> None:
@@ -45,13 +45,13 @@ class Switch:
 
     @property
     def is_on(self) -> bool:
-        """Return whether it has joined."""
+        """Return whether the machine has joined a network."""
         return self.bridge is not None
 
     def on(self, env: Mapping[str, str], request: JoinRequest, tell: Callable[[str], object]) -> None:
-        """Join; an earlier bridge is closed first.
+        """Join the network. If the machine has already joined, close the earlier bridge first.
 
-        :raises EdulaunchError: when that fails.
+        :raises EdulaunchError: when the machine cannot join.
         """
         settings = settings_of(env)
         if not is_walls_time(self._session.sim.now_ns):
@@ -89,7 +89,7 @@ class Switch:
                 self._tell('the network is off, because edulaunch failed on messages from it; see the log of the machine')
 
     def off(self) -> bool:
-        """Leave the network. Return whether it was on."""
+        """Leave the network. Return whether the network was on."""
         bridge, self.bridge = self.bridge, None
         if bridge is None:
             return False
@@ -104,7 +104,7 @@ class Switch:
         self._time.is_wall, self._session.follow = False, None
 
     def follow(self, until_ns: int | None, is_over: Callable[[], bool]) -> None:
-        """Let time pass in step with real time, as :meth:`Simulation.run` does."""
+        """Run the simulation in step with real time, as :meth:`Simulation.run` does."""
         sim, wait_s = self._session.sim, 0.0
         while self.bridge is not None and not is_over():
             self.listen(wait_s)
@@ -117,11 +117,12 @@ class Switch:
     def join(
         self, env: Mapping[str, str], words: Sequence[str], tell: Callable[[str], object], say: Callable[[str], object]
     ) -> Callable[[], object]:
-        """Join while a program runs; return a function to call at its end. A machine that has already joined does not change.
+        """Join while a program runs. Return a function to call when the program ends. A machine that has already joined does not
+        change.
 
         :param words: the options of `edulaunch network on`.
-        :param say: called with the network after joining, and after leaving.
-        :raises EdulaunchError: when that fails.
+        :param say: called with a description of the network after joining, and again after leaving.
+        :raises EdulaunchError: when the machine cannot join.
         """
         request = join_request(words)
         if self.bridge is not None:
@@ -141,24 +142,24 @@ class Switch:
         return leave
 
     def listen(self, seconds: float) -> None:
-        """Handle what has arrived, and wait for it at most this long."""
+        """Wait for data from the network for at most `seconds`, and handle them."""
         for key, events in self._selector.select(seconds):
             key.data(events)
 
     def after_turn(self) -> None:
-        """Called after each turn of the machine."""
+        """Send changes to the network. The machine calls this method after each turn."""
         if self.bridge is not None:
             self._safely(self.bridge.after_turn)
 
     def where(self) -> str:
-        """Describe the network and the link."""
+        """Return a description of the network and the link."""
         assert self.bridge is not None
         settings = self._settings
         peers = f' and {", ".join(settings.static_peers)}' if settings.static_peers else ''
         return f'domain {settings.domain} of {WIDE[settings.discovery_range]}{peers}, by {self.bridge.link.title}'
 
     def status(self) -> str:
-        """Describe what crosses."""
+        """Return the lines for `edulaunch network status`."""
         bridge = self.bridge
         if bridge is None:
             return 'the network is off\n'
@@ -182,7 +183,7 @@ class Switch:
     def run(
         self, words: Sequence[str], env: Mapping[str, str], say: Callable[[str], object], tell: Callable[[str], object]
     ) -> int:
-        """Run `edulaunch network on OPTIONS...`, `off` or `status`; return the exit code."""
+        """Run `edulaunch network on OPTIONS...`, `off` or `status`, and return the exit code."""
         word = words[0] if words else 'status'
         if word == 'off':
             say('the network is off\n' if self.off() else 'the network was off\n')

@@ -9,7 +9,7 @@ from edulaunch.extras.network.crossing import add_options, join_request, option_
 
 
 def network_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add on or off, and what crosses."""
+    """Add the arguments of the verb: the command, and the names that cross."""
     commands = ('status', 'on', 'off', 'install')
     about = f'one of {", ".join(commands)} (default: status)'
     parser.add_argument('word', metavar='COMMAND', choices=commands, nargs='?', default='status', help=about)
@@ -17,7 +17,7 @@ def network_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def network_verb(arguments: argparse.Namespace) -> int:
-    """Send the command to the machine (`on` starts one if necessary), or install the real rclpy."""
+    """Send the command to the machine, or install the real rclpy. `on` starts a machine if necessary."""
     from edulaunch.desk.machine.client import run
 
     if arguments.word == 'install':
@@ -42,7 +42,7 @@ def _say_what_is_installed() -> None:
 
 
 def _install() -> int:
-    """Create the environment; on a terminal, its steps overwrite each other."""
+    """Create the environment. On a terminal, each step overwrites the previous one."""
     from edulaunch.extras.native import environment
 
     live = sys.stderr.isatty()

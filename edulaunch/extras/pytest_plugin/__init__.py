@@ -1,8 +1,8 @@
 """The pytest plugin. Every run of pytest in this environment loads this file, so it does nothing in unrelated projects.
 
 A `package.xml` beside, above or one folder below the tests makes a project a ROS package or a workspace, which activates the
-plugin. Other projects use `-p edulaunch`, on the command line or in `addopts`. Only then is `asked.py` loaded, which changes
-tests.
+plugin. Other projects use `-p edulaunch`, on the command line or in `addopts`. Only an active plugin loads `asked.py`, which
+changes tests.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def pytest_load_initial_conftests(early_config: pytest.Config, args: Sequence[st
 
 
 def is_asked(config: pytest.Config, args: Sequence[str]) -> bool:
-    """Return whether this run has ROS tests, because of `-p edulaunch` or because its tests belong to a ROS package or a
+    """Return whether this run has ROS tests, because of `-p edulaunch`, or because its tests belong to a ROS package or a
     workspace.
     """
     options = config.known_args_namespace

@@ -1,7 +1,7 @@
 """Support for pytest runs with ROS tests: launch tests, tests of launch_pytest, and plain tests of a package.
 
-The last two run on the simulated machine of the test run. A launch test has its own simulation. Tests of tests run pytest inside
-pytest, with its plugin `pytester`.
+Tests of launch_pytest and plain tests run on the simulated machine of the test run. A launch test has its own simulation. Tests
+of the plugin itself run pytest inside pytest, with pytest's plugin `pytester`.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from edulaunch.extras.testing.machine_plugin import ConftestImports, put_on_mach
 from edulaunch.ros.sourcing import source
 
 SPEAKS_OF_LAUNCH_TESTS = pytest.StashKey[bool]()
-"""For a run: whether any of its test files has launch tests, or the source text of some."""
+"""The key of a flag of the run: whether a test file has launch tests, or contains the source of launch tests."""
 LAZY_PACKAGES = (
     'edulaunch.engine.sim',
     'edulaunch.engine.graph',
@@ -37,7 +37,9 @@ LAZY_PACKAGES = (
 
 
 def start(config: pytest.Config) -> None:
-    """Activate the plugin in this run, unless a real ROS 2 is on the path, whose plugins have the same options and tests."""
+    """Activate the plugin in this run. Do nothing if a real ROS 2 is on the path, whose plugins have the same options and
+    tests.
+    """
     if _is_installed_elsewhere('launch_testing', str(config.invocation_params.dir)):
         return
     source()
@@ -53,7 +55,7 @@ def start(config: pytest.Config) -> None:
 
 
 def _is_installed_elsewhere(name: str, here: str) -> bool:
-    """Return whether a foreign module of that name would be imported; ROS 2 sources in the folder of the run do not count."""
+    """Return whether Python would import a foreign module of that name. ROS 2 sources in the folder of the run do not count."""
     spec = importlib.machinery.PathFinder.find_spec(name)
     origin = None if spec is None else spec.origin
     return origin is not None and not origin.startswith((underlay_python(), here + os.sep))
@@ -84,7 +86,7 @@ def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> 
 
 
 class StyleTestModule(pytest.File):
-    """A test file for one of ROS 2's style checkers, which edulaunch does not have."""
+    """A test file for one of ROS 2's style checkers, which edulaunch does not contain."""
 
     linter = ''
 
@@ -94,17 +96,17 @@ class StyleTestModule(pytest.File):
 
 
 class StyleTestItem(pytest.Item):
-    """A placeholder for the tests of such a file."""
+    """A placeholder for the tests in a test file of a style checker."""
 
     parent: StyleTestModule
 
     def runtest(self) -> None:
-        """Skip, with the test file as the place."""
+        """Skip the test, with the test file as the place."""
         text = f'{self.parent.linter} is not available: run style checks where ROS 2 is installed'
         raise pytest.skip.Exception(text, _use_item_location=True)
 
     def reportinfo(self) -> tuple[Path, int, str]:
-        """Return its place and its name."""
+        """Return the place and the name of the item."""
         return self.path, 0, self.name
 
 
@@ -148,9 +150,9 @@ def _prepare_launch_pytest(config: pytest.Config, module_path: Path) -> None:
 
 
 def load_everything() -> None:
-    """Import modules early that are usually imported at first use.
+    """Import modules early that are otherwise imported when they are first used.
 
-    After each inner run, `pytester` forgets the modules imported in it, but packages still refer to them.
+    After each inner run, `pytester` forgets the modules that were imported in the run, but packages still refer to them.
     Without this function, many classes would exist twice.
     """
     source()

@@ -1,6 +1,6 @@
 """Tests of a package (plain tests and tests of launch_pytest) on the simulated machine of a pytest run.
 
-This file selects these test files, and finds the packages that they can use and the ones that are missing.
+This file selects these test files, and finds the packages that they can use and the packages that are missing.
 """
 
 from __future__ import annotations
@@ -14,19 +14,19 @@ from edulaunch.engine.underlay_place import underlay_python
 
 
 def workspaces_of(path: str) -> list[str]:
-    """Return the workspace whose packages a test file can use, as :func:`workspace_around` finds it, or None."""
+    """Return the workspace whose packages a test file can use, or None. :func:`workspace_around` finds the workspace."""
     found = workspace_around(path)
     return [] if found is None else [found]
 
 
 def is_of_own_package(path: str) -> bool:
-    """Return whether a file belongs to a package of the user; tests of ROS 2's own packages do not."""
+    """Return whether a file belongs to a package of the user. Tests of ROS 2's own packages do not count."""
     folder = package_around(path)
     return folder is not None and not os.path.isdir(os.path.join(underlay_python(), os.path.basename(folder)))
 
 
 def absent_linter(source: bytes) -> str | None:
-    """Return the first of ROS 2's style checkers (`ament_flake8`) that a test file imports and that is missing."""
+    """Return the first missing style checker of ROS 2 (such as `ament_flake8`) that a test file imports, or None."""
     if b'ament_' not in source:
         return None
     try:

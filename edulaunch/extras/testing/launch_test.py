@@ -1,4 +1,6 @@
-"""The command `launch_test FILE [name:=value ...]`, and launch tests in their own simulation, also for the pytest plugin."""
+"""The command `launch_test FILE [name:=value ...]`, and launch tests in their own simulation. The pytest plugin uses them,
+too.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +26,7 @@ LONGEST_TEST_S = 3600.0
 def run_launch_test(
     test: LaunchTest, *, workspaces: Sequence[str] | None = None, seed: int = 0, body: Callable[[], int] | None = None
 ) -> int:
-    """Run a launch test in a fresh simulation; its console is this program's console.
+    """Run a launch test in a new simulation. The test writes to this program's console.
 
     :param workspaces: folders with packages; None means the workspace of the test file.
     :param body: the main function of the process; None means `test.run`.
@@ -76,7 +78,9 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run `launch_test FILE [name:=value ...] [-v] [-s] [--junit-xml FILE]`; return the exit code, 2 for invalid input."""
+    """Run `launch_test FILE [name:=value ...] [-v] [-s] [--junit-xml FILE]`. Return the exit code, which is 2 for invalid
+    input.
+    """
     parser = _parser()
     given = parser.parse_args(argv)
     if not os.path.isfile(given.test_file):

@@ -1,8 +1,8 @@
 """The simulated machine for the launch_pytest tests of a pytest run.
 
-pytest itself is a plain script on it. Fixtures, tests and launches share one ROS graph and one simulated time, as they share the
-machine in ROS 2. The first such test file opens it, so that other runs of pytest do not change. Indirect imports of the packages'
-modules (`unittest.mock.patch('my_package.node.x')`, conftest files) return the same modules.
+pytest itself is a plain script on this machine. Fixtures, tests and launches share one ROS graph and one simulated time, as they
+share the machine in ROS 2. The first such test file opens the machine, so that other runs of pytest do not change. Indirect
+imports of the packages' modules (`unittest.mock.patch('my_package.node.x')`, conftest files) return the same modules.
 """
 
 from __future__ import annotations
@@ -30,14 +30,13 @@ from edulaunch.runtime.ambient import ambient_process_on
 from edulaunch.runtime.session import Session, index_for
 
 SHARED = frozenset(PRIVATE_COPIES) - {'concurrent', 'sched'}
-"""Standard modules that a test file shares with pytest, unlike a program: `caplog` needs the same `logging`."""
+"""The standard modules that a test file, unlike a program, shares with pytest. For example, `caplog` needs the same `logging`."""
 LIMIT_S = 900
-"""The maximum duration of a test in simulated seconds; longer than any wait of a launch test, which ends after 600 s by
-itself."""
+"""The maximum duration of a test in simulated seconds. It is longer than the 600 s after which a launch test ends."""
 
 
 class TestImports(ImportLoader):
-    """The first finder of Python: it returns the same modules that the test files have."""
+    """The first module finder of Python. It returns the same modules as imports in the test files."""
 
     __test__ = False  # so that pytest does not collect this class
 
@@ -61,18 +60,18 @@ class TestImports(ImportLoader):
         return ModuleSpec(name, self) if name.partition('.')[0] in self._names else None
 
     def look_again(self) -> None:
-        """Use the packages that the program sees now."""
+        """Update the list of packages that the program can use."""
         overlay = self._loader.process.overlay
         self._names = {*overlay.interface_packages, *overlay.modules} - sys.stdlib_module_names
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:
-        """Return the module of the test files, and execute it if necessary."""
+        """Return the module that the test files have, and execute it if necessary."""
         module = self._loader.import_module(spec.name)
         self._given[spec.name] = module.__spec__
         return module
 
     def exec_module(self, module: ModuleType) -> None:
-        """Keep the original spec of the module, which has already been executed."""
+        """Restore the original spec of the module, which has already been executed."""
         module.__spec__ = self._given[module.__name__]
 
 
@@ -99,7 +98,7 @@ class TestMachine:
         self._import: Any = None
 
     def open(self) -> None:
-        """Become the machine of the current code until :meth:`close`."""
+        """Make this the machine of the current code, until :meth:`close`."""
         here = getcurrent()
         self._outer, here.task = getattr(here, 'task', None), self._task
         self._import, builtins.__import__ = builtins.__import__, self._import_for_tests
@@ -109,18 +108,18 @@ class TestMachine:
             watchdog.thread = threading.get_ident()
 
     def close(self) -> None:
-        """End everything that still runs, and restore the previous state."""
+        """End all running programs, and restore the previous state."""
         builtins.__import__ = self._import
         self._imports.remove()
         self.session.close()
         getcurrent().task = self._outer or AmbientTask(type(self.session.sim)())
 
     def add(self, path: Path) -> None:
-        """Prepare the import of a test file: its clocks, threads and commands are simulated."""
+        """Prepare the import of a test file, whose clocks, threads and commands are then simulated."""
         self._files.add(str(path))
 
     def enter(self, path: Path) -> None:
-        """Prepare code of a test file to run: it sees the packages around it."""
+        """Prepare to run code of a test file. The code can use the packages around the file."""
         folders = self._folders.get(path.parent)
         if folders is None:
             folders = tuple(workspaces_of(str(path)) if self._workspaces is None else self._workspaces)
@@ -137,7 +136,7 @@ class TestMachine:
 
     @contextmanager
     def limited(self) -> Iterator[None]:
-        """Limit a test: a wait of more than `LIMIT_S` simulated seconds fails at the place of the wait."""
+        """Limit a test. A wait of more than `LIMIT_S` simulated seconds fails at the place of the wait."""
         sim = self.session.sim
 
         def give_up() -> None:
@@ -153,7 +152,7 @@ class TestMachine:
             sim.cancel(end)
 
     def let_debug(self, person_is_here: bool) -> None:
-        """Allow a program to run for any time without yielding while a person is in a debugger."""
+        """Allow a program to run for any time without yielding, while a person uses a debugger."""
         if self.session.host.watchdog is not None:
             self.session.host.watchdog.asleep = person_is_here
 
@@ -165,7 +164,7 @@ class TestMachine:
         fromlist: Sequence[str] | None = (),
         level: int = 0,
     ) -> ModuleType:
-        """Handle `import` statements: test files get the same modules as a simulated program."""
+        """Handle `import` statements. Test files get the same modules as a simulated program."""
         here = None if globals is None else globals.get('__file__')
         if here is None or here not in self._files or name.partition('.')[0] in SHARED:
             module: ModuleType = self._import(name, globals, locals, fromlist, level)

@@ -1,6 +1,6 @@
-"""The pytest plugin with the machine of a test run. Our plugin registers it for the first test file that needs it.
+"""The pytest plugin with the machine of a test run. edulaunch's pytest plugin registers it for the first test file that needs it.
 
-It handles these test files, and the `conftest.py` files, which pytest imports before any test file.
+The plugin handles these test files, and the `conftest.py` files, which pytest imports before any test file.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ MACHINE = pytest.StashKey[TestMachine]()
 
 
 def machine_of(config: pytest.Config) -> TestMachine:
-    """Return the machine of this run of pytest, which is opened at first use."""
+    """Return the machine of this run of pytest. Open it on first use."""
     if MACHINE not in config.stash:
         source()
         option = {
@@ -39,7 +39,7 @@ def machine_of(config: pytest.Config) -> TestMachine:
 
 
 def put_on_machine(config: pytest.Config, path: Path) -> None:
-    """Give a test file simulated time and the packages around it before its import."""
+    """Give a test file simulated time and the packages around the file, before pytest imports it."""
     machine = machine_of(config)
     machine.add(path)
     machine.enter(path)
@@ -47,7 +47,7 @@ def put_on_machine(config: pytest.Config, path: Path) -> None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_make_collect_report(collector: pytest.Collector) -> Generator[None, Any, Any]:
-    """Give an imported file the packages around it."""
+    """Give a file the packages around it while pytest imports the file."""
     if isinstance(collector, pytest.Module):
         collector.config.stash[MACHINE].enter(collector.path)
     return (yield)
@@ -55,7 +55,7 @@ def pytest_make_collect_report(collector: pytest.Collector) -> Generator[None, A
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, Any, Any]:
-    """Do the same for a test, and limit its duration."""
+    """Give a test the packages around its file, and limit the duration of the test."""
     machine = item.config.stash[MACHINE]
     machine.enter(item.path)
     with machine.limited():
@@ -73,9 +73,9 @@ def pytest_leave_pdb(config: pytest.Config) -> None:
 
 
 class ConftestImports:
-    """The first finder of Python: puts a `conftest.py` inside a package of the user on the machine of the tests.
+    """The first module finder of Python. It puts a `conftest.py` inside a package of the user on the machine of the tests.
 
-    So it also finds that package and its interfaces. Modules that it imports before any search do not change.
+    The `conftest.py` can then import that package and its interfaces. Modules that it imports before any search do not change.
     """
 
     def __init__(self, config: pytest.Config) -> None:

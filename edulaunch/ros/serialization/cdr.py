@@ -1,5 +1,5 @@
-"""Convert messages to CDR bytes and back, as ROS 2 middlewares and rosbag2 files store them (XCDR1, little-endian). Positions and
-alignments count from the end of the header.
+"""Converts messages to CDR bytes and back, as ROS 2 middlewares and rosbag2 files store them (XCDR1, little-endian). Positions
+and alignments count from the end of the header.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ _COUNT = Struct('<I')
 
 
 class Truncated(Exception):
-    """The bytes end too early, or a count is larger than the rest."""
+    """The bytes end too early, or a count is larger than the number of remaining bytes."""
 
 
 class Step(Protocol):
-    """One part of the layout, which uses `takes` entries of the wire tuple."""
+    """One part of the layout. It converts `takes` entries of the wire tuple."""
 
     takes: int
 
@@ -45,7 +45,7 @@ class Codec:
             start += step.takes
 
     def write(self, out: bytearray, wire: tuple[Any, ...]) -> None:
-        """Append a wire tuple."""
+        """Append the bytes of a wire tuple."""
         for step, part in self._steps:
             step.write(out, wire[part])
 
@@ -58,7 +58,7 @@ class Codec:
 
 
 class Run:
-    """A row of single numbers, booleans and bytes, with one struct for each of the 8 possible alignments of its start."""
+    """A sequence of single numbers, booleans and bytes, with one struct for each of the 8 possible alignments of its start."""
 
     def __init__(self, kinds: list[Primitive | None]) -> None:
         self._kinds = kinds  # None stands for the byte of a message without fields
@@ -121,7 +121,7 @@ class WideText:
 
 
 class Numbers:
-    """Repeated numbers, booleans or bytes. `size` is the length of a fixed array, and None for a sequence."""
+    """An array of numbers, booleans or bytes. `size` is the length of a fixed array, and None for a sequence."""
 
     takes = 1
 
@@ -156,7 +156,7 @@ class Numbers:
 
 
 class Several:
-    """Repeated strings or messages."""
+    """An array of strings or messages."""
 
     takes = 1
 
@@ -229,7 +229,7 @@ def _write_count(out: bytearray, count: int) -> None:
 
 
 def _read_count(data: bytes, position: int, width: int) -> tuple[int, int]:
-    """Return a count. Check that enough bytes are left for that many elements of `width` bytes."""
+    """Return a count. Raise an error unless enough bytes remain for that many elements of `width` bytes."""
     position += -position % 4
     (count,) = _COUNT.unpack_from(data, position)
     if count * width > len(data) - position - 4:
@@ -252,7 +252,7 @@ def serialize(message: Message) -> bytes:
 def deserialize(data: bytes, cls: type[AnyMessage]) -> AnyMessage:
     """Return a new message of class `cls` from CDR bytes.
 
-    :raises InterfaceError: when the bytes are not CDR of that type.
+    :raises InterfaceError: when the bytes are not the CDR of that type.
     """
     message: AnyMessage = cls.from_wire(decode(cls, data))
     return message
@@ -268,7 +268,7 @@ def encode(cls: type[Message], wire: tuple[Any, ...]) -> bytes:
 def decode(cls: type[Message], data: bytes) -> tuple[Any, ...]:
     """Return the wire tuple of class `cls` from its CDR bytes.
 
-    :raises InterfaceError: when the bytes are not CDR of that type.
+    :raises InterfaceError: when the bytes are not the CDR of that type.
     """
     if bytes(data[:2]) != HEADER[:2]:
         raise InterfaceError(

@@ -1,4 +1,4 @@
-"""Convert messages to YAML and CSV, as `ros2 topic echo` prints them."""
+"""Converts messages to YAML and CSV, as `ros2 topic echo` prints them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ class Shortening(NamedTuple):
     """The parts of a message that are left out.
 
     :ivar length: the maximum number of array items and characters of a string; None means no limit.
-    :ivar no_arr, no_str: whether arrays and strings are replaced by their type and length.
+    :ivar no_arr: whether arrays are replaced by their type and length.
+    :ivar no_str: whether strings are replaced by their type and length.
     """
 
     length: int | None = None
@@ -24,7 +25,7 @@ WIDEST = 2**31 - 1
 
 
 def message_yaml(message: Message, short: Shortening = EVERYTHING, *, flow_style: bool = False) -> str:
-    """Return the message as YAML text with its fields in order and a final line break."""
+    """Return the message as a YAML string with its fields in order and a final line break."""
     import yaml
 
     content = message_dict(message, short)

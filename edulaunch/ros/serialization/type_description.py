@@ -1,4 +1,4 @@
-"""Type descriptions and their RIHS01 hashes, with which ROS 2 programs check whether they use the same definition of a type."""
+"""Type descriptions and their RIHS01 hashes, by which ROS 2 programs check whether they use the same definition of a type."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SpecOf = Callable[[str], InterfaceSpec]
 def type_description(type_name: str, spec_of: SpecOf) -> dict[str, Any]:
     """Return the description of a type and of all types in it, in the form of type_description_interfaces/msg/TypeDescription.
 
-    :param spec_of: returns the spec of a full type name (`Registry.spec`).
+    :param spec_of: a function that returns the spec for a full type name (`Registry.spec`).
     """
     known: dict[str, dict[str, Any]] = {}
     waiting = [type_name]

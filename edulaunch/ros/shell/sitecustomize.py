@@ -1,8 +1,8 @@
-"""Make `python3 node.py` work in a shell that has evaluated `edulaunch env --shell`, as in a shell that has sourced ROS 2.
+"""Makes `python3 node.py` work in a shell that has evaluated `edulaunch env --shell`, as in a shell that has sourced ROS 2.
 
-Every Python of such a shell reads this file at its start. It waits for the first import of a ROS package, or of a module that is
-not found otherwise, and then sources edulaunch. Python's own and installed modules often try names that do not exist (`copy` asks
-for `org.python.core`). A workspace is not searched for these, because reading it needs such modules.
+Every Python of such a shell runs this file at its start. The file sources edulaunch at the first import of a ROS package, or of a
+module that is not found otherwise. Python's own and installed modules often try names that do not exist (`copy` tries
+`org.python.core`). For these names, no workspace is searched, because reading a workspace needs such modules.
 """
 
 import os
@@ -27,9 +27,9 @@ def _is_asked_by_installed():
 
 
 def _join_machine():
-    """Run a program that a person has started in a terminal on the machine of all terminals, instead of in this process.
+    """Run a program that a person has started in a terminal on the shared machine, instead of in this process.
 
-    A debugger, an interactive Python, a test and a program that is read through a pipe do not join it.
+    A debugger, an interactive Python, a test and a program that is read through a pipe do not join the machine.
     """
     main = os.path.abspath(getattr(sys.modules.get('__main__'), '__file__', None) or '')
     is_script = bool(sys.argv[0]) and os.path.isfile(main) and os.path.abspath(sys.argv[0]) == main
@@ -40,7 +40,7 @@ def _join_machine():
 
 
 class _Sourcing:
-    """A finder at one end of `sys.meta_path` that knows no module itself."""
+    """A finder at one end of `sys.meta_path` that sources edulaunch, but finds no module itself."""
 
     def __init__(self, names=None):
         self._names = names  # None, the value of the last finder, means all modules

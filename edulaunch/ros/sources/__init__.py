@@ -1,9 +1,9 @@
 """Reads the build files of source packages, setup.py and CMakeLists.txt, without running them.
 
-An `Index` of source workspaces is created with `read_source`. `setup_script.py` reads a setup.py, with `static_python.py` and
-`static_values.py` as its small interpreter. `setup_tables.py` reads setup.cfg and pyproject.toml, and `cmake.py` a CMakeLists.txt
-(`cmake_text.py` has its syntax). `source_package.py` shows one package of a workspace with its files. `missing.py` collects facts
-about something that is not found, from which `edulaunch.advice` makes messages.
+Code that creates an `Index` of source workspaces passes `read_source` to it. `setup_script.py` reads a setup.py, with
+`static_python.py` and `static_values.py` as its small interpreter. `setup_tables.py` reads setup.cfg and pyproject.toml, and
+`cmake.py` a CMakeLists.txt (`cmake_text.py` parses its syntax). `source_package.py` describes one package of a workspace with its
+files. `missing.py` collects facts about something that is not found, from which `edulaunch.advice` creates messages.
 """
 
 from __future__ import annotations

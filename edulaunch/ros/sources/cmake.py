@@ -1,6 +1,6 @@
-"""Read what a CMakeLists.txt installs, without running CMake.
+"""Determines what a CMakeLists.txt installs, without running CMake.
 
-It evaluates these commands: project, set, list(APPEND), file(GLOB), get_filename_component, foreach,
+This module evaluates these commands: project, set, list(APPEND), file(GLOB), get_filename_component, foreach,
 install(PROGRAMS | FILES | DIRECTORY | TARGETS),
 rosidl_generate_interfaces, ament_python_install_package, ament_auto_package(INSTALL_TO_SHARE ...). It evaluates all branches of
 `if` except those of BUILD_TESTING.
@@ -49,7 +49,7 @@ _WORDS = frozenset(
 
 
 def read_cmake_lists(manifest: Manifest) -> Contents:
-    """Return the contents of an ament_cmake package. Commands that cannot be evaluated cause a warning."""
+    """Return the contents of an ament_cmake package. A command that cannot be evaluated causes a warning."""
     return _CMakeLists(manifest).read()
 
 
@@ -119,8 +119,9 @@ class _CMakeLists:
                 self._obey(command)
 
     def _follow_tests(self, todo: list[Command]) -> None:
-        """Evaluate only commands that add programs for tests, because launch tests start these. A build of the package needs no
-        other command there.
+        """Evaluate only commands that add programs for tests, because launch tests start these programs.
+
+        A build of the package needs no other command of this block.
         """
         for command in todo:
             words = expand(command, self.variables, lambda name: None)
@@ -363,7 +364,7 @@ def _end(todo: list[Command], start: int, word: str) -> int:
 
 
 def _clauses(words: list[str]) -> tuple[str, list[str], str, list[str]]:
-    """Return mode, items, destination and all other words of an install()."""
+    """Return the mode, the items, the destination and all other words of an install()."""
     if not words:
         return '', [], '', []
     end = next((i for i, word in enumerate(words) if i and word in _WORDS), len(words))
@@ -379,7 +380,7 @@ def _files_below(top: str) -> Iterator[str]:
 
 
 def _matches(name: str, rest: list[str]) -> bool:
-    """Return whether install(DIRECTORY) includes the file, by its FILES_MATCHING and PATTERN ... EXCLUDE clauses."""
+    """Return whether install(DIRECTORY) includes the file according to its FILES_MATCHING and PATTERN ... EXCLUDE clauses."""
     from fnmatch import fnmatchcase
 
     taken = 'FILES_MATCHING' not in rest

@@ -1,4 +1,4 @@
-"""Parse CMake's syntax: commands, quoted and unquoted words, comments and ${variables}."""
+"""Parses CMake's syntax: commands, quoted and unquoted words, comments and ${variables}."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _VARIABLE = re.compile(r'\$\{([^${}]*)\}')
 
 
 class Command(NamedTuple):
-    """A command `name(words...)` at `line`. For each word, `quoted` states whether it was in quotation marks."""
+    """A command `name(words...)` at `line`. For each word, `quoted` contains whether the word is in quotation marks."""
 
     name: str
     line: int
@@ -49,7 +49,7 @@ def commands(text: str) -> Iterator[Command]:
 
 
 def expand(command: Command, variables: dict[str, list[str]], unknown: Callable[[str], None]) -> list[str]:
-    """Return the words with the values of ${variables}. An unquoted word becomes as many words as its lists have items.
+    """Return the words with the values of ${variables}. An unquoted word becomes one word for each item of its lists.
 
     A word with an unknown variable is left out, and `unknown(name)` is called.
     """

@@ -24,10 +24,10 @@ LOOKED_AT = 500
 
 
 def missing_package(index: Index, package: str, here: str | None = None) -> Facts:
-    """Return facts about a missing package: the nearest name, the folder that contains it, or the fact that no workspace was
-    given.
+    """Return facts about a missing package: the nearest name, the folder that contains the package, or the fact that no
+    workspace was given.
 
-    :param here: the folder of the program that needs it (default: that of this process).
+    :param here: the folder of the program that needs the package. The default is that of the running process.
     """
     here = here or os.getcwd()
     workspaces = [place.folder for place in index.workspaces]
@@ -52,15 +52,15 @@ def missing_package(index: Index, package: str, here: str | None = None) -> Fact
 
 
 def _is_another(name: str, package: str) -> bool:
-    """Return whether two names differ in their numbers only. For example, turtlebot4_gazebo is not a misspelling of
+    """Return whether two names differ only in their numbers. For example, turtlebot4_gazebo is not a misspelling of
     turtlebot3_gazebo.
     """
     return name != package and re.sub(r'\d', '0', name) == re.sub(r'\d', '0', package)
 
 
 def _without_manifest(package: str, here: str) -> str | None:
-    """Return the folder of a package without package.xml in a workspace that is not recognised, because none of its packages has
-    one.
+    """Return the folder of a package without package.xml in a workspace that is not recognised because none of its packages has
+    a package.xml.
     """
     for source in ('src', *(os.path.join(name, 'src') for name in sorted(os.listdir(here)))):
         folder = os.path.join(here, source, package)
@@ -118,7 +118,7 @@ def source_package(index: Index, package: str) -> SourcePackage | None:
 
 
 def missing_launch_file(index: Index, package: str, file: str | None) -> Facts:
-    """Return facts about a launch file that is in the source of a package but not installed, or {} for other files."""
+    """Return facts about a launch file that is in the source of a package but is not installed. Return {} for any other file."""
     found = source_package(index, package)
     if found is None:
         return _built(index, package)
@@ -158,7 +158,9 @@ def missing_executable(index: Index, package: str, executable: str) -> Facts:
 
 
 def _only_owner(index: Index, executable: str) -> str | None:
-    """Return the only package that has an executable of that name, or the only one of the workspaces; otherwise None."""
+    """Return the only package that has an executable of that name, or the only package of the workspaces. Otherwise, return
+    None.
+    """
     owners = [name for name in index.packages() if executable in (*index.executables(name), *index.native_executables(name))]
     own = [name for name in owners if index.source_folder(name) is not None] or owners
     return own[0] if len(own) == 1 else None
@@ -208,7 +210,9 @@ def _not_built(index: Index, package: str, executable: str) -> Facts:
 
 
 def _misspelt_group(package: SourcePackage) -> Facts:
-    """Return facts about a key of entry_points= that is nearly `console_scripts`. setuptools ignores an unknown group."""
+    """Return facts about a key of entry_points= that is a misspelling of `console_scripts`. setuptools ignores an unknown
+    group.
+    """
     tree = parsed(package.build_file())
     for call in ast.walk(tree) if tree is not None else ():
         value = call.value if isinstance(call, ast.keyword) and call.arg == 'entry_points' else None
@@ -225,7 +229,7 @@ GROUPS = ('console_scripts', 'gui_scripts')
 
 
 def _installed_elsewhere(package: SourcePackage) -> Facts:
-    """Return facts about a setup.py that installs launch files into the share folder of another name than the package's."""
+    """Return facts about a setup.py that installs launch files into the share folder of a name other than the package's."""
     folders = {path.split('/')[1] for path in package.contents.files if path.startswith('share/') and '/launch' in path}
     others = sorted(folders - {'ament_index', package.name})
     if not package.is_python or package.name in folders or not others:
@@ -255,7 +259,7 @@ def installed_file(index: Index, path: str) -> Facts:
 
 
 def _built(index: Index, package: str) -> Facts:
-    """Return facts about a package that colcon built before its newest files were written."""
+    """Return facts about a package whose newest files were written after colcon built it."""
     prefix = index.packages().get(package)
     if prefix is None or 'install' not in prefix.split(os.sep):
         return {}

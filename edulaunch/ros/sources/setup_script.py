@@ -1,5 +1,5 @@
-"""Read what a setup.py installs without running it. It also finds undefined names, at which the script ends with a NameError,
-whatever else it contains.
+"""Determines what a setup.py installs without running it. It also finds undefined names, which always end the script with a
+NameError.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ _GIVEN = frozenset((*dir(builtins), '__file__', '__name__', '__doc__', '__builti
 
 
 def first_undefined_name(tree: ast.Module) -> tuple[str, int] | None:
-    """Return the first undefined name and its line, or None if the file has no such name or that cannot be determined.
+    """Return the first undefined name and its line. Return None if there is no such name, or if that cannot be determined.
 
-    It checks only code that always runs, and not the bodies of functions, conditions, loops and `try`.
+    The function checks only code that always runs, and not the bodies of functions, conditions, loops and `try`.
     """
     bound = set(_bound(tree))
     used = [node for statement in tree.body for node in _evaluated(statement)]
@@ -35,7 +35,7 @@ def first_undefined_name(tree: ast.Module) -> tuple[str, int] | None:
 
 
 def _bound(tree: ast.Module) -> Iterator[str]:
-    """Yield every name that is bound anywhere in the file, at whatever depth."""
+    """Yield every name that is bound anywhere in the file, at any depth."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
             yield node.id
@@ -84,7 +84,9 @@ _MARKERS = 'share/ament_index/resource_index/packages'
 
 
 def read_setup_script(manifest: Manifest) -> Contents:
-    """Return what an ament_python package installs. A warning reports what a build would reject, or what only a run can show."""
+    """Return what an ament_python package installs. A warning reports what a build would reject, or what only a run can
+    determine.
+    """
     return _SetupScript(manifest).read()
 
 
@@ -195,6 +197,8 @@ class _SetupScript:
         if os.path.isfile(path):
             name = os.path.normpath(os.path.join(target, os.path.basename(path))).lstrip('/')
             self.contents.files[name] = path
+            if name.startswith('lib/') and os.access(path, os.X_OK):
+                self.contents.programs.add(name)
             self.contents.interfaces |= path.endswith(('.msg', '.srv', '.action'))
         else:
             kind = 'a folder; only files can be listed, so use glob()' if os.path.isdir(path) else 'not there'
@@ -251,14 +255,14 @@ class _SetupScript:
             )
 
     def _groups(self, options: dict[str, Any]) -> dict[Any, Any]:
-        """Return the lines of entry_points= by group. The argument may be text in ini format."""
+        """Return the lines of entry_points= by group. The argument may be a string in ini format."""
         value = self._known(options, 'entry_points')
         if isinstance(value, str):
             return dict(_ini_sections(value))
         return value if isinstance(value, dict) else {}
 
     def _console_scripts(self, groups: dict[Any, Any]) -> Iterator[tuple[str, str, str]]:
-        """Yield (executable, module, function) of each console script; setuptools also installs one without a function."""
+        """Yield (executable, module, function) of each console script. As in setuptools, the function may be missing."""
         for line in (line for kind in ('console_scripts', 'gui_scripts') for line in _lines(groups.get(kind))):
             if not isinstance(line, str) or not line.strip():
                 continue
@@ -275,12 +279,14 @@ class _SetupScript:
                 yield match[1], match[2], match[3] or ''
 
     def _have_nodes(self, modules: Iterable[str]) -> bool:
-        """Return whether any of the modules uses rclpy. A package without nodes puts its commands into `bin` on purpose."""
+        """Return whether any of the modules uses rclpy. A package without nodes intentionally installs its commands into
+        `bin`.
+        """
         files = [os.path.join(self.folder, *module.split('.')) + '.py' for module in modules]
         return not all(map(os.path.isfile, files)) or any('rclpy' in read_text(path) for path in files)
 
     def _script_folder(self, modules: Iterable[str]) -> str:
-        """Return the folder of executables: the one in section [install] of setup.cfg, or `bin`."""
+        """Return the folder of executables: the folder in section [install] of setup.cfg, or `bin`."""
         section = self.configuration['install'] if self.configuration.has_section('install') else {}
         value = section.get('install_scripts') or section.get('install-scripts') or ''
         if not value:

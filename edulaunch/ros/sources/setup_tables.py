@@ -1,4 +1,4 @@
-"""Read setup.cfg and pyproject.toml, which can replace the arguments of setup()."""
+"""Reads setup.cfg and pyproject.toml, which can replace the arguments of setup()."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ def _found(folder: str, wanted: dict[str, Any], namespaces: bool) -> list[str]:
 
 
 def _pairs(folder: str, sections: dict[str, list[str]]) -> list[tuple[str, list[str]]]:
-    """Return the value of data_files= for {folder: patterns}. Unlike in setup(), patterns are expanded here."""
+    """Return the value of data_files= for {folder: patterns}. Unlike in setup(), the patterns are expanded here."""
     return [
         (target, [name for pattern in patterns for name in _expanded(folder, pattern)]) for target, patterns in sections.items()
     ]

@@ -1,4 +1,4 @@
-"""The packages of a workspace in the form for checks: manifest, contents, sources, and the modules in them. The file also
+"""The packages of a workspace in the form that checks use: manifest, contents, sources, and modules. The file also
 determines the folders from which a build installs data files. No module of a package is imported.
 """
 
@@ -30,7 +30,7 @@ RUNTIME_TAGS = ('depend', 'exec_depend', 'run_depend')
 
 
 class Dependency(NamedTuple):
-    """One dependency of a package.xml; `line` counts from 1."""
+    """One dependency in a package.xml. The attribute `line` counts from 1."""
 
     name: str
     tag: str
@@ -48,7 +48,7 @@ class SourcePackage:
 
     @property
     def is_python(self) -> bool:
-        """Whether the package is built with setup.py, or would be if that file were not missing."""
+        """Whether the package is built with setup.py, or would be built with it if the file were not missing."""
         manifest = read_manifest(self.folder, [])
         if os.path.isfile(self.build_file('CMakeLists.txt')):
             return manifest is not None and manifest.build_type == 'ament_python'  # colcon then does not read CMakeLists.txt
@@ -60,7 +60,7 @@ class SourcePackage:
 
     @cached_property
     def dependencies(self) -> list[Dependency]:
-        """The dependencies in package.xml, in the order of its tags, including those under a condition."""
+        """The dependencies in package.xml, including those under a condition, in the order of its tags."""
         with open(self.manifest_file, encoding='utf-8', errors='replace') as file:
             lines = file.read().splitlines()
         root = ElementTree.fromstring('\n'.join(lines).encode('utf-8'))
@@ -74,7 +74,7 @@ class SourcePackage:
 
     @cached_property
     def python_files(self) -> list[str]:
-        """All Python files of the package except tests and setup.py, sorted."""
+        """The paths of all Python files of the package except tests and setup.py, sorted."""
         return sorted(
             path
             for path in self.files()
@@ -82,7 +82,7 @@ class SourcePackage:
         )
 
     def files(self) -> Iterator[str]:
-        """Yield all files, without hidden folders and files that Python and colcon generate."""
+        """Yield all files except those in hidden folders, hidden files, and files that Python and colcon generate."""
         for folder, folders, names in os.walk(self.folder):
             folders[:] = sorted(
                 name
@@ -98,13 +98,13 @@ class SourcePackage:
         return os.path.relpath(path, self.folder)
 
     def is_test(self, path: str) -> bool:
-        """Return whether a file is in a folder of tests, or has the name of a test."""
+        """Return whether a file is in a folder of tests, or has the name of a test file."""
         *folders, name = self.relative(path).split(os.sep)
         words = name.partition('.')[0].split('_')
         return not {'test', 'tests'}.isdisjoint(folders) or 'tester' in words or 'test' in (words[0], words[-1])
 
     def is_launch_file(self, path: str) -> bool:
-        """Return whether this is a launch file, by its name or its folder. The description of a launch test does not count,
+        """Return whether a file is a launch file, by its name or its folder. The description of a launch test does not count,
         because pytest and launch_test read it in place.
         """
         name = os.path.basename(path)
@@ -129,7 +129,7 @@ _OF_ROS_1 = re.compile(r'\$\(find |<node[^>]*\btype\s*=')
 
 
 def source_packages(index: Index) -> list[SourcePackage]:
-    """Return the packages in the source workspaces of an index, by name."""
+    """Return the packages in the source workspaces of an index, by package name."""
     return [
         SourcePackage(name, place.package_folder(name), place.contents(name))
         for place in index.workspaces
@@ -138,7 +138,7 @@ def source_packages(index: Index) -> list[SourcePackage]:
 
 
 def read_text(path: str) -> str:
-    """Return the text of a file; empty if it cannot be read."""
+    """Return the text of a file, or '' if the file cannot be read."""
     try:
         with open(path, encoding='utf-8', errors='replace') as file:
             return file.read()
@@ -147,7 +147,7 @@ def read_text(path: str) -> str:
 
 
 def parsed(path: str) -> ast.Module | None:
-    """Return the syntax tree of a Python file; None if it is not valid Python."""
+    """Return the syntax tree of a Python file, or None if the file is not valid Python."""
     try:
         with open(path, 'rb') as file:
             return ast.parse(file.read(), path)
@@ -164,7 +164,7 @@ def _line_of(lines: list[str], tag: str, name: str) -> int:
 
 
 def module_file(package: SourcePackage, module: str) -> str | None:
-    """Return the file of a module that the package installs."""
+    """Return the file of a module that the package installs, or None."""
     top, _, rest = module.partition('.')
     place = package.contents.python_modules.get(top)
     if place is None:
@@ -200,12 +200,12 @@ def defined_names(tree: ast.Module) -> list[str]:
 
 
 def main_of(tree: ast.Module, name: str) -> ast.FunctionDef | None:
-    """Return the top-level function with that name."""
+    """Return the top-level function with that name, or None."""
     return next((node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == name), None)
 
 
 def line_with(file: str, word: str) -> int:
-    """Return the number of the first line that contains the word, or 0 for no such line."""
+    """Return the number of the first line that contains the word, or 0 if no line does."""
     return next((number for number, line in enumerate(read_text(file).splitlines(), 1) if word in line), 0)
 
 
@@ -234,7 +234,7 @@ def install_facts(package: SourcePackage, path: str) -> dict[str, str | None]:
 
 
 def _pattern(package: SourcePackage, path: str, name: str) -> str:
-    """Return the glob() pattern that matches the file: that of ROS 2's tutorials for launch files, if it matches."""
+    """Return a glob() pattern that matches the file: the pattern of ROS 2's tutorials for launch files, if it matches."""
     if not package.is_launch_file(path):
         return '*'
     return LAUNCH_PATTERN if fnmatch(name, LAUNCH_PATTERN) else '*' + os.path.splitext(name)[1]

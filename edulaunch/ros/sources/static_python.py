@@ -1,7 +1,7 @@
-"""Evaluate Python text without running it, with a small interpreter for assignments, loops and harmless calls.
+"""Evaluates Python text without running it, with a small interpreter for assignments, loops and harmless calls.
 
-An unsupported expression becomes an :class:`~edulaunch.ros.sources.static_values.Unknown`, which spreads to the expression around
-it. Therefore, a line of a setup.py that cannot be evaluated affects only its own value.
+An unsupported expression becomes an :class:`~edulaunch.ros.sources.static_values.Unknown`. Every expression that contains it also
+becomes unknown. So a line of a setup.py that cannot be evaluated affects only its own value.
 """
 
 from __future__ import annotations
@@ -34,14 +34,14 @@ _COMPARE: dict[type[ast.cmpop], Callable[[Any, Any], Any]] = {
 
 
 class _Returned(Exception):
-    """Carries the value of a `return` out of an evaluated function."""
+    """Transports the value of a `return` out of an evaluated function."""
 
 
 class StaticPython:
     """Evaluates one module.
 
     :param file: the path of the module, which is the value of `__file__`.
-    :param folder: the folder to which its paths are relative.
+    :param folder: the folder at which relative paths start.
     :param watch: dotted names of functions whose calls are stored in :attr:`calls` as (line, keyword values).
     """
 
@@ -302,7 +302,7 @@ class StaticPython:
         return method
 
     def _callable(self, value: Any) -> Any:
-        """Return a callable for a function that is passed to another one (`map`, `filter`, `sorted(key=)`)."""
+        """Return a callable for a function that is an argument of another function (`map`, `filter`, `sorted(key=)`)."""
         if isinstance(value, ast.FunctionDef | ast.Lambda):
             return lambda *arguments: self._call_own(value, list(arguments), {})
         return self._functions.get(value.name, value) if isinstance(value, Module) else value

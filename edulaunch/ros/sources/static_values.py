@@ -8,7 +8,7 @@ from typing import Any
 
 
 class Unknown:
-    """A value that is not known without running the file. It stores its origin.
+    """A value that is not known without running the file, with the place of its expression.
 
     :param line: the line in the file.
     :param why: the source text that could not be evaluated.
@@ -27,7 +27,7 @@ class Module:
 
 
 def first_unknown(value: Any) -> Unknown | None:
-    """Return the first Unknown anywhere inside `value`."""
+    """Return the first Unknown anywhere inside `value`, or None."""
     if isinstance(value, Unknown):
         return value
     if isinstance(value, dict):
@@ -38,13 +38,13 @@ def first_unknown(value: Any) -> Unknown | None:
 
 
 class PathText(str):
-    """A `pathlib.Path` of the evaluated text. It may be relative to the package's folder."""
+    """A `pathlib.Path` in the evaluated text. It may be relative to the package's folder."""
 
     folder: str
 
     @classmethod
     def below(cls, folder: str, *parts: str) -> PathText:
-        """Return the path that consists of these parts, relative to `folder`."""
+        """Return the path with these parts, relative to `folder`."""
         made = cls(os.path.join(*parts) if parts else '.')
         made.folder = folder
         return made
@@ -95,7 +95,7 @@ class PathText(str):
         return str(self)
 
     def resolve(self) -> PathText:
-        """Return the absolute path, as `Path.resolve` does, but without following links."""
+        """Return the absolute path, as `Path.resolve` does, but without following symbolic links."""
         return self.below(self.folder, os.path.normpath(os.path.join(self.folder, self)))
 
     absolute = resolve
@@ -158,7 +158,7 @@ PURE: dict[str, Callable[..., Any]] = {
 
 
 def callables(folder: str) -> dict[str, Callable[..., Any]]:
-    """Return the functions with which setup.py files list their files. Relative paths start at `folder`."""
+    """Return the functions that setup.py files use to list their files. Relative paths start at `folder`."""
     listing = _Listing(folder)
     local = listing.local
     table: dict[str, Callable[..., Any]] = {
@@ -191,7 +191,7 @@ class _Listing:
         self._folder = folder
 
     def local(self, path: Any) -> str:
-        """Return a path that may be relative to the folder."""
+        """Return a path. If it is relative, it starts at the folder."""
         return os.path.join(self._folder, os.fspath(path))
 
     def glob(self, pattern: str, recursive: bool = False) -> list[str]:

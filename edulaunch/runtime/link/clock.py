@@ -1,14 +1,15 @@
 """One agenda in two processes.
 
 Each peer has its own items. Only the peer with the *token* runs, and only while its next item comes before the other peer's
-next one. So the two peers together do what one process would do, in the same order. The *keys* of two items decide their order:
+next item. So the two peers together run the same items as one process would, in the same order. The *keys* of two items determine
+their order:
 
 * in the heap: (time, priority, 0, sequence);
 * in the queue for the present instant: (now, 0, 1, number). This first-in, first-out queue has no sequence numbers. Whenever
     the other peer may have scheduled something in between, a *mark* with the next number enters the queue. The number of an item
     is that of the mark before it.
 
-Both peers share the count of sequence numbers, which travels with the token.
+Both peers share the count of sequence numbers, which is sent with the token.
 """
 
 from __future__ import annotations
@@ -30,8 +31,9 @@ FOR_THE_OTHER = 1 << 16  # count of numbers reserved for the items that a frame 
 class PeerSimulation(Simulation):
     """The clock and agenda of one peer.
 
-    :ivar other: the key of the other peer's next item, as far as known here.
-    :ivar pass_token: passes the token and the key of the next item here to the other peer, and waits until it is back.
+    :ivar other: the key of the other peer's next item, as far as this peer knows it.
+    :ivar pass_token: a function that passes the token and the key of this peer's next item to the other peer, and waits until
+        the token returns.
     """
 
     def __init__(self, seed: int = 0, start_ns: int = EPOCH_NS) -> None:
@@ -41,7 +43,7 @@ class PeerSimulation(Simulation):
         self._number = 0
 
     def mark(self) -> None:
-        """Sort all later items here after the items that the other peer has scheduled so far."""
+        """Sort all later items of this peer after the items that the other peer has scheduled so far."""
         self.last_number += 1
         soon = self._soon
         if soon and soon[-1][1] == IS_MARK:
@@ -50,16 +52,16 @@ class PeerSimulation(Simulation):
             soon.append([self.now_ns, IS_MARK, self.last_number, None])
 
     def sequence(self) -> int:
-        """Return the last assigned number."""
+        """Return the sequence number that was assigned last."""
         return self.last_number
 
     def continue_from(self, number: int) -> None:
-        """Record that the other peer has assigned numbers up to this one."""
+        """Record that the other peer has assigned sequence numbers up to this one."""
         self.last_number = number
         self.mark()
 
     def number_for_the_other(self) -> int:
-        """Reserve a number for items that a frame causes at the other peer; later items here sort after them."""
+        """Reserve a sequence number for items that a frame causes in the other peer. Later items of this peer sort after them."""
         number = self.last_number + 1
         self.last_number = number + FOR_THE_OTHER
         self.mark()
@@ -72,7 +74,7 @@ class PeerSimulation(Simulation):
         return bool(soon) and soon[-1][1] == IS_MARK and soon[-1][2] == self.last_number
 
     def head(self) -> Key:
-        """Return the key of the next item here."""
+        """Return the key of this peer's next item."""
         agenda, soon = self.agenda, self._soon
         while agenda and agenda[0][3] is None:
             heappop(agenda)
@@ -87,7 +89,7 @@ class PeerSimulation(Simulation):
         return (agenda[0][0], agenda[0][1], 0, agenda[0][2]) if agenda else NEVER
 
     def run(self, until_ns: int | None = None) -> None:
-        """Run as in one process. A peer without `until_ns` runs forever, until the other peer ends it."""
+        """Run the simulation as in one process. A peer without `until_ns` runs until the other peer ends it."""
         self._stopped = False
         self.hub = getcurrent()
         end: Key = NEVER if until_ns is None else (until_ns + 1, BEFORE_ALL, 0, 0)

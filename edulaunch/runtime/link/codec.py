@@ -14,11 +14,11 @@ LONGEST_FRAME = 16 << 20
 
 
 class Violation(EdulaunchError):
-    """The other peer sent a frame that our code never sends."""
+    """The other peer has sent a frame that edulaunch's code never sends."""
 
 
 class FrameKind(IntEnum):
-    """The kinds of frames. The sender of a call waits for RETURN; the receiver handles other frames when they arrive."""
+    """The kinds of frames. The sender of a call waits for RETURN. Other frames are handled when they arrive."""
 
     TOKEN = 1  # the other peer runs now
     RETURN = 2
@@ -57,7 +57,7 @@ class FrameKind(IntEnum):
 
 
 def dump(value: Any) -> bytes:
-    """Return plain data as JSON, with bytes in the form {"bytes": hex}."""
+    """Return plain data as JSON. Bytes have the form {"bytes": hex}."""
     return json.dumps(value, default=_plain, separators=(',', ':')).encode()
 
 
@@ -90,9 +90,9 @@ AS_BEFORE, AS_CDR, AS_JSON = 0, 1, 2
 
 
 class Messages:
-    """Wire tuples as bytes: CDR for the types of one registry, JSON for the types of a student.
+    """Converts wire tuples to bytes and back: CDR for the types of one registry, and JSON for the types of a student.
 
-    :param registry: the registry of the stock types; other types get no classes.
+    :param registry: the registry of the stock types. Other types have no class here.
     """
 
     def __init__(self, registry: Registry) -> None:
@@ -101,7 +101,7 @@ class Messages:
         self._checks: Any = None
 
     def type(self, name: str) -> Any:
-        """Return the class of a stock type; for other types, return an object with the name only."""
+        """Return the class of a stock type. For another type, return an object that contains only the name."""
         if name not in self._stock:
             try:
                 self._stock[name] = self._registry.get(name)
@@ -110,7 +110,7 @@ class Messages:
         return self._stock[name]
 
     def packed(self, cls: Any, wire: Any) -> bytes:
-        """Return a wire of a class as bytes, with a first byte for the format."""
+        """Return a wire tuple of a class as bytes. The first byte states the format."""
         if self.type_of(cls) is cls:
             try:
                 return bytes((AS_CDR,)) + encode(cls, wire)
@@ -119,14 +119,14 @@ class Messages:
         return bytes((AS_JSON,)) + dump(wire)
 
     def type_of(self, cls: Any) -> Any:
-        """Return the stock class of the same name."""
+        """Return the stock class with the same name, if there is one."""
         name: str = cls.TYPE
         return self.type(name) if name.count('/') == 2 else cls
 
     def unpacked(self, cls: Any, data: bytes) -> Any:
-        """Return the wire from its bytes.
+        """Return the wire tuple from its bytes.
 
-        :raises Violation: when they are not a message of that class.
+        :raises Violation: when the bytes are not a message of that class.
         """
         if data[:1] == bytes((AS_CDR,)) and not isinstance(cls, ForeignType):
             try:
@@ -149,7 +149,7 @@ class Messages:
 
 
 class ForeignType:
-    """A student's own type, in the peer that knows only its name."""
+    """A student's own type, in the peer that has only its name."""
 
     def __init__(self, name: str) -> None:
         self.TYPE = name

@@ -67,7 +67,7 @@ class HostedProgram:
 
 
 class ConfinedRecorder(Recorder):
-    """Records nothing, and reports everything to the trusted peer."""
+    """Records nothing, and sends everything to the trusted peer."""
 
     peer: Peer
     replica: Replica
@@ -100,7 +100,7 @@ class ConfinedRecorder(Recorder):
             self.peer.send(FrameKind.ANSWERED, dump([client.index, sequence, data]))
 
     def incompatible(self, publisher: Any, subscription: Any, policy: str) -> None:
-        """Do nothing: the trusted peer observes it, too."""
+        """Do nothing, because the trusted peer observes the same event."""
 
     def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
         self.peer.send(FrameKind.PARAMETER, dump([node.index, name, value, origin]))
@@ -141,12 +141,12 @@ class ConfinedRecorder(Recorder):
         self.peer.send(FrameKind.WATCH, dump(node.index))
 
     def seen_now(self) -> list[list[Any]]:
-        """Return the facts of the live nodes, by their numbers."""
+        """Return the facts of the existing nodes, each with the number of its node."""
         return [[node.index, list(look())] for node, look in self.looks.items()]
 
 
 def _forget(record: Record) -> None:
-    """Do nothing: the other peer records its own publications."""
+    """Do nothing, because the other peer records its own publications."""
 
 
 def spec_as_data(spec: ProcessSpec) -> list[Any]:
@@ -159,7 +159,7 @@ def spec_as_data(spec: ProcessSpec) -> list[Any]:
 
 
 class ConfinedHost(Host):
-    """Starts the student's programs here, and makes the trusted peer host the programs of edulaunch."""
+    """Starts the student's programs in this peer, and makes the trusted peer host the programs of edulaunch."""
 
     peer: Peer
 
@@ -186,7 +186,7 @@ class ConfinedHost(Host):
         return hosted
 
     def hosted(self, pid: int) -> Any:
-        """Return the hosted program of that pid, or None for a node of the trusted peer itself."""
+        """Return the hosted program with that process ID, or None for a node of the trusted peer itself."""
         return next((each for each in self.processes if each.pid == pid), None)
 
 
@@ -221,7 +221,7 @@ class ConfinedSession(Session):
         )
 
     def run_as_asked(self) -> None:
-        """Give the trusted peer the token, and run whenever it comes back, until that peer ends this process."""
+        """Give the token to the trusted peer. Run whenever the token returns, until the trusted peer ends this process."""
         with streams_of_programs():
             self.sim.run(None)
 

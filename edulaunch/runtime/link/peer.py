@@ -21,14 +21,14 @@ Handler = Callable[[memoryview], Any]
 
 
 class Gone(Exception):
-    """The other peer has closed its end."""
+    """The other peer has closed its end of the link."""
 
 
 class Peer:
     """One peer's end of the link.
 
-    :param trusts: whether the other peer is trusted; if not, its time and numbers must increase and stay within its turn.
-    :param quota: the maximum number of bytes that the other peer may send; None for no limit.
+    :param trusts: whether the other peer is trusted. If not, its time and numbers must increase, and must stay within its turn.
+    :param quota: the maximum number of bytes that the other peer may send; None means no limit.
     """
 
     def __init__(self, sim: PeerSimulation, end: socket.socket, *, trusts: bool, quota: int | None = None) -> None:
@@ -57,7 +57,9 @@ class Peer:
         self._add(kind, payload)
 
     def tell(self, kind: FrameKind, payload: bytes) -> None:
-        """Send a frame that may wake tasks of the other peer. It keeps its position among the items that this peer schedules."""
+        """Send a frame that may wake tasks of the other peer. The frame keeps its position among the items that this peer
+        schedules.
+        """
         sim = self.sim
         if self._marked != sim.last_number or not sim.is_marked():
             self.send(FrameKind.MARK, NUMBER.pack(sim.number_for_the_other()))
@@ -67,7 +69,7 @@ class Peer:
     _marked = -1
 
     def call(self, kind: FrameKind, value: Any) -> Any:
-        """Make the other peer handle a frame immediately, and return its answer."""
+        """Make the other peer handle a frame immediately, and return the result."""
         self.send(kind, NUMBER.pack(self.sim.sequence()) + dump(value))
         self._flush()
         return self._take_until(FrameKind.RETURN)
@@ -86,13 +88,13 @@ class Peer:
         self.await_token(key[0] if key[1] != BEFORE_ALL else key[0] - 1)
 
     def await_token(self, grant_ns: int) -> None:
-        """Let the other peer run until it passes the token, at most until the time is `grant_ns`."""
+        """Let the other peer run until it passes the token, but not beyond the time `grant_ns`."""
         self._grant_ns = grant_ns
         self._take_until(FrameKind.TOKEN)
         self._grant_ns = self.sim.now_ns
 
     def _take_until(self, kind: FrameKind) -> Any:
-        """Receive frames until one of this kind arrives; return its payload."""
+        """Receive frames until a frame of this kind arrives. Return the value in that frame."""
         return self.checked(lambda: self._until(kind))
 
     def _until(self, kind: FrameKind) -> Any:
@@ -103,7 +105,7 @@ class Peer:
             self._dispatch(found, payload)
 
     def checked(self, act: Callable[[], Any]) -> Any:
-        """Handle a frame of the other peer. An error in it ends the link."""
+        """Run code that handles a frame of the other peer. An error in it ends the link."""
         try:
             return act()
         except (Violation, Gone, TooMuch, TooManyPrograms) as error:
@@ -114,7 +116,7 @@ class Peer:
             self.fatal(error)
 
     def _take_over(self, payload: memoryview) -> Any:
-        """Return the last sequence number of the other peer, the key of its next item, and a value."""
+        """Store the last sequence number of the other peer and the key of its next item. Return the value in the frame."""
         number, *key = TOKEN.unpack_from(payload)
         self._take_number(number)
         self.sim.other = key[0], key[1], key[2], key[3]
@@ -129,7 +131,7 @@ class Peer:
         self.sim.continue_from(number)
 
     def advance(self, payload: memoryview) -> None:
-        """Accept the other peer's time."""
+        """Set the clock to the time of the other peer."""
         (now_ns,) = TIME.unpack(payload)
         if not self._trusts and not self.sim.now_ns <= now_ns <= self._grant_ns:
             raise Violation('time must increase, and not pass the next item of the other peer')

@@ -1,6 +1,6 @@
-"""The process behind each row of a recording, and the program of each hosted process, as the trusted peer knows them.
+"""The process behind each row of a recording, and the program of each hosted process, as determined by the trusted peer.
 
-Names in a recording come from the submission, and two processes can have one name. Positions are reliable.
+Names in a recording come from the submission, and two processes can have one name. Positions in the recording are reliable.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ PARTS = ('nodes', 'parameters', 'logs', 'output')
 
 
 class HostedProgram(NamedTuple):
-    """The package and the executable of a program that a trusted peer ran itself."""
+    """The package and the executable of a program that the trusted peer ran itself."""
 
     package: str
     executable: str
@@ -23,7 +23,7 @@ class HostedProgram(NamedTuple):
 class Provenance:
     """The origin of the rows of a recording.
 
-    :ivar owners: for each of PARTS, the position in `processes` of the process behind each row; -1 for no process.
+    :ivar owners: for each of PARTS, the position in `processes` of the process behind each row; -1 means no process.
     :ivar programs: the programs that the trusted peer ran itself, by position in `processes`.
     """
 
@@ -37,9 +37,9 @@ class Provenance:
 
 
 def attach(recording: Recording, data: Any) -> None:
-    """Attach to a recording the provenance from `Provenance.as_data`.
+    """Attach the provenance from `Provenance.as_data` to a recording.
 
-    :raises KeyError, TypeError, ValueError: for other data.
+    :raises KeyError, TypeError, ValueError: for data in another form.
     """
     owners, programs = data
     recording.owners = {part: [int(owner) for owner in owners[part]] for part in PARTS}

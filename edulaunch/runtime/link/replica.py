@@ -1,7 +1,7 @@
-"""The graph in both peers: each peer repeats the changes of the other, and messages reach the subscriptions of both sides.
+"""The graph in both peers: each peer repeats the changes of the other, and messages reach the subscriptions of both peers.
 
 Each peer has every node and endpoint, in the same order and with the same numbers. The endpoints of the other peer are *remote*:
-a message for one of them is sent over the link, instead of into a queue.
+a message for such an endpoint is sent over the link, instead of into a queue.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ POLICIES = ((RELIABLE, BEST_EFFORT), (VOLATILE, TRANSIENT_LOCAL), (KEEP_LAST, KE
 
 
 class RemoteQueue:
-    """The queue of a remote endpoint: holds messages until `on_ready` sends them. The other peer already has old samples."""
+    """The queue of a remote endpoint. It holds a message until `on_ready` sends it. The other peer already has old samples."""
 
     item: Any = None
 
@@ -54,16 +54,16 @@ class RemoteQueue:
         """Append nothing, because the other peer already has old samples."""
 
     def clear(self) -> None:
-        """Do nothing: the queue is always empty."""
+        """Do nothing, because the queue is always empty."""
 
     def __bool__(self) -> bool:
         return False
 
 
 class Replica:
-    """Keeps the graph of one peer equal to that of the other.
+    """Keeps the graph of one peer equal to the graph of the other peer.
 
-    :param process: returns the program of a pid at the other peer, for nodes of that peer.
+    :param process: a function that returns the program for a process ID of the other peer, for nodes of that peer.
     """
 
     def __init__(self, peer: Peer, graph: Graph, messages: Messages, process: Callable[[int], Any]) -> None:
@@ -156,14 +156,14 @@ class Replica:
     # Changes of the other peer are repeated here
 
     def their(self, index: int, kind: type[Any]) -> Any:
-        """Return the other peer's node or endpoint of that number. Raise Violation if it is not a `kind`."""
+        """Return the other peer's node or endpoint with that number. Raise Violation if it is not a `kind`."""
         found = self.theirs.get(index)
         if not isinstance(found, kind):
             raise Violation(f'number {index} is not a {kind.__name__} of that peer')
         return found
 
     def our(self, index: int, kind: type[Any]) -> Any:
-        """Return this peer's endpoint of that number, or None if it no longer exists."""
+        """Return this peer's endpoint with that number, or None if it no longer exists."""
         found = self._ours.get(index)
         return found if isinstance(found, kind) else None
 
@@ -189,7 +189,7 @@ class Replica:
         self._repeat(lambda: self.graph.remove_node(node))
 
     def _take(self, index: int, make: Callable[[], Any]) -> None:
-        """Repeat an addition of the other peer with the same number."""
+        """Repeat an addition in the other peer's graph, with the same number."""
         if not self.graph.last_index < index <= LAST_INDEX or len(self.theirs) >= MOST_ENDS:
             raise Violation('nodes and endpoints must be numbered in order')
         self.graph.last_index = index - 1
@@ -283,7 +283,10 @@ class Replica:
         client.on_ready()
 
     def answered(self, client: Any, sequence: int, wire: Any) -> None:
-        """Handle a reply from the other peer to a client here; record it if this peer records."""
+        """Record a reply from the other peer to a client of this peer.
+
+        Only the trusted peer replaces this method, which does nothing here.
+        """
 
 
 def _name(value: Any, before: str = '') -> str:

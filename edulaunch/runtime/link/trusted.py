@@ -1,6 +1,6 @@
 """The trusted peer: it owns the clock, the worlds, the stock nodes and the recorder.
 
-It trusts no report of the confined peer about others, and reads nothing of the student's except frames.
+It does not trust reports of the confined peer about other programs. From the student, it reads only frames.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class ConfinedProgram:
 
 
 class ToldBeside:
-    """The steps of a launch as the confined peer reports them. The live view checks them."""
+    """The steps of a launch as reported by the confined peer. The live view checks them."""
 
     pid = 0
 
@@ -141,8 +141,8 @@ class TrustedRecorder(Recorder):
 class Trusted:
     """The trusted peer of one run.
 
-    :param end: the end of the socket to the confined peer.
-    :param quota: the maximum number of bytes from that peer.
+    :param end: the trusted peer's end of the socket to the confined peer.
+    :param quota: the maximum number of bytes from the confined peer.
     :ivar sent: for each topic, the simulated time in seconds and the string that the node /visitor publishes.
     :ivar turned: for each turtle, the simulated time in seconds and the angle in radians by which the node /visitor turns it.
     """
@@ -184,7 +184,7 @@ class Trusted:
         )
 
     def run(self, duration_s: float) -> dict[str, Any]:
-        """Let simulated time pass, and return the content of the recording."""
+        """Advance simulated time, and return the content of the recording."""
         with streams_of_programs():
             self.peer.await_token(self.sim.now_ns)
             for topic, (time_s, text) in self.sent.items():
@@ -197,7 +197,7 @@ class Trusted:
         return self.recorder.content()
 
     def _visit(self, topic: str, text: str) -> None:
-        """Publish a message that the other peer could not know in advance."""
+        """Publish a message that the other peer cannot know in advance."""
         node = self.graph.add_node(ConfinedProgram(VISITOR_PID, VISITOR), 'visitor', '/')
         publisher = self.graph.create_publisher(node, topic, underlay_registry().get('std_msgs/msg/String'), QoS())
         publisher.publish((text,))
@@ -210,12 +210,12 @@ class Trusted:
         client.send((0.0, angle))
 
     def go_on(self, duration_s: float) -> None:
-        """Let more simulated time pass after `run`, without recording it."""
+        """Advance simulated time after `run`, without recording."""
         with streams_of_programs():
             self.sim.run(self.sim.now_ns + round(duration_s * 1e9))
 
     def published_bytes(self, topic: str) -> Counter[bytes]:
-        """Return how often each message of a stock type was published on a topic. The keys are CDR bytes."""
+        """Return how many times each message of a stock type was published on a topic. The keys are CDR bytes."""
         found: Counter[bytes] = Counter()
         for (name, kind), flat in self.recorder.columns.items():
             if name == topic:
@@ -224,7 +224,7 @@ class Trusted:
         return found
 
     def _describe(self) -> None:
-        """Ask the other peer for its record of the launch. Nothing here depends on the answer, which may be anything."""
+        """Request the other peer's record of the launch. The record may contain anything, so nothing here depends on it."""
         recorder = self.recorder
         types = {row[2] for row in (*recorder.endpoints, *recorder.calls)}
         files = {place['file'] for row in recorder.processes for place in (row, row['exception']) if place and place['file']}

@@ -1,4 +1,4 @@
-"""The programs that the trusted peer hosts for the other one, which asks for them.
+"""The programs that the trusted peer hosts at the request of the confined peer.
 
 These are the programs of edulaunch, except for a few that read a student's files or keys.
 """
@@ -23,6 +23,7 @@ from edulaunch.engine.processes.programs import run_program
 from edulaunch.engine.processes.spec import Origin, ProcessSpec
 from edulaunch.engine.sim.task import current_task
 from edulaunch.engine.underlay_place import underlay_prefix
+from edulaunch.runtime.first_starts import FirstStarts
 from edulaunch.runtime.link.codec import FrameKind, Violation, load
 from edulaunch.runtime.link.peer import Peer, TooManyPrograms
 from edulaunch.runtime.link.provenance import HostedProgram
@@ -47,7 +48,7 @@ def _underlay() -> Underlay:
 
 
 def hosted_program(package: str, executable: str) -> Program | None:
-    """Return the program of that name, if the trusted peer hosts it."""
+    """Return the program with that package and executable if the trusted peer hosts it, otherwise None."""
     own = OF_THE_STUDENT.get(package, ())
     return None if own is None or executable in own else _underlay().program(package, executable)
 
@@ -61,7 +62,7 @@ def is_hosted(program: Program | None) -> bool:
 
 
 def shipped_path(package: str | None, executable: str | None) -> str:
-    """Return the word that starts a stock program in a command line."""
+    """Return the path that starts a stock program as the first word of a command line."""
     return os.path.join(underlay_prefix(), 'lib', package or '', executable or '')
 
 
@@ -71,7 +72,7 @@ def is_shipped(word: str) -> bool:
 
 
 def runs_beside_the_student(package: str | None, executable: str | None, word: str) -> bool:
-    """Return whether the confined peer itself runs the stock program of this word."""
+    """Return whether the confined peer itself runs the stock program with this path."""
     if word != shipped_path(package, executable) or hosted_program(package or '', executable or '') is not None:
         return False
     is_stand_in = package is not None and absent_kind(package) is not None  # such a program reports what is missing, and ends
@@ -81,33 +82,25 @@ def runs_beside_the_student(package: str | None, executable: str | None, word: s
 MOST_PROGRAMS = 2000
 
 
-class TrustedHost(Host):
-    """Hosts the programs of edulaunch. It starts no program of the system, and searches for none among the student's files.
+class TrustedHost(FirstStarts, Host):
+    """Hosts the programs of edulaunch. It starts no program of the system, and does not search the student's files for programs.
 
-    :ivar identified: maps the pid of each process that runs here to its program.
+    :ivar identified: the program of each process that runs in this peer, by process ID.
     :ivar late_s: for each executable, the delay of its first start in simulated seconds. The second start has twice
         this delay, and so on.
-    :ivar fails: the programs of both peers whose first start fails, by executable, or as the first words of a command.
+    :ivar fails: as in `FirstStarts`, for the programs of both peers.
     """
 
     peer: Peer
     identified: dict[int, HostedProgram]
     late_s: Mapping[str, float] = MappingProxyType({})
-    fails: Sequence[str] = ()
 
     def may_start(self, payload: memoryview) -> bool:
         """Return whether a program can be started."""
-        refused = self.refused_now(text_of(load(bytes(payload))))
-        if refused is not None:
-            self.fails = [each for each in self.fails if each != refused]
-        return refused is None
-
-    def refused_now(self, name: str) -> str | None:
-        """Return the item of `fails` for a program that may not start now, or None."""
-        return next((each for each in self.fails if f'{name} '.startswith(f'{each} ')), None)
+        return not self.refuses(text_of(load(bytes(payload))))
 
     def spawn(self, payload: memoryview) -> None:
-        """Start a program on request of the confined peer."""
+        """Start a program at the request of the confined peer."""
         pid, argv, package, executable, data = load(bytes(payload))
         spec = spec_from_data(data)
         program = hosted_program(text_of(package), text_of(executable))
@@ -132,7 +125,7 @@ class TrustedHost(Host):
         self.adopt(process)
 
     def their_pid(self, pid: Any) -> int:
-        """Return the next number, which the confined peer must name."""
+        """Check that the confined peer has named the next process ID, and return it."""
         if pid != self.next_pid():
             raise Violation('programs must be numbered in order')
         if pid >= 1000 + MOST_PROGRAMS:
@@ -140,7 +133,7 @@ class TrustedHost(Host):
         return int(pid)
 
     def hosted(self, pid: Any) -> Process | None:
-        """Return the hosted program of that pid, or None if it has ended."""
+        """Return the hosted program with that process ID, or None if it has ended."""
         return next((each for each in self.processes if each.pid == pid), None)
 
     def send_signal(self, payload: memoryview) -> None:
@@ -158,7 +151,7 @@ class TrustedHost(Host):
             process.is_recorded = is_recorded is True
 
     def parameter_entries(self, path: str) -> Sequence[Entry]:
-        """See `Host.parameter_entries`: the confined peer reads the file."""
+        """Return the parameters in a file, which the confined peer reads; see `Host.parameter_entries`."""
         program = self.program_here()
         answer = self.peer.call(FrameKind.ENTRIES, [path, (program and program.cwd) or ''])
         if isinstance(answer, list):
@@ -193,14 +186,14 @@ def _reading_error(answer: Any) -> Exception:
 
 
 def text_of(value: Any) -> str:
-    """Return a value that must be a string. Raise Violation for another value."""
+    """Return a value that must be a string. Raise Violation for any other value."""
     if not isinstance(value, str):
         raise Violation('no text')
     return value
 
 
 def _check_words(spec: ProcessSpec, argv: Any) -> None:
-    """Check that a program's arguments are the end of the command line in the recording."""
+    """Check that the arguments of a program are the last words of the command line in the recording."""
     words = shlex.split(' '.join(spec.argv)) if spec.shell else list(spec.argv)
     if not isinstance(argv, list) or not argv or words[-len(argv) :] != argv:
         raise Violation('a program must match its command line')

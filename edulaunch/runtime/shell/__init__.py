@@ -1,8 +1,8 @@
 """The shell of the simulated machine: it runs lines that name simulated programs in simulated time.
 
-A real shell cannot reach those programs. A host has a :class:`SimulatedShell`; start reading in `grammar`, then `lines`.
+A real shell cannot reach these programs. A host has a :class:`SimulatedShell`. Start reading in `grammar`, and then read `lines`.
 
-`grammar` and `lines` are imported late: few launch files have a shell line, and the two cost 16 ms.
+`grammar` and `lines` are imported on first use, because few launch files have a shell line, and importing both takes 16 ms.
 """
 
 from __future__ import annotations
@@ -16,19 +16,19 @@ from edulaunch.runtime.shell.signs import SHELLS, SIGNS
 
 
 class SimulatedShell:
-    """Reads and runs shell lines; see :class:`edulaunch.engine.processes.commands.Shell`."""
+    """Parses and runs shell lines; see :class:`edulaunch.engine.processes.commands.Shell`."""
 
     def needs_shell(self, line: str) -> bool:
-        """Return whether the line has a shell character outside quotation marks."""
+        """Return whether the line contains a shell character outside quotation marks."""
         return bool(SIGNS & set(_outside_quotes(line)))
 
     def script_of(self, words: Sequence[str]) -> Sequence[str] | None:
-        """Return the line after the `-c` of a shell; None for any other command."""
+        """Return the line after the `-c` of a shell. Return None for any other command."""
         is_shell = os.path.basename(words[0]) in SHELLS and words[1:2] == ['-c']
         return words[2:] if is_shell else None
 
     def main_of(self, line: str, arguments: Sequence[str], knows: Callable[[Sequence[str]], bool]) -> Main | None:
-        """Return a function that runs the line, if the line can be parsed and has a simulated command."""
+        """Return a function that runs the line. Return None if the line cannot be parsed or contains no simulated command."""
         from edulaunch.runtime.shell.grammar import parsed
         from edulaunch.runtime.shell.lines import is_simulated, run_line
 

@@ -1,4 +1,4 @@
-"""Programs after a `|`: each line is passed on when it arrives, so the output of an endless program appears, too."""
+"""Programs after a `|`. Each line is passed on when it arrives, so the output of an endless program appears, too."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Sink(Protocol):
 class Filter:
     """Passes lines on through one of :data:`FILTERS`.
 
-    :param stop: called when no more input is needed.
+    :param stop: a function that is called when no more input is needed.
     :ivar returncode: the exit code so far.
     """
 
@@ -55,13 +55,13 @@ class Filter:
         self._stop()
 
     def write(self, text: str) -> None:
-        """Filter the text; an incomplete line waits."""
+        """Filter the text. An incomplete line is stored until the rest of it arrives."""
         *lines, self._rest = (self._rest + text).split('\n')
         for line in lines:
             self._take(line)
 
     def close(self) -> None:
-        """Filter the last line, and end."""
+        """Filter the last line, and end the output."""
         if self._rest:
             self._take(self._rest)
         self._end()
@@ -69,7 +69,7 @@ class Filter:
 
 
 class RealFilter:
-    """Any other program: it receives the whole input when the input ends."""
+    """Any other program. It receives the whole input when the input ends."""
 
     def __init__(self, words: Sequence[str], sink: Sink, cwd: str | None, env: Mapping[str, str]) -> None:
         self.returncode = 0
@@ -94,7 +94,7 @@ class RealFilter:
 
 
 def is_filter(words: Sequence[str]) -> bool:
-    """Return whether :class:`Filter` supports the command: it knows the usual options, and reads no files."""
+    """Return whether :class:`Filter` supports the command. A filter supports common options, and reads no files."""
     try:
         return words[0] in FILTERS and _options(words[0], words[1:]) is not None
     except (getopt.GetoptError, ValueError):
@@ -105,7 +105,7 @@ _KNOWN = {'grep': ('ivcnoEFwe:', 1), 'head': ('n:', 0), 'tail': ('n:', 0), 'wc':
 
 
 def _options(name: str, words: Sequence[str]) -> tuple[dict[str, str], list[str]] | None:
-    """Return options and other words; None if there are too many other words."""
+    """Return the options and the other words. Return None if there are too many other words."""
     letters, most = _KNOWN.get(name, ('', 0))
     words = [f'-n{word[1:]}' if re.fullmatch(r'-\d+', word) else word for word in words]
     options, others = getopt.gnu_getopt(words, letters)
@@ -152,7 +152,7 @@ def _head(filter: Filter, words: Sequence[str]) -> Lines:
 
 
 def _collected(change: Callable[[list[str], dict[str, str]], list[str]], name: str) -> Callable[[Filter, Sequence[str]], Lines]:
-    """Return a filter without output before the end of the input."""
+    """Return a filter that has no output before its input ends."""
 
     def make(filter: Filter, words: Sequence[str]) -> Lines:
         lines: list[str] = []

@@ -32,9 +32,9 @@ _ENDS_WORD = ' \t\n|&;<>()'
 class Piece(NamedTuple):
     """A part of a word.
 
-    :ivar kind: 'text', 'name' (of a variable) or 'line' (its output is used).
-    :ivar text: the text itself, or the name.
-    :ivar is_quoted: whether it stays in one word, and is never a pattern.
+    :ivar kind: 'text', 'name' (of a variable) or 'line' (whose output is used).
+    :ivar text: the literal text, or the name of the variable.
+    :ivar is_quoted: whether the part stays in one word, and is never a pattern.
     :ivar default: the value if the variable is not set.
     """
 
@@ -49,7 +49,9 @@ Word = tuple[Piece, ...]
 
 
 class Redirection(NamedTuple):
-    """A redirection of 'stdin', 'stdout', 'stderr' or 'both'; without a place, it goes where stdout goes."""
+    """A redirection of 'stdin', 'stdout', 'stderr' or 'both'. If `place` is not given, the stream has the destination of
+    stdout.
+    """
 
     stream: str
     mode: str
@@ -57,7 +59,7 @@ class Redirection(NamedTuple):
 
 
 class Command(NamedTuple):
-    """Words, with the variables that are set for them."""
+    """The words of a command, with the variables that are set for it."""
 
     settings: tuple[tuple[str, Word], ...]
     words: tuple[Word, ...]
@@ -79,7 +81,7 @@ Line = tuple[Job, ...]
 
 
 def parsed(text: str) -> Line | None:
-    """Return the jobs of a line; None for an empty line, or one that is not in the grammar."""
+    """Return the jobs of a line. Return None for an empty line, and for a line that is not in the grammar."""
     try:
         return _Reader(text).line('') or None
     except (_NotInGrammar, IndexError):
@@ -97,7 +99,7 @@ def commands(line: Line) -> Iterator[Command]:
 
 
 def stands_for_more(text: str) -> bool:
-    """Return whether words of a line are known only when it runs, because it has variables or `$(...)`."""
+    """Return whether a line contains variables or `$(...)`, so that its words are known only when it runs."""
     words = (word for command in commands(parsed(text) or ()) for word in command.words)
     return any(piece.kind != 'text' for word in words for piece in word)
 
@@ -115,7 +117,7 @@ class _Reader:
         return self._text[self._at : self._at + 1]
 
     def _take(self, *signs: str) -> str:
-        """Take the first of these signs that comes next in the line. Return an empty string if none comes next."""
+        """Consume and return the first of these signs that comes next in the line. Return an empty string if no sign does."""
         found = next((sign for sign in signs if self._text.startswith(sign, self._at)), '')
         self._at += len(found)
         return found
@@ -227,7 +229,7 @@ class _Reader:
         return Piece('text', self._text[self._at - 1], is_quoted)
 
     def _special(self, is_quoted: bool) -> Piece | None:
-        """Parse the expression that begins with a $ or `."""
+        """Parse the expression that begins with a `$` or a backtick."""
         if self._text.startswith('$((', self._at):
             raise _NotInGrammar
         if self._take('$('):
@@ -258,7 +260,8 @@ class Expansion:
 
     :param variables: values by name.
     :param arguments: `$0`, `$1` and so on.
-    :param written: returns the output of a line in `$(...)`.
+    :param cwd: the folder in which patterns are expanded.
+    :param written: a function that returns the output of a line in `$(...)`.
     """
 
     def __init__(
@@ -270,15 +273,15 @@ class Expansion:
         self._written = written
 
     def words(self, words: Iterable[Word]) -> list[str]:
-        """Expand each word, which may become several words, or none."""
+        """Expand the words. Each word may become several words, or no word."""
         return [found for word in words for found in self.fields(word)]
 
     def one(self, word: Word) -> str:
-        """Expand a word that stays one word: the name of a file, or a value."""
+        """Expand a word that must remain one word, such as the name of a file or the value of a variable."""
         return ''.join(self._text(word, piece) if piece.kind == 'text' else self._value(piece) for piece in word)
 
     def fields(self, word: Word) -> list[str]:
-        """Return the words that a word becomes."""
+        """Return the words that one word expands to."""
         fields: list[tuple[str, str]] = []
         text = pattern = ''
         is_there = False
@@ -296,8 +299,9 @@ class Expansion:
         return [found for field in fields for found in self._matches(*field)]
 
     def _parts(self, word: Word, piece: Piece) -> tuple[list[str], bool]:
-        """Return the words that begin with this piece (the first one continues the current word), and whether it may be a
-        pattern."""
+        """Return the words that begin with this piece, and whether they may be patterns. The first word continues the current
+        one.
+        """
         if piece.kind == 'text':
             return [self._text(word, piece)], not piece.is_quoted
         if piece.is_quoted and piece.text == '@':
@@ -326,7 +330,7 @@ class Expansion:
 
 
 def known_words(command: Command, arguments: Sequence[str]) -> list[str]:
-    """Return the words of a command as far as they are known before it runs; '$' replaces an unknown word."""
+    """Return the words of a command as far as they are known before it runs. An unknown word is replaced by '$'."""
     known = Expansion({}, arguments, None, lambda line: '$')
     return [found for word in command.words for found in (known.fields(word) if _is_known(word) else ['$'])]
 

@@ -26,12 +26,12 @@ _NOT_FOUND = 127
 
 
 def is_simulated(line: Line | None, arguments: Sequence[str], knows: Callable[[Sequence[str]], bool]) -> bool:
-    """Return whether a line must run here: it can be parsed, and has a command of the simulation."""
+    """Return whether a line must run in the simulation: it can be parsed, and contains a command of the simulation."""
     return any(knows(words) for command in commands(line or ()) if (words := known_words(command, arguments)))
 
 
 def run_line(process: Process, text: str) -> int:
-    """Run a line; return the status of its last command. Ctrl-C interrupts the current command, and ends the line."""
+    """Run a line, and return the status of its last command. Ctrl-C interrupts the current command, and ends the line."""
     shell = Shell(process, process.argv[3:])
     try:
         shell.run(parsed(text) or ())
@@ -50,7 +50,7 @@ class Shell:
     """Runs lines in a process.
 
     :param arguments: `$0`, `$1` and so on.
-    :ivar status: the status of the last command that ended.
+    :ivar status: the status of the command that ended last.
     """
 
     def __init__(self, process: Process, arguments: Sequence[str] = (), out: Sink | None = None) -> None:
@@ -62,7 +62,7 @@ class Shell:
     def run(self, line: Line) -> None:
         """Run the jobs one after another.
 
-        :raises KeyboardInterrupt: on Ctrl-C, after the command that ran has ended.
+        :raises KeyboardInterrupt: on Ctrl-C, after the running command has ended.
         """
         for job in line:
             if job.is_beside:
@@ -73,7 +73,7 @@ class Shell:
                     self.status = self._run(pipeline)
 
     def _start_beside(self, job: Job) -> None:
-        """Start a job and continue. Skip one with shell commands only, because it has no visible effect."""
+        """Start a job and continue. Skip a job that contains only shell commands, because it has no visible effect."""
         if is_simulated((job,), self._arguments, self._knows):
             streams: dict[str, Any] = {stream: _Inherited(self.process, stream) for stream in ('stdout', 'stderr')}
             Child(self.process, ['sh', '-c', job.text, *self._arguments], **streams)
@@ -83,7 +83,7 @@ class Shell:
         return self.process.host.knows(ProcessSpec(argv=tuple(words), name=''))
 
     def _run(self, pipeline: Pipeline) -> int:
-        """Build the pipeline from its end, then let data flow from the first command."""
+        """Build the pipeline from its end, and wait for its commands. Return the status of the last command."""
         sink = self._out
         stages: list[_Ended | Child | Filter | RealFilter] = []
         running: list[tuple[Child, Sink]] = []
@@ -107,7 +107,7 @@ class Shell:
         return stages[0].returncode or 0
 
     def _prepared(self, command: Command) -> tuple[list[str], dict[str, str]]:
-        """Return the words and the environment; variables without a command are set for the following commands."""
+        """Return the words and the environment of a command. Variables without a command are set for the following commands."""
         expansion = self._expansion()
         settings = {name: expansion.one(value) for name, value in command.settings}
         words = expansion.words(command.words)
@@ -121,7 +121,7 @@ class Shell:
         return Expansion(variables, self._arguments, self.process.cwd, self._written)
 
     def _written(self, line: Line) -> str:
-        """Return the output of a line in `$(...)`. Its changes, such as another folder, are discarded."""
+        """Return the output of a line in `$(...)`. Its changes, such as a new current folder, are discarded."""
         process, text = self.process, _Text()
         env, cwd = dict(process.env), process.cwd
         with suppress(_Exit):
@@ -243,7 +243,9 @@ class _File:
 
 
 class _Inherited(_Stream):
-    """The output of a background command: the program that started the line receives it, if that program reads output."""
+    """The output of a background command. The program that started the line receives this output, if that program reads
+    output.
+    """
 
     def write(self, text: str) -> None:
         """Pass the text on."""
@@ -308,7 +310,9 @@ def _exit(shell: Shell, words: list[str], out: Sink) -> int:
 
 
 def _shell(shell: Shell, words: list[str], out: Sink) -> int:
-    """Do nothing: `...; exec bash` keeps a window open that does not exist here."""
+    """Run a shell with arguments. Without arguments, do nothing: `...; exec bash` keeps a window open that does not exist
+    here.
+    """
     if len(words) == 1:
         return 0
     child = Child(shell.process, words, stdout=out)

@@ -1,4 +1,4 @@
-"""Distinguish a shell line from a plain command line."""
+"""Distinguishes a shell line from a plain command line."""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
 """A teacher's decisions on the results of a batch: other points, comments, and deductions for late submissions.
 
-The file ``teacher.csv`` in the directory of the results has the points and comments. Grading never writes it, so they survive.
+The file ``teacher.csv`` in the directory of the results contains the points and comments. Grading never writes this file, so the
+decisions remain after the next grading.
 """
 
 from __future__ import annotations
@@ -8,11 +9,12 @@ from __future__ import annotations
 import csv
 import io
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from datetime import datetime
 from math import ceil, isfinite
 from typing import Any, NamedTuple
 
+from edulaunch.engine.nearest import nearest
 from edulaunch.errors import UnusableInput
 
 from ..files import read_given
@@ -29,7 +31,7 @@ Result = dict[str, Any]
 
 
 class Decision(NamedTuple):
-    """The points that a teacher gives (None for the points of the grader), and a comment."""
+    """The points that a teacher gives, and a comment. None as points means the points of the grader."""
 
     points: float | None
     comment: str
@@ -43,7 +45,7 @@ class Late(NamedTuple):
     submitted: Mapping[str, datetime]
 
     def days(self, result: Result) -> int:
-        """Return how many days a submission is late, or 0 when the time of submission is unknown."""
+        """Return the number of days that a submission is late, or 0 when the time of submission is unknown."""
         when = self.submitted.get(str(result.get('student_id') or '')) or self.submitted.get(str(result['student']))
         if when is None:
             return 0
@@ -57,8 +59,10 @@ class Late(NamedTuple):
 
 
 def decided(results: Sequence[Result], folder: str, late: Late | None = None) -> list[Result]:
-    """Return the results with the points that count. Where these differ, `graded` has the points of the grader, and `comment`
-    and `late_days` give the reason.
+    """Return the results with the points that count.
+
+    If a teacher's decision or a deduction changes the points, `graded` has the points of the grader, and `comment` and
+    `late_days` give the reason.
 
     :param folder: the folder of the results.
     :raises UnusableInput: when the teacher's file cannot be read, or names a student without a result.
@@ -66,10 +70,32 @@ def decided(results: Sequence[Result], folder: str, late: Late | None = None) ->
     decisions = read_decisions(os.path.join(folder, FILE))
     found = [_decided(result, decisions, late) for result in results]
     known = {key for result in results for key in _keys(result)}
-    strange = next((key for key in decisions if key not in known), None)
-    if strange is not None:
-        raise UnusableInput(f'{FILE} names {strange[0]} with the exercise {strange[1] or "(none)"}, and there is no such result')
+    for name, exercise in decisions:
+        if (name, exercise) not in known:
+            _refuse_stranger(folder, name, {student for student, _ in known})
+            has = sorted(other for student, other in known if student == name and other)
+            raise UnusableInput(
+                f'{os.path.join(folder, FILE)}: {name} has no result of {exercise}', help=f'write one of {", ".join(has)}'
+            )
     return found
+
+
+def refuse_strangers(folder: str, names: Collection[str]) -> None:
+    """Check the teacher's file before a class is graded.
+
+    :param folder: the folder of the results.
+    :param names: the names and numbers of the students.
+    :raises UnusableInput: when the file cannot be read, or names another student.
+    """
+    for name, _ in read_decisions(os.path.join(folder, FILE)):
+        _refuse_stranger(folder, name, names)
+
+
+def _refuse_stranger(folder: str, name: str, names: Collection[str]) -> None:
+    if name not in names:
+        close = nearest(name, names)
+        help = f'write {close}, or remove the line' if close else 'write the name as in the table of marks, or remove the line'
+        raise UnusableInput(f'{os.path.join(folder, FILE)} names {name}, who has no result', help=help)
 
 
 def _keys(result: Result) -> list[tuple[str, str]]:
@@ -92,9 +118,9 @@ def _decided(result: Result, decisions: Mapping[tuple[str, str], Decision], late
 
 
 def read_decisions(path: str) -> dict[tuple[str, str], Decision]:
-    """Return the rows of the teacher's file, by student (name or number) and exercise; no rows without such a file.
+    """Return the rows of the teacher's file, by student (name or number) and exercise. Without such a file, the result is empty.
 
-    :raises UnusableInput: with the invalid line.
+    :raises UnusableInput: when the columns are missing or a line is invalid. The message contains the number of the line.
     """
     if not os.path.exists(path):
         return {}
@@ -119,10 +145,13 @@ def read_decisions(path: str) -> dict[tuple[str, str], Decision]:
 
 
 def read_late(due: str, per_day: float, path: str) -> Late:
-    """Return how late submissions are, from a table with the times of submission: ours (``student,submitted``), Gradescope's,
-    or Moodle's worksheet.
+    """Return the deduction with the times of submission from a table: edulaunch's (``student,submitted``), Gradescope's, or
+    Moodle's worksheet.
 
-    :raises UnusableInput: when a time cannot be read.
+    :param due: the time after which submissions are late, in ISO 8601.
+    :param per_day: the percent of the points to deduct for each started day, from 0 to 100.
+    :param path: the path of the table.
+    :raises UnusableInput: when a time or `per_day` is invalid, or the table has no columns with students and times.
     """
     if not 0 <= per_day <= 100:
         raise UnusableInput(f'--late-per-day {per_day:g} is not a number from 0 to 100')
@@ -156,7 +185,7 @@ def _time(text: str, place: str) -> datetime:
 def read_table(path: str) -> tuple[list[str], list[dict[str, str]]]:
     """Return the first row and the other rows of a CSV file with commas or semicolons.
 
-    :raises UnusableInput: when it cannot be read.
+    :raises UnusableInput: when the file cannot be read.
     """
     try:
         text = read_given(path, LARGEST_BYTES, 'the table ').decode('utf-8-sig')

@@ -1,4 +1,4 @@
-"""``edugrade doctor``: proves the confinement of runs by trying forbidden actions in an ordinary run."""
+"""``edugrade doctor`` proves the confinement of runs by trying forbidden actions in an ordinary run."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ raise ValueError("<<<" + json.dumps([daemon, *found]) + ">>>")
 
 
 class Finding(NamedTuple):
-    """The result of one attempt: whether the layer held, and how the attempt ended."""
+    """The result of one attempt: whether the layer prevented the action, and how the attempt ended."""
 
     layer: str
     attempt: str
@@ -97,7 +97,7 @@ class Finding(NamedTuple):
 
 
 def examine(limits: Limits | None = None) -> Iterator[Finding]:
-    """Try each forbidden action once, in a confined run."""
+    """Try each forbidden action once in a confined run, and yield the results."""
     with tempfile.TemporaryDirectory(prefix='edugrade-doctor-') as folder, socket.socket() as server:
         server.bind(('127.0.0.1', 0))
         server.listen()
@@ -179,7 +179,7 @@ def report(findings: list[Finding]) -> str:
 
 
 def main(words: Sequence[str] = ()) -> int:
-    """Run the command. Return 0 if every check passed, else 1."""
+    """Run the command. Return 0 if every check passed, and otherwise 1."""
     findings = list(examine())
     print(report(findings), end='')
     return 0 if all(item.held for item in findings) else 1

@@ -1,6 +1,6 @@
-"""``edugrade similar RESULTS``: shows pairs of submissions that are more similar than the task explains.
+"""``edugrade similar RESULTS`` shows pairs of submissions that are more similar than the task explains.
 
-Names, comments, spaces, strings and numbers do not change fingerprints of code (winnowing, Schleimer et al. 2003).
+Changes of names, comments, spaces, strings and numbers do not change the fingerprints of code (winnowing, Schleimer et al. 2003).
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ class Code(NamedTuple):
 
 
 def fingerprints(text: str) -> Code:
-    """Return the fingerprints of Python, XML or YAML. Imported names, attributes and keywords of Python are not replaced."""
+    """Return the fingerprints of Python, XML or YAML code. Imported names, attributes and keywords of Python are not replaced."""
     tokens = _tokens(text)
     grams = [
         (
@@ -94,13 +94,16 @@ class Work(NamedTuple):
 
     @property
     def prints(self) -> set[int]:
-        """The fingerprints of all its files."""
+        """The fingerprints of all files of the submission."""
         return {number for code in self.texts.values() for number in code.prints}
 
 
 class Pair(NamedTuple):
-    """Two submissions and how similar they are. One number (0 to 1) is the share of the smaller one's code that the other one
-    has, too. Another one compares the launch graphs.
+    """Two submissions and their similarity.
+
+    :ivar code: the share of the smaller submission's code that the other submission also contains, from 0 to 1.
+    :ivar graph: the share of the smaller launch graph that the other launch graph also contains, from 0 to 1.
+    :ivar shared: the fingerprints that both submissions contain.
     """
 
     one: Work
@@ -111,10 +114,13 @@ class Pair(NamedTuple):
 
 
 def alike(works: Sequence[Work], given: Iterable[int] = (), least: float = 0.5) -> list[Pair]:
-    """Return the pairs of different students with at least that much code in common, the most similar first. Code of the
-    starter file does not count. Code that many students have counts little, because there are few ways to write a launch file.
+    """Return the pairs of different students that share at least `least` of their code. The most similar pair comes first.
+
+    Code of the starter file does not count. Code that many students have counts little, because there are few ways to write a
+    launch file.
 
     :param given: fingerprints of the starter file.
+    :param least: the smallest similarity of code, from 0 to 1.
     """
     handed_out = set(given)
     own = [work.prints - handed_out for work in works]
@@ -133,7 +139,7 @@ def alike(works: Sequence[Work], given: Iterable[int] = (), least: float = 0.5) 
 
 
 def _weights(sets: Sequence[set[int]] | Sequence[set[str]]) -> dict[object, float]:
-    """Return the weight of each fingerprint: 1 if two of many submissions have it, nearly 0 if all have it."""
+    """Return the weight of each fingerprint: 1 if two of many submissions have it, and nearly 0 if all have it."""
     counts: Counter[object] = Counter(item for items in sets for item in items)
     most = log(max(len(sets), 2) + 1) - log(2)
     return {item: 0.05 + (log(len(sets) + 1) - log(max(count, 2))) / most for item, count in counts.items()}
@@ -164,7 +170,7 @@ MOST_LINES = 2000
 
 
 def similar_page(exercise: str, pairs: Sequence[Pair]) -> str:
-    """Return the whole page. Strings of students are never markup in it."""
+    """Return the page with all pairs. Strings of students never become markup."""
     rows = [table_row('pair', 'code', 'launch graph', kind='th')]
     for number, pair in enumerate(pairs[:MOST_PAIRS]):
         link = element('a', f'{pair.one.student} and {pair.two.student}', href=f'#p{number}')
@@ -184,7 +190,7 @@ def _section(pair: Pair, number: int) -> Markup:
 
 
 def _texts(work: Work, shared: frozenset[int]) -> list[Markup]:
-    """Return the files with shared code, and mark the shared lines."""
+    """Return the files that contain shared code, with the shared lines marked."""
     found = []
     for name, code in work.texts.items():
         marked = {line for number, (first, last) in code.prints.items() if number in shared for line in range(first, last + 1)}
@@ -209,8 +215,8 @@ def _graph(work: Work, both: set[str]) -> Markup:
 LONGEST_READING_S = 20.0  # time limit for the fingerprints of one submission
 
 
-def main(words: Sequence[str]) -> int:
-    """Print the pairs, and write the page on request. The exit code is always 0, because similarity is not a verdict."""
+def similar_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade similar``."""
     parser = argparse.ArgumentParser(
         prog='edugrade similar', description='Show submissions that are more alike than the task explains.'
     )
@@ -220,24 +226,33 @@ def main(words: Sequence[str]) -> int:
         '--least', type=_percent, default=0.6, metavar='PERCENT', help='least percentage of common code (default: 60)'
     )
     parser.add_argument('--html', metavar='FILE', help='also write the pairs side by side')
-    options = parser.parse_args(words)
+    return parser
+
+
+def main(words: Sequence[str]) -> int:
+    """Print the pairs, and write the page on request. The exit code is always 0, because similarity is not a verdict."""
+    options = similar_parser().parse_args(words)
     results = [result for result in Store(options.results).all() if 'rubric' in result]
     names = sorted({result['rubric']['name'] for result in results})
     if options.exercise is not None and options.exercise not in names:
         raise UnusableInput(f'there are no results of {options.exercise}', help=f'choose one of {", ".join(names)}')
-    pages = []
+    pages, lines = [], []
     for name in [options.exercise] if options.exercise else names:
         works, lost = _works([result for result in results if result['rubric']['name'] == name], options.results)
         pairs = alike(works, _handed_out(name), options.least)
         pages.append(similar_page(name, pairs))
-        print(f'{name}: {len(works)} submissions, {len(pairs)} pairs with at least {options.least:.0%} of their code in common')
-        for pair in pairs:
-            print(printable(f'  {pair.code:4.0%} code {pair.graph:4.0%} launch graph  {pair.one.path}  {pair.two.path}'))
+        count = f'{len(works)} submissions, {len(pairs)} pairs with at least {options.least:.0%} of their code in common'
+        lines += [f'{name}: {count}', *map(_line, pairs)]
         if lost:
-            print(printable('  not found with the graded content: ' + ', '.join(lost)))
-    if options.html is not None:
+            lines.append('  not found with the graded content: ' + ', '.join(lost))
+    if options.html is not None:  # first, because a reader of the output may stop early (``| head``)
         write_whole(options.html, '\n'.join(pages))
+    print('\n'.join(map(printable, lines)) or f'there are no results in {options.results}')
     return 0
+
+
+def _line(pair: Pair) -> str:
+    return f'  {pair.code:4.0%} code {pair.graph:4.0%} launch graph  {pair.one.path}  {pair.two.path}'
 
 
 def _works(results: Sequence[dict[str, Any]], folder: str) -> tuple[list[Work], list[str]]:

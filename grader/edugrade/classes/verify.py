@@ -1,6 +1,6 @@
-"""Confirms reports: ``edugrade verify`` repeats the grading with the same inputs, and ``edugrade sign`` signs a report.
+"""Verifies reports: ``edugrade verify`` repeats the grading with the same inputs, and ``edugrade sign`` signs a report.
 
-Signatures are ed25519, so that every change of a report is visible. The keys are PEM files, as OpenSSL writes them.
+Signatures are ed25519, so that every change of a report is detected. The keys are PEM files, as OpenSSL writes them.
 """
 
 from __future__ import annotations
@@ -28,14 +28,19 @@ LARGEST_KEY, LARGEST_REPORT = 10_000, 50_000_000
 MAKE = 'openssl genpkey -algorithm ed25519 -out key.pem; openssl pkey -in key.pem -pubout -out public.pem'
 
 
-def sign_command(words: Sequence[str]) -> int:
-    """Run the command ``edugrade sign``, and return its exit code."""
+def sign_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade sign``."""
     parser = argparse.ArgumentParser(
         prog='edugrade sign', description='Sign reports in place, with an ed25519 key.', epilog=f'keys: {MAKE}'
     )
     parser.add_argument('reports', metavar='REPORT', nargs='+', help='a JSON report, or a result of a batch')
     parser.add_argument('--key', metavar='FILE', required=True, help='the private key, PEM')
-    options = parser.parse_args(words)
+    return parser
+
+
+def sign_command(words: Sequence[str]) -> int:
+    """Run the command ``edugrade sign``, and return its exit code."""
+    options = sign_parser().parse_args(words)
     for path in options.reports:
         write_whole(path, json_text(signed(read_report(path), options.key)))
     return 0
@@ -44,7 +49,7 @@ def sign_command(words: Sequence[str]) -> int:
 def read_report(path: str) -> dict[str, Any]:
     """Return a JSON report.
 
-    :raises UnusableInput: when it cannot be read, or is not a valid key.
+    :raises UnusableInput: when the file cannot be read, or is not a JSON report with a receipt and checks.
     """
     data = read_given(path, LARGEST_REPORT, 'the report ')
     try:
@@ -59,7 +64,7 @@ def read_report(path: str) -> dict[str, Any]:
 
 
 def signed(report: dict[str, Any], key: str) -> dict[str, Any]:
-    """Return the report with its signature, which replaces an earlier one."""
+    """Return the report with its signature, which replaces any earlier signature."""
     serialization, ed25519 = _library()
     private = _loaded(lambda data: serialization.load_pem_private_key(data, password=None), key)
     if not isinstance(private, ed25519.Ed25519PrivateKey):
@@ -84,7 +89,7 @@ def is_signed_by(report: dict[str, Any], key: str) -> bool:
 
 
 def _signed_bytes(report: dict[str, Any]) -> bytes:
-    """Return the signed bytes, which do not depend on the order of keys or on spaces."""
+    """Return the bytes to sign, which do not depend on the order of keys or on spaces."""
     return json.dumps(report, sort_keys=True, separators=(',', ':')).encode()
 
 
@@ -115,8 +120,8 @@ MOST_PLACES = 20_000  # most files that a search for a submission reads
 NAMES = {'submission': 'the text of the submission', 'rubric': 'the text of the rubric', 'edulaunch': 'the version of edulaunch'}
 
 
-def main(words: Sequence[str]) -> int:
-    """Run the command. Return 0 if the report is confirmed, 1 if it is not, and 2 if it cannot be checked."""
+def verify_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade verify``."""
     parser = argparse.ArgumentParser(
         prog='edugrade verify',
         description='Grade the same submission again with the same rubric and seed, and report whether the mark is the same.',
@@ -125,7 +130,12 @@ def main(words: Sequence[str]) -> int:
     parser.add_argument('--submission', metavar='PATH', help='the graded submission (default: the file beside the report)')
     parser.add_argument('--key', metavar='FILE', help='the report must be signed by this public key (PEM)')
     add_common(parser)
-    options = parser.parse_args(words)
+    return parser
+
+
+def main(words: Sequence[str]) -> int:
+    """Run the command. Return 0 if the report is confirmed, 1 if it is not, and 2 if it cannot be checked."""
+    options = verify_parser().parse_args(words)
     report = read_report(options.report)
     differences = [*_of_the_signature(report, options.key), *_made_again(report, options)]
     for line in differences:
@@ -170,7 +180,7 @@ def _made_again(report: dict[str, Any], options: argparse.Namespace) -> Iterator
 
 
 def _variant(report: dict[str, Any]) -> Variant | None:
-    """Return the variant that a report names. An invalid one changes the rubric, so that its hash differs."""
+    """Return the variant that a report names. An invalid variant changes the rubric, so that its hash differs."""
     try:
         found = report['variant']
         return Variant(str(found['student']), str(found['tag']), {str(key): str(text) for key, text in found['values'].items()})
@@ -179,28 +189,28 @@ def _variant(report: dict[str, Any]) -> Variant | None:
 
 
 def _known_variant(claimed: Variant, report: dict[str, Any], options: argparse.Namespace) -> Variant | None:
-    """Return the variant that the course's secret, or the student's copy of the course, gives. A report itself could name any
+    """Return the variant according to the course's secret or the student's copy of the course, because a report could name any
     variant.
 
-    :raises UnusableInput: when neither exists.
+    :raises UnusableInput: when there is neither a secret nor a copy.
     """
     secret = CourseSecret(options.course_secret_file) if options.course_secret_file else None
     found = variant_for(str(report['rubric']['name']), str(report.get('student') or claimed.student), secret)
     if found is None and secret is None:
         words = 'the report is of a personal exercise, and nothing here says whose values are whose'
-        raise UnusableInput(words, help='give --course-secret-file FILE')
+        raise UnusableInput(words, help='add --course-secret-file FILE')
     return found
 
 
 def _of_the_seed(report: dict[str, Any], options: argparse.Namespace, submission: Submission) -> Iterator[str]:
-    """Check that the seed comes from the text, the course's secret or the caller, because otherwise the student may have chosen
-    it.
+    """Check that the seed comes from the submitted text, the course's secret or the caller. Otherwise, the student may have
+    chosen it.
 
-    :raises UnusableInput: when a secret chose the seed, and the caller does not have it.
+    :raises UnusableInput: when a secret determined the seed, and the caller does not have the secret.
     """
     if options.course_secret_file is None:
         if report['receipt'].get('secret') is not None and options.seed is None:
-            raise UnusableInput('a course secret has chosen the runs of this report', help='give --course-secret-file FILE')
+            raise UnusableInput('a course secret has chosen the runs of this report', help='add --course-secret-file FILE')
         if report['receipt'].get('seed') != (submission.seed if options.seed is None else options.seed):
             yield 'seed: it does not follow from the text, so the grader of this report chose it (--seed N accepts it)'
         return
@@ -233,7 +243,7 @@ def _words(value: Any) -> str:
 def find_submission(report: dict[str, Any], path: str) -> str:
     """Return the submission with the report's hash, from the report's folder, the current folder, or the folders of a batch.
 
-    :raises UnusableInput: when there is no result.
+    :raises UnusableInput: when no submission has this hash.
     """
     file, wanted = str(report.get('submission', {}).get('file')), report['receipt'].get('submission')
     for place in _places(report, file, os.path.abspath(path)):
@@ -243,7 +253,7 @@ def find_submission(report: dict[str, Any], path: str) -> str:
         except UnusableInput:
             continue
     raise UnusableInput(
-        f'{file}, which the report names, is missing or has changed since it was graded', help='give --submission PATH'
+        f'{file}, which the report names, is missing or has changed since it was graded', help='add --submission PATH'
     )
 
 

@@ -1,8 +1,8 @@
 """``edugrade decoys [FOLDER] [NAME ...]``: shows how many points the rubrics of a course give for names without behaviour.
 
-FOLDER (default: the current one) is the folder of a course, as for ``edugrade course``. The command makes decoys of each
-solution, which have its names but not its behaviour, and grades them like submissions. A rubric may give a
-decoy half of its points, or the share that it allows (``decoys: 0.75``). If one gives more, the exit code is 1.
+FOLDER (default: the current folder) is the folder of a course, as for ``edugrade course``. The command makes decoys of each
+solution, which have the names but not the behaviour of the solution, and grades them like submissions. A rubric may give a decoy
+half of its points, or the share that it allows (``decoys: 0.75``). If a rubric gives more, the exit code is 1.
 """
 
 from __future__ import annotations
@@ -34,8 +34,10 @@ report.
 
 
 class Paid(NamedTuple):
-    """The points that a rubric gives a decoy. `earned` has the value None when the grader broke. `passed` has the checks with
-    points, and `most` is the share that the rubric allows.
+    """The points that a rubric gives a decoy.
+
+    `earned` has the value None if the grader broke. `passed` lists the passed checks with points, and `most` is the share of the
+    points that the rubric allows.
     """
 
     exercise: str
@@ -47,12 +49,15 @@ class Paid(NamedTuple):
 
     @property
     def share(self) -> float:
-        """The share of the points; 1 without a mark."""
+        """The share of the points that the decoy earned, from 0 to 1. Without a mark, the share is 1."""
         return 1.0 if self.earned is None else self.earned / max(1, self.possible)
 
 
 def main(argv: Sequence[str]) -> int:
-    """Print the points of each decoy. Return the exit code."""
+    """Print the points of each decoy. Return the exit code.
+
+    :param argv: the words of the command line after `decoys`.
+    """
     options = _options(argv)
     found = list(pay(options.folder, options.names, options.limit))
     too_much = [paid for paid in found if paid.share > paid.most]
@@ -70,8 +75,11 @@ def main(argv: Sequence[str]) -> int:
 def pay(folder: str, names: Sequence[str] = (), limit_s: float = 60.0, kinds: Sequence[str] = KINDS) -> Iterator[Paid]:
     """Yield the points of each decoy of a course's exercises.
 
-    :param names: the names of the exercises (default: all of them). `kinds` are the kinds of decoys (default: all of them).
-    :raises UnusableInput: when the folder has no course, or the course no such exercise.
+    :param folder: the folder of the course.
+    :param names: the names of the exercises (default: all exercises).
+    :param limit_s: the limit on the real time of each run, in seconds.
+    :param kinds: the kinds of decoys (default: all kinds).
+    :raises UnusableInput: if the folder has no course, the course does not have an exercise, or a rubric is missing.
     """
     places = [os.path.join(folder, MANIFEST), os.path.join(folder, 'exercises', MANIFEST)]
     course = read_course(next((place for place in places if os.path.isfile(place)), places[1]))
@@ -99,7 +107,7 @@ def _solution(folder: str, item: Exercise) -> str:
 
 
 def _made(works: Sequence[Work], place: str, limits: Limits, kinds: Sequence[str]) -> Iterator[tuple[str, str, Work]]:
-    """Record each solution's first run, write its decoys, and plan their gradings."""
+    """Record the first run of each solution, write the decoys, and yield (exercise, kind of decoy, work)."""
     with runner_here(limits) as runner:
         jobs = [runner.add(work.submission, work.scenarios[:1]) for work in works]
         for work, job in zip(works, jobs, strict=True):
@@ -115,11 +123,16 @@ def _recording(work: Work, outcome: Outcome) -> Recording:
     return outcome.recording
 
 
-def _options(argv: Sequence[str]) -> argparse.Namespace:
+def decoys_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade decoys``."""
     parser = argparse.ArgumentParser(prog='edugrade decoys', description='Grade submissions that have names and no behaviour.')
     parser.add_argument('words', nargs='*', metavar='FOLDER or NAME', help='the folder of a course, and names of its exercises')
     parser.add_argument('--limit', type=float, default=60.0, metavar='SECONDS', help='longest real time of each run')
-    options = parser.parse_args(argv)
+    return parser
+
+
+def _options(argv: Sequence[str]) -> argparse.Namespace:
+    options = decoys_parser().parse_args(argv)
     folders = [word for word in options.words if os.path.isdir(word)]
     options.folder = folders[0] if folders else '.'
     options.names = [word for word in options.words if word not in folders[:1]]

@@ -29,10 +29,10 @@ OF_RCLPY = ('/rosout', '/parameter_events')
 def decoys(submission: Submission, recording: Recording, folder: str) -> Iterator[tuple[str, str]]:
     """Write the decoys of a solution into a folder, and yield (kind, path of the submission).
 
-    - ``names`` has nodes of the same names with the same parameters and endpoints in one silent program.
+    - ``names`` has nodes with the same names, parameters and endpoints in one program that publishes nothing.
     - ``replay`` has the same nodes, which publish and print the recorded messages and lines of the first run.
     - ``swapped`` has the solution's own actions. Each Node and each command `python3 ...` runs an idle program.
-    - ``own programs`` is a package with programs that publish and print the same.
+    - ``own programs`` is a copy of the package whose programs publish and print the recorded messages and lines.
 
     :param recording: the recording of the solution's first run.
     """
@@ -53,7 +53,7 @@ def decoys(submission: Submission, recording: Recording, folder: str) -> Iterato
 
 
 def _fitting(recording: Recording, plays: bool, processes: frozenset[str] | None = None) -> str:
-    """Return a plan as JSON that fits into a launch file."""
+    """Return a plan as JSON that is short enough for a launch file. If necessary, leave out messages."""
     step = 1
     while len(text := json.dumps(plan(recording, plays, processes, step))) > MOST_BYTES and step < 1 << 20:
         step *= 2
@@ -61,11 +61,11 @@ def _fitting(recording: Recording, plays: bool, processes: frozenset[str] | None
 
 
 def plan(recording: Recording, plays: bool, processes: frozenset[str] | None = None, step: int = 1) -> dict[str, Any]:
-    """Return what a decoy does, as plain data.
+    """Return the actions of a decoy as plain data.
 
-    :param plays: whether it publishes and prints, too.
-    :param processes: names of the processes that it replaces, or None for all of them.
-    :param step: 1 to publish every message, 2 to publish every second one, and so on.
+    :param plays: whether the decoy also publishes and prints.
+    :param processes: the names of the processes that the decoy replaces, or None for all processes.
+    :param step: 1 to publish every message, 2 to publish every second message, and so on.
     """
     nodes = [node for node in recording.nodes if processes is None or node.process in processes]
     entries = [
@@ -101,7 +101,7 @@ def _messages(recording: Recording, node: str, publishers: list[tuple[str, str]]
 
 
 def _plain(value: Any) -> Any:
-    """Return a message as plain data."""
+    """Return a value of a message as plain data."""
     if hasattr(value, 'get_fields_and_field_types'):
         return {name: _plain(getattr(value, name)) for name in value.get_fields_and_field_types()}
     if isinstance(value, (str, bool, int, float)):
@@ -140,7 +140,7 @@ def _launch_file(submission: Submission, target: str) -> str:
 
 
 def _replace_programs(target: str, package: str, recording: Recording) -> bool:
-    """Replace each module of a package that one of its programs runs by a player. Return whether there was one."""
+    """Replace each module of a package that one of its programs runs with a player. Return whether there was such a module."""
     own = sorted((process.executable or '', process.name) for process in recording.processes if process.package == package)
     written = False
     for executable, names in groupby(own, key=lambda pair: pair[0]):
@@ -152,7 +152,7 @@ def _replace_programs(target: str, package: str, recording: Recording) -> bool:
 
 
 def _modules(target: str, package: str, executable: str) -> Iterator[str]:
-    """Return the files of the modules that the entry point of this name runs, from setup.py, or else the file of that name."""
+    """Yield the files of the modules that the entry point `executable` in setup.py names. Otherwise, yield `executable`.py."""
     is_named = False
     try:
         with open(os.path.join(target, 'setup.py'), encoding='utf-8') as file:

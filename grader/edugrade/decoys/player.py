@@ -1,5 +1,7 @@
-"""The program of a decoy, as text: it creates nodes with the names of the solution's nodes, and plays their recorded messages.
-It is part of a submission, so it uses nothing of edugrade.
+"""The program of a decoy, as a string. It creates nodes with the names of the solution's nodes, and plays their recorded
+messages.
+
+The program becomes part of a submission, so it does not import edugrade.
 """
 
 PLAYER = """\

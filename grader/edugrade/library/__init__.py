@@ -1,5 +1,5 @@
-"""Functions that rubrics share: they find processes and topics in a recording, and measure movements.
+"""Functions that rubrics share. They find processes and topics in a recording, and measure movements.
 
-`launched.py` finds the started programs, `identity.py` finds out which programs they really are, and `movement.py` measures
-tracks.
+`launched.py` finds the programs that were started, `identity.py` finds out which programs they really are, and `movement.py`
+measures tracks.
 """

@@ -1,4 +1,4 @@
-"""Launch arguments as the launch file declares them."""
+"""Checks of the launch arguments that a launch file declares."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ if TYPE_CHECKING:
 
 
 def require_declared(run: Evidence, name: str, example: str) -> DeclaredArgument:
-    """Return the declaration of a launch argument, with a default or without one.
+    """Return the declaration of a launch argument, with or without a default.
 
     :param example: a default value for the advice.
-    :raises Missing: when it is not declared.
+    :raises Missing: if the argument is not declared.
     """
     declared = {argument.name: argument for argument in run.first.launch.declared}
     argument = declared.get(name)
@@ -36,7 +36,7 @@ def require_argument(run: Evidence, name: str, example: str) -> DeclaredArgument
     """Return the declaration of a launch argument that has a default.
 
     :param example: a default value for the advice.
-    :raises Missing: when it is not declared, or has no default.
+    :raises Missing: if the argument is not declared, or has no default.
     """
     argument = require_declared(run, name, example)
     if argument.default is None:
@@ -53,15 +53,15 @@ def require_argument(run: Evidence, name: str, example: str) -> DeclaredArgument
 def require_default(
     run: Evidence, name: str, default: str | None, shows: Callable[[Evidence], object] | None = None
 ) -> DeclaredArgument:
-    """Require a default of a launch argument: the same string, in one or several parts, or the same number.
+    """Require a default of a launch argument, and return the declaration. The default must be the same string or the same number.
 
-    The runs that do not give the argument (`Scenario.defaults`) must start without it and use the default.
+    The runs that do not pass the argument (`Scenario.defaults`) must start without it and use the default.
 
-    :param default: the default, or None for any default.
-    :param shows: raises Failure when these runs do not use the default.
-    :raises Missing: as :func:`require_argument`.
-    :raises Mismatch: when the argument has another default.
-    :raises Failure: when the runs without the argument do not use the declared default.
+    :param default: the expected default, or None for any default.
+    :param shows: a function that raises Failure if the runs in its evidence do not use the default, or None.
+    :raises Missing: as in :func:`require_argument`.
+    :raises Mismatch: if the argument has another default.
+    :raises Failure: if the runs without the argument fail, or do not use the declared default.
     """
     argument = require_argument(run, name, default or '...')
     seen = written_text(argument.default or '')
@@ -101,7 +101,7 @@ def is_literal(described: str) -> bool:
 
 
 def is_same_value(seen: str, wanted: str) -> bool:
-    """Return whether two values of an argument are the same string or the same number."""
+    """Return whether two values of an argument are the same string or represent the same number."""
     try:
         return seen == wanted or float(seen) == float(wanted)
     except ValueError:

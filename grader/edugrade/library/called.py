@@ -1,4 +1,4 @@
-"""Call functions and classes that a notebook cell defines, and report exceptions as sentences."""
+"""Calls functions and classes that a notebook cell defines, and reports exceptions as failures of a check."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _ANY = object()
 def defined(run: Evidence, name: str) -> Any:
     """Return the value of a name that a notebook cell defines.
 
-    :raises Missing: when no cell defines it.
+    :raises Missing: if no cell defines the name.
     """
     if name not in run.names:
         raise Missing(name, name=name, among=run.names, try_=f'run the cell that defines {name}')
@@ -24,8 +24,12 @@ def defined(run: Evidence, name: str) -> Any:
 def call(name: str, function: Any, *given: Any, wanted: Any = _ANY) -> Any:
     """Call a function or a class of the student, and return the result.
 
-    :raises Failure: when it cannot be called, or raises an exception.
-    :raises Mismatch: when it returns another value than `wanted`.
+    :param name: the name of the function or class, for the report.
+    :param function: the function or class.
+    :param given: the arguments of the call.
+    :param wanted: the expected result (default: any result).
+    :raises Failure: if the object cannot be called, or the call raises an exception.
+    :raises Mismatch: if the result differs from `wanted`.
     """
     words = f'{name}({", ".join(getattr(value, "__name__", None) or repr(value) for value in given)})'
     if not callable(function):

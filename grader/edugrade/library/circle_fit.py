@@ -1,4 +1,4 @@
-"""Fits a circle to points by least squares. It is plain Python, because numpy takes long to load."""
+"""Fits a circle to points by least squares. It is plain Python, because loading numpy takes long."""
 
 from __future__ import annotations
 
@@ -8,7 +8,9 @@ from typing import NamedTuple
 
 
 class Circle(NamedTuple):
-    """Centre and radius in metres; `residual` is the points' root mean square distance from the circle."""
+    """A circle with its centre and radius in metres. `residual` is the root mean square distance of the points from the
+    circle.
+    """
 
     x: float
     y: float
@@ -17,10 +19,11 @@ class Circle(NamedTuple):
 
 
 def fit_circle(points: Sequence[tuple[float, float]]) -> Circle | None:
-    """Return the circle with the smallest sum of (|p - c|² - r²)² (the Kåsa fit). Return None for a line or a spot.
+    """Return the circle with the smallest sum of (|p - c|² - r²)² (the Kåsa fit). Return None for points on a line or in one
+    place.
 
-    The result is exact for points on an arc. The points are moved to their mean first, so that a circle far from the
-    origin is as precise as one near it.
+    The result is exact for points on an arc. The points are first moved so that their mean is the origin. So a circle far
+    from the origin is as precise as one near it.
     """
     count = len(points)
     if count < 3:
@@ -39,7 +42,7 @@ def fit_circle(points: Sequence[tuple[float, float]]) -> Circle | None:
 
 
 def _centre(centred: Sequence[tuple[float, float]]) -> tuple[float, float] | None:
-    """Return the centre for points whose mean is the origin: the 2 x 2 normal equations, by Cramer's rule."""
+    """Return the centre for points whose mean is the origin, by solving the 2 x 2 normal equations with Cramer's rule."""
     sxx = sxy = syy = sxz = syz = 0.0
     for x, y in centred:
         z = x * x + y * y

@@ -1,4 +1,4 @@
-"""Finds the programs of a run that died, and their last output."""
+"""Finds the programs of a run that died, and the last lines that they printed."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ INTERRUPTED = (2, 130)  # exit codes of programs that handle SIGINT themselves
 class Death(NamedTuple):
     """A program that ended before the end of its run with an exit code other than 0.
 
-    :ivar process: its record, or None for a real program, which appears only in a line of launch.
+    :ivar process: the record of the program, or None for a real program, which appears only in the output of launch.
     """
 
     name: str
@@ -47,7 +47,7 @@ class Death(NamedTuple):
 
 
 def refuse_dead(run: Evidence) -> None:
-    """Fail when a program died before the end of its run: a simulated one, a real one, or one that a shell started.
+    """Fail if a program died before the end of its run. The program may be simulated or real, and a shell may have started it.
 
     :raises Failure: with the message and the place of the exception, or with the last line that the program printed.
     """
@@ -57,9 +57,10 @@ def refuse_dead(run: Evidence) -> None:
 
 
 def refuse_gone(run: Evidence) -> None:
-    """Fail when a program that never ends by itself was ended before the end of its run, even without an error.
+    """Fail if a program ended before the end of its run although it never ends by itself.
 
-    Otherwise, a node that exists only for a moment could pass the checks of names, parameters and subscriptions.
+    The program may have ended without an error. Without this check, a node that exists only for a moment could pass the
+    checks of names, parameters and subscriptions.
 
     :raises Failure: with the program and the time of its end.
     """
@@ -78,7 +79,7 @@ def refuse_gone(run: Evidence) -> None:
 
 
 def deaths(recording: Recording) -> Iterator[Death]:
-    """Yield the programs that died: the simulated ones in the order of their start, then the real ones."""
+    """Yield the programs that died: first the simulated ones in the order in which they started, then the real ones."""
     known = launched(recording)
     for process in known:
         if process.returncode and not _ends_with_launch(recording, process):
@@ -92,14 +93,16 @@ def deaths(recording: Recording) -> Iterator[Death]:
 
 
 def _ends_with_launch(recording: Recording, process: ProcessRecord) -> bool:
-    """Return whether the shutdown of launch itself has interrupted a program. `ros2` commands then return the signal's number."""
+    """Return whether the shutdown of launch has interrupted a program. `ros2` commands then return the number of the signal."""
     launch = recording.processes[0]
     is_over = launch.name == 'launch' and launch.ended_s is not None and process.ended_s == launch.ended_s
     return is_over and process.exception is None and process.returncode in (*ENDED_BY_LAUNCH, *INTERRUPTED)
 
 
 def words_on_deaths(run: Evidence) -> str:
-    """Return a line about the first program that died, with its exception or the last line that it printed, or ''."""
+    """Return a line about the first program that died, with its exception or the last line that it printed. Return '' without
+    one.
+    """
     for recording in run.values():
         for death in deaths(recording):
             error = death.process.exception if death.process else None
@@ -111,7 +114,10 @@ def words_on_deaths(run: Evidence) -> str:
 
 
 def last_line(recording: Recording, name: str) -> str:
-    """Return the line that best explains why a program died: the last error, or the last line, or ''."""
+    """Return the line that best explains why a program died: its last error line, or its last line, or ''.
+
+    :param name: the name of the program.
+    """
     lines: list[str] = []
     for output in getattr(recording, 'output', ()):
         if output.process == name:
@@ -145,14 +151,16 @@ def _failure(recording: Recording, death: Death, words: str) -> Failure:
 
 
 def _advice_on(death: Death, where: tuple[str, int | None] | None, at: str) -> str:
-    """Return what to do about an exception: in the student's own program, or in the call of a program of edulaunch."""
+    """Return what to do about an exception in the student's own program, or in the call of a program of edulaunch."""
     if where is not None and death.process is not None and where != death.process.origin and not is_shipped(where[0]):
         return 'correct this line of the program'
     return f'check the arguments and parameters that the launch file passes to {death.name}{at}'
 
 
 def _broken_file(death: Death, broken: re.Match[str], at: str, words: str) -> Failure:
-    """Name the parameter file that a program could not read, with the line where the file has one."""
+    """Return a failure that names the parameter file that a program could not read, with the line of the mistake if it is
+    known.
+    """
     file, error = broken.groups()
     line = LINE.search(error)
     return Failure(

@@ -1,6 +1,6 @@
 """Compares the transforms of robot_state_publisher with the robot description and the positions of the joints.
 
-This program runs beside the submission, which could change it, so its transforms alone prove nothing.
+robot_state_publisher runs in the same process as the submission, which could change it. So its transforms alone prove nothing.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ Three = tuple[float, float, float]
 
 
 class Joint(NamedTuple):
-    """A joint of a description. A joint that cannot move has no `axis`."""
+    """A joint of a robot description. A fixed joint has no `axis`."""
 
     name: str
     parent: str
@@ -34,7 +34,7 @@ class Joint(NamedTuple):
 
 
 def joints_of(text: str) -> dict[str, Joint]:
-    """Return the joints of a robot description by the link that each one carries, or {} for an invalid description."""
+    """Return the joints of a robot description, by the name of the child link. Return {} for an invalid description."""
     from xml.etree import ElementTree
 
     try:
@@ -63,7 +63,8 @@ def _three(text: str) -> Three:
 def require_derived(run: Evidence, scenario: str, child: str, joint: Joint, try_: str | None) -> None:
     """Require that every transform of a link follows from its joint and from a position of this joint on a topic.
 
-    :raises Mismatch: with the transform.
+    :param child: the link.
+    :raises Mismatch: with a transform that does not follow from them.
     """
     known = list(_positions(run[scenario], joint.name))
     for sent in transforms(run, scenario).get(child, ()):

@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from ..evidence import Evidence, Failure
+from .identity import nodes_of
 from .launched import refuse_strangers, stranger
 from .movement import Track, command_topics, distances, farthest, fastest, length, progress_towards, pushed, since, turtle_track
 
+if TYPE_CHECKING:
+    from edulaunch.engine.recording import Recording
+
+POSE = 'turtlesim/msg/Pose'
 FASTEST_M_S = 20.0  # the listener drives half of the distance in a second, in a world 11 m wide
 LAST_S = 1.0  # greatest age of the last pose of a turtle that exists until the end
 MOST_PUSHED_M = 0.1
@@ -14,7 +21,7 @@ LEAST_SHARE = 0.4  # share of the distance of a moving goal; a follower that tak
 
 
 def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound_m: float, since_s: float, try_: str) -> None:
-    """Require that a follower is never more than `bound_m` metres from its goal after a time.
+    """Require that a follower is never more than `bound_m` metres from its goal after `since_s` simulated seconds.
 
     :param goal: the position of the goal over time.
     :param follower: the turtle, such as ``/turtle2``.
@@ -38,7 +45,8 @@ def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound
 def require_arrival(run: Evidence, scenario: str, follower: str, try_: str) -> None:
     """Require that a turtle has driven to a goal that does not move.
 
-    :raises Failure: for a turtle that was at the goal from the beginning.
+    :param follower: the turtle, such as ``/turtle2``.
+    :raises Failure: if the turtle drove no distance, because it was at the goal from the beginning.
     """
     track = driven_track(run, scenario, follower)
     if not length(track) >= LEAST_WAY_M:
@@ -54,8 +62,9 @@ def require_arrival(run: Evidence, scenario: str, follower: str, try_: str) -> N
 def require_driver(run: Evidence, turtle: str, package: str, executable: str | None = None) -> None:
     """Require that only one program sends commands to a turtle, so that its movement shows the behaviour of this program.
 
-    :param turtle: such as ``/turtle2``, or '' for the robot.
-    :param executable: the only program of that package that may do so (default: all of them).
+    :param turtle: the turtle, such as ``/turtle2``, or '' for the robot.
+    :param package: the package of the program.
+    :param executable: the only program of the package that may send commands (default: all of its programs).
     :raises Failure: with the name of another node that commands the turtle.
     """
     place_topic, usual = f'{turtle}/pose' if turtle else '/odom', f'{turtle}/cmd_vel'
@@ -76,11 +85,13 @@ def require_driver(run: Evidence, turtle: str, package: str, executable: str | N
 
 
 def require_pursuit(run: Evidence, scenario: str, goal: str, follower: str, since_s: float, try_: str) -> None:
-    """Require that a turtle drives towards a moving one, for at least LEAST_SHARE of the distance that the goal drives.
+    """Require that a turtle drives towards a moving turtle, for at least LEAST_SHARE of the distance that this turtle drives.
 
     A turtle that waits in the middle of the goal's path is near the goal, but does not follow it.
 
-    :param goal: the moving turtle, such as ``/turtle1``; `follower` likewise.
+    :param goal: the moving turtle, such as ``/turtle1``.
+    :param follower: the turtle that must follow, such as ``/turtle2``.
+    :param since_s: the simulated time in seconds from which the distances count.
     :raises Failure: with both distances.
     """
     recording = run[scenario]
@@ -98,10 +109,15 @@ def require_pursuit(run: Evidence, scenario: str, goal: str, follower: str, sinc
 
 
 def require_copy(run: Evidence, original: str, copy: str, try_: str, hint_seen: str = '') -> None:
-    """Require that a turtle drives as far as the turtle that it copies, within 5 %. The original must move.
+    """Require that a turtle drives as far as the turtle that it copies, within 5 %. The original must drive at least half a
+    metre.
 
+    The program `mimic` must receive the poses of the original, or those of another copy of it.
+
+    :param original: the turtle to copy, such as ``/turtle1``.
+    :param copy: the turtle that must copy it.
     :param hint_seen: another observation that explains the failure.
-    :raises Failure: with both distances.
+    :raises Failure: with both distances, or with the topics from which `mimic` receives poses.
     """
     for scenario, recording in run.items():
         there, here = (length(turtle_track(recording, f'{turtle}/pose')) for turtle in (original, copy))
@@ -114,10 +130,38 @@ def require_copy(run: Evidence, original: str, copy: str, try_: str, hint_seen: 
                 where=run.source.place,
                 try_=try_,
             )
+        heard = copied_poses(recording, copy)
+        if f'{original}/pose' not in heard:
+            raise Failure(
+                f'{copy} copies another turtle than {original} in the run with {run.scenario(scenario).words}',
+                expected=f'mimic subscribes to {original}/pose',
+                seen=f'mimic subscribes to {", ".join(heard) or "no pose"}',
+                where=run.source.place,
+                try_=try_,
+            )
+
+
+def copied_poses(recording: Recording, copy: str) -> list[str]:
+    """Return the topics with the poses that a turtle copies through `mimic`, also through the copies in between."""
+    mimics = [recording.nodes[position] for position in nodes_of(recording, 'turtlesim', 'mimic')]
+    found, turtles = {}, [copy]
+    for turtle in turtles:
+        commands = command_topics(recording, f'{turtle}/pose') or {f'{turtle}/cmd_vel'}
+        for node in mimics:
+            if commands.isdisjoint(name for name, _ in node.publishers):
+                continue
+            for name, kind in node.subscriptions:
+                if kind == POSE and name not in found:
+                    found[name] = turtle
+                    turtles.append(name.rpartition('/')[0])
+    return list(found)
 
 
 def driven_track(run: Evidence, scenario: str, turtle: str) -> Track:
-    """Return the track of a turtle that drives. Raise Failure for a turtle that was teleported."""
+    """Return the track of a turtle that drives.
+
+    :raises Failure: if the turtle was teleported.
+    """
     track = turtle_track(run[scenario], f'{turtle}/pose')
     if not fastest(track) <= FASTEST_M_S:
         raise Failure(

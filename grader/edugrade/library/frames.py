@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from math import asin, atan2, cos, hypot, sin
 from re import sub
 from typing import TYPE_CHECKING, NamedTuple
@@ -28,13 +28,15 @@ class Sent(NamedTuple):
 
 
 def frames_at_end(run: Evidence, scenario: str) -> Frames:
-    """Return all frames, by name, at the end of a run."""
+    """Return all frames at the end of a run, by name."""
     recording = run[scenario]
     return run.once(('frames', scenario), lambda: recording.frames_at(recording.duration_s))
 
 
 def transforms(run: Evidence, scenario: str) -> Mapping[str, Sequence[Sent]]:
-    """Return all published transforms of each frame in order, by the frame's name; the static ones come first."""
+    """Return all published transforms of each frame in order of publication, by the frame's name. Static transforms come
+    first.
+    """
     return run.once(('transforms', scenario), lambda: _transforms(run[scenario]))
 
 
@@ -51,17 +53,28 @@ def _transforms(recording: Recording) -> dict[str, list[Sent]]:
 
 
 def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: str = '') -> None:
-    """Require a frame in every run: from half of the time until the end, and always with the right parent.
+    """Require a frame in every run, from the middle of the run at the latest until its end, always with the right parent.
 
     :param hint_seen: another observation that explains why the frame is missing.
-    :raises Missing: when there is no such frame, with the names of the existing frames.
-    :raises Failure: when it has another parent even once, appears late, or is no longer published.
+    :raises Missing: if the frame does not exist, with the names of the existing frames.
+    :raises Failure: if the frame has another parent even once, appears late, or is no longer published. A frame in `world`
+        must also have the position of its turtle.
     """
     for scenario in run:
         sent = transforms(run, scenario).get(child)
         if sent is None:
             frames = frames_at_end(run, scenario)
-            known = ', '.join(f'{name} in {frame.parent}' for name, frame in frames.items()) or 'no frames'
+            known = ', '.join(f'{name} (parent {frame.parent})' for name, frame in frames.items()) or 'no frames'
+            if any(frame.parent == child for frame in frames.values()):
+                raise Failure(
+                    f'the frame {child} has no parent',
+                    expected=f'the frame {child} with the parent {parent}',
+                    seen='\n'.join(filter(None, (known, hint_seen))),
+                    where=run.source.place,
+                    try_=try_,
+                    name=child,
+                    among=_misspelt(child, frames),
+                )
             raise Missing(
                 f'the frame {child}',
                 name=child,
@@ -69,7 +82,7 @@ def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: 
                 where=run.source.place,
                 try_=try_,
                 seen='\n'.join(filter(None, (known, hint_seen))),
-                expected=f'the frame {child} in the frame {parent}',
+                expected=f'the frame {child} with the parent {parent}',
             )
         words = run.scenario(scenario).words
         elsewhere = next((item for item in sent if item.frame.parent != parent), None)
@@ -77,10 +90,12 @@ def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: 
             now_and_then = any(item.frame.parent == parent for item in sent)
             raise Failure(
                 f'the parent of the frame {child} is not {parent} in the run with {words}',
-                expected=parent,
-                seen=elsewhere.frame.parent + (f' at {elsewhere.time_s:.2f} s' if now_and_then else ''),
+                expected=f'the parent {parent}',
+                seen=f'the parent {elsewhere.frame.parent}' + (f' at {elsewhere.time_s:.2f} s' if now_and_then else ''),
                 where=run.source.place,
                 try_=try_,
+                name=parent,
+                among=_misspelt(parent, {elsewhere.frame.parent} - set(frames_at_end(run, scenario))),
             )
         _require_all_the_time(run, scenario, child, sent, try_)
         if parent == 'world':
@@ -126,8 +141,8 @@ def _require_all_the_time(run: Evidence, scenario: str, child: str, sent: Sequen
         )
 
 
-def _misspelt(child: str, frames: Frames) -> list[str]:
-    """Return the frames that could be misspellings of this one. For example, turtle1 is not a misspelling of turtle2."""
+def _misspelt(child: str, frames: Iterable[str]) -> list[str]:
+    """Return the frames whose names may be misspellings of `child`. For example, turtle1 is not a misspelling of turtle2."""
     return [name for name in frames if sub(r'\d+$', '', name) != sub(r'\d+$', '', child)]
 
 
@@ -144,8 +159,9 @@ def tilt(frame: Frame) -> float:
 
 
 def place_in(frames: Frames, frame: str, root: str) -> tuple[float, float] | None:
-    """Return the position of a frame's origin on the ground plane of `root`, in metres; None when no transforms connect
-    them.
+    """Return the position of a frame's origin on the ground plane of `root`, in metres.
+
+    Return None if no transforms connect the frames.
     """
     x = y = 0.0
     for _ in range(len(frames) + 1):
@@ -161,5 +177,5 @@ def place_in(frames: Frames, frame: str, root: str) -> tuple[float, float] | Non
 
 
 def numbers(values: tuple[float, ...]) -> str:
-    """Return coordinates as a person writes them."""
+    """Return coordinates as a string such as '(1.00, 2.50)'."""
     return '(' + ', '.join(f'{value + 0.0:.2f}' for value in values) + ')'

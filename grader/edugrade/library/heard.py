@@ -1,4 +1,6 @@
-"""Checks that a node receives what another one publishes: by the endpoints of both, and by the lines that the node logs."""
+"""Checks that a node receives the messages that another node publishes. The endpoints of both nodes and the logged lines show
+this.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +20,7 @@ HEARD_AFTER_S = 1.0  # largest time between a message and the line that a node l
 
 
 class Program(NamedTuple):
-    """Names nodes: by the full name of the node, by its package and executable, or by both."""
+    """A description of nodes: the full name of a node, a package and executable, or both."""
 
     node: str = ''
     package: str | None = None
@@ -26,20 +28,22 @@ class Program(NamedTuple):
 
     @property
     def words(self) -> str:
-        """The name of the node, or the program, for a sentence."""
+        """The name of the node, or of the program, in words for a sentence."""
         return self.node or ' '.join(filter(None, (self.executable, self.package and f'of {self.package}')))
 
     def nodes(self, recording: Recording) -> list[NodeRecord]:
-        """Return these nodes of a recording, in the order of their creation."""
+        """Return the nodes of a recording that fit this description, in order of creation."""
         if self.node:
             return [node for _, node in named_nodes(recording, self.node, self.package, self.executable)]
         return [recording.nodes[position] for position in nodes_of(recording, self.package or '', self.executable)]
 
 
 def require_heard(run: Evidence, scenario: str, listener: Program, speaker: Program, try_: str | None) -> None:
-    """Require that a node subscribes to a topic on which another node publishes messages, whatever the name of the topic.
+    """Require that a node subscribes to a topic on which another node publishes messages, whatever the topic is called.
 
-    :raises Missing: when one of the nodes does not exist.
+    :param listener: the node that must subscribe.
+    :param speaker: the node that publishes.
+    :raises Missing: if one of the nodes does not exist.
     :raises Failure: with the topics of both nodes.
     """
     recording = run[scenario]
@@ -63,12 +67,13 @@ def require_heard(run: Evidence, scenario: str, listener: Program, speaker: Prog
 def require_lines_of_messages(
     run: Evidence, scenario: str, listener: Program, topic: str, lines: Sequence[tuple[float, str]], try_: str | None
 ) -> None:
-    """Require that the lines of a node follow the messages that it receives on a topic.
+    """Require that the lines of a node follow the messages that the node receives on a topic.
 
-    The node subscribes to the topic, and never has more lines than messages. One line has the text that the grader sends.
+    The node must subscribe to the topic, and must never have logged more lines than messages have arrived. If the grader sends a
+    message (`Scenario.sent`), a line soon afterwards must contain its string.
 
-    :param lines: the time of each line in simulated seconds, and its text.
-    :raises Failure: when the node does not subscribe to the topic.
+    :param lines: (simulated time in seconds, string) of each line.
+    :raises Failure: if the node does not subscribe to the topic.
     :raises Mismatch: with the expected and the logged line.
     """
     recording = run[scenario]

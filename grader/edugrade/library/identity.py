@@ -1,5 +1,6 @@
-"""Finds the program of a process or a node: from the trusted peer of a run, never from claims of a submission. A recording
-without provenance comes from one process (an author's own run), so the names in the launch file count.
+"""Finds the program of a process or a node. The source is the trusted peer of a run, never a claim of a submission.
+
+A recording without provenance comes from a single process (an author's own run), so the names in the launch file are used.
 """
 
 from __future__ import annotations
@@ -18,7 +19,10 @@ STARTERS = ('ros2', 'bash', 'sh')  # programs that start other programs under th
 
 
 def program_of(recording: Recording, position: int) -> tuple[str, str] | None:
-    """Return the (package, executable) of a process; None if it has no package, or claims the package of another program.
+    """Return the (package, executable) of a process.
+
+    Return None if the process has no package, or falsely claims to be a program of edulaunch.
+
     :param position: the position of the process in `recording.processes`.
     """
     process, hosted = recording.processes[position], recording.hosted
@@ -32,7 +36,7 @@ def program_of(recording: Recording, position: int) -> tuple[str, str] | None:
 
 
 def _is_stock_by_its_word(process: ProcessRecord, is_confined: bool) -> bool:
-    """Return whether a process of the confined peer may be a stock program, which the trusted peer never hosts."""
+    """Return whether a process of the confined peer may be one of the stock programs that the trusted peer never runs."""
     package, executable, word = process.package or '', process.executable or '', process.argv[0] if process.argv else ''
     if not is_confined:
         return word == shipped_program(package, executable)
@@ -42,9 +46,9 @@ def _is_stock_by_its_word(process: ProcessRecord, is_confined: bool) -> bool:
 
 
 def processes_of(recording: Recording, package: str, executable: str | None = None) -> list[int]:
-    """Return the positions of the processes that run a program of a package, in the order of their start.
+    """Return the positions of the processes that run a program of a package, in the order in which they started.
 
-    The package ros2 stands for the command ros2. Then `executable` has its first words, such as ``bag play``.
+    The package ros2 means the command ros2. `executable` is then the first words of the command, such as ``bag play``.
     """
     if package == COMMAND:
         return [position for position in range(len(recording.processes)) if _is_command(recording, position, executable or '')]
@@ -56,7 +60,7 @@ def processes_of(recording: Recording, package: str, executable: str | None = No
 
 
 def nodes_of(recording: Recording, package: str, executable: str | None = None) -> list[int]:
-    """Return the positions of the nodes whose process runs a program of a package, in the order of their creation."""
+    """Return the positions of the nodes whose process runs a program of a package, in order of creation."""
     if recording.owners is None:
         return [
             position
@@ -78,7 +82,10 @@ def rows_of(recording: Recording, part: str, package: str, executable: str | Non
 
 
 def process_of(recording: Recording, node: NodeRecord, position: int) -> ProcessRecord | None:
-    """Return the process of a node, by its position in `recording.nodes`."""
+    """Return the process of a node, or None.
+
+    :param position: the position of the node in `recording.nodes`.
+    """
     if recording.owners is not None:
         owner = recording.owners['nodes'][position]
         return recording.processes[owner] if owner >= 0 else None
@@ -86,7 +93,7 @@ def process_of(recording: Recording, node: NodeRecord, position: int) -> Process
 
 
 def _is_of_by_name(recording: Recording, name: str, package: str, executable: str | None) -> bool:
-    """Return whether all processes with that name run a program of a package, including processes that it started."""
+    """Return whether all processes with a name run a program of a package. Shells and prefixes that start them do not count."""
     if package == COMMAND:
         return any(recording.processes[position].name == name for position in processes_of(recording, package, executable))
     ran = [position for position, process in enumerate(recording.processes) if process.name == name]
@@ -96,7 +103,7 @@ def _is_of_by_name(recording: Recording, name: str, package: str, executable: st
 
 
 def _is_command(recording: Recording, position: int, words: str) -> bool:
-    """Return whether a process of edulaunch is a ros2 command with these first words."""
+    """Return whether a process is a ros2 command of edulaunch with these first words."""
     first, *others = recording.processes[position].argv or ('',)
     is_ours = recording.hosted is None or position in recording.hosted
     return is_ours and os.path.basename(first) == COMMAND and others[: len(words.split())] == words.split()

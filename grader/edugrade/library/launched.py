@@ -1,4 +1,4 @@
-"""Finds what a launch started, and checks which programs publish a topic."""
+"""Finds the programs that a launch started, and checks which programs publish a topic."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ VISITOR = 'visitor'
 
 
 def refuse_strangers(recording: Recording, topic: str, package: str, executable: str | None = None) -> None:
-    """Require that only programs of a package publish a topic.
+    """Fail unless only programs of a package publish a topic.
 
-    :param executable: the only program of that package that may publish it (default: all of them).
+    :param executable: the only program of the package that may publish the topic (default: all of its programs).
     :raises Failure: with the name of another node that publishes the topic.
     """
     found = stranger(recording, topic, package, executable)
@@ -39,9 +39,9 @@ def refuse_strangers(recording: Recording, topic: str, package: str, executable:
 def stranger(
     recording: Recording, topic: str, package: str, executable: str | None = None
 ) -> tuple[NodeRecord, ProcessRecord | None] | None:
-    """Return a node that publishes a topic without being of a program of a package, and its process, or None.
+    """Return a node that publishes a topic although its program is not the allowed one, and its process. Return None without one.
 
-    The node of the grader does not count. It publishes the messages of `Scenario.sent`.
+    The node of the grader, which publishes the messages of `Scenario.sent`, is ignored.
     """
     own, owners = set(nodes_of(recording, package, executable)), recording.owners
     for position, node in enumerate(recording.nodes):
@@ -52,7 +52,7 @@ def stranger(
 
 
 def find_processes(recording: Recording, package: str, executable: str) -> list[ProcessRecord]:
-    """Return the processes of one executable in the order of their start, started by Node, by ``ros2 run`` or by a shell."""
+    """Return the processes of one executable in the order in which they started, even if ``ros2 run`` or a shell started them."""
     return [recording.processes[position] for position in processes_of(recording, package, executable)]
 
 
@@ -63,8 +63,8 @@ def _named(recording: Recording, package: str, executable: str) -> list[ProcessR
 def require_process(run: Evidence, package: str, executable: str) -> ProcessRecord:
     """Return the first process of an executable in the first scenario.
 
-    :raises Missing: when the launch did not start it, with the names of the started executables.
-    :raises Failure: when another program ran under its name.
+    :raises Missing: if the launch did not start the executable, with the names of the started executables.
+    :raises Failure: if another program ran with the name of the executable.
     """
     found = find_processes(run.first, package, executable)
     if found:
@@ -96,12 +96,12 @@ def launched(recording: Recording) -> list[ProcessRecord]:
 
 
 def included_files(recording: Recording) -> list[str]:
-    """Return the file names of the included launch files, without the launched file itself."""
+    """Return the file names of the included launch files. The launched file itself is left out."""
     return [os.path.basename(path) for path in recording.includes if path != recording.launch.file]
 
 
 def refuse_shared_names(run: Evidence) -> None:
-    """Refuse two nodes of the same name that run at the same time, because ROS 2 cannot distinguish them.
+    """Fail if two nodes with the same name run at the same time, because ROS 2 cannot distinguish them.
 
     :raises Failure: with the names of both programs.
     """
@@ -120,6 +120,6 @@ def refuse_shared_names(run: Evidence) -> None:
 
 
 def _place_of(run: Evidence, recording: Recording, name: str) -> tuple[str, int | None] | None:
-    """Return the launch file and line of a process, or the place of the submission."""
+    """Return the launch file and line of a process or, if they are unknown, the place of the submission."""
     origins = [process.origin for process in recording.processes if process.name == name and process.origin is not None]
     return origins[0] if origins else run.source.place

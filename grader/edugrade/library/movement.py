@@ -22,17 +22,17 @@ Track = list[tuple[float, float, float]]  # (time in s, x in m, y in m)
 
 
 def odometry_track(recording: Recording, topic: str = '/odom') -> Track:
-    """Return the track of a robot from its odometry. The track is empty without odometry.
+    """Return the track of a robot from its odometry. Without odometry, the track is empty.
 
-    :raises Failure: when another program publishes the topic, or its messages have no finite position.
+    :raises Failure: if another program publishes the topic, or a position on it is missing or not finite.
     """
     return _track(recording, topic, 'turtlebot3_gazebo', 'pose.pose.position.x', 'pose.pose.position.y')
 
 
 def turtle_track(recording: Recording, topic: str) -> Track:
-    """Return the track of a turtle from its pose topic. The track is empty without poses.
+    """Return the track of a turtle from its pose topic. Without poses, the track is empty.
 
-    :raises Failure: when another program publishes the topic, or its messages have no finite position.
+    :raises Failure: if another program publishes the topic, or a position on it is missing or not finite.
     """
     return _track(recording, topic, 'turtlesim', 'x', 'y')
 
@@ -60,9 +60,11 @@ def _track(recording: Recording, topic: str, package: str, x: str, y: str) -> Tr
 
 
 def command_topics(recording: Recording, place_topic: str) -> set[str]:
-    """Return the topics from which a turtle or a robot receives its velocities, by the topic of its position.
+    """Return the topics from which a turtle or a robot receives its velocities.
 
-    Remappings can give a turtle any topic, so the subscriptions of its simulator count, and not their usual names.
+    Remappings can give a turtle any topic. So this function uses the subscriptions of the simulator instead of the usual names.
+
+    :param place_topic: the topic with the position of the turtle or robot.
     """
     found = set()
     for position in [place for package in SIMULATORS for place in nodes_of(recording, package)]:
@@ -75,7 +77,10 @@ def command_topics(recording: Recording, place_topic: str) -> set[str]:
 
 
 def pushed(recording: Recording, topic: str) -> float:
-    """Return the metres that a turtle moved in addition to its own velocity. A teleported turtle has no velocity."""
+    """Return how many metres a turtle moved beyond the movement from its own velocity. A teleported turtle has no velocity.
+
+    :param topic: the pose topic of the turtle.
+    """
     rows = recording.series(topic, 'x', 'y', 'linear_velocity')
     steps = ((hypot(b[1] - a[1], b[2] - a[2]), abs(b[3]) * (b[0] - a[0])) for a, b in zip(rows, rows[1:], strict=False))
     return sum(way - own for way, own in steps if way > 1.05 * own + STEP_M)
@@ -87,7 +92,7 @@ def length(track: Track) -> float:
 
 
 def fastest(track: Track) -> float:
-    """Return the highest speed between two samples in m/s. A teleported turtle has a very high speed."""
+    """Return the highest speed between two samples in m/s. Teleporting a turtle gives a very high speed."""
     return max(
         (hypot(b[1] - a[1], b[2] - a[2]) / (b[0] - a[0]) for a, b in zip(track, track[1:], strict=False) if b[0] > a[0]),
         default=0.0,
@@ -95,24 +100,31 @@ def fastest(track: Track) -> float:
 
 
 def since(track: Track, since_s: float) -> Track:
-    """Return the part of a track after a time."""
+    """Return the part of a track from `since_s` seconds on."""
     return [sample for sample in track if sample[0] >= since_s]
 
 
 def distances(leader: Track, follower: Track) -> list[tuple[float, float]]:
-    """Return (time, distance) of each sample of the follower, to the leader's newest sample at that time."""
+    """Return (time, distance in metres) for each sample of the follower.
+
+    The distance is that to the leader's newest sample at the same time.
+    """
     return [(b[0], hypot(a[1] - b[1], a[2] - b[2])) for a, b in pairs(leader, follower)]
 
 
 def pairs(leader: Track, follower: Track) -> list[tuple[tuple[float, float, float], tuple[float, float, float]]]:
-    """Return each sample of the follower with the leader's newest sample at that time, as (leader's, follower's)."""
+    """Return pairs (leader's sample, follower's sample): each sample of the follower with the newest one of the leader at that
+    time.
+    """
     times = [sample[0] for sample in leader]
     newest = [bisect_right(times, sample[0]) - 1 for sample in follower]
     return [(leader[index], sample) for index, sample in zip(newest, follower, strict=True) if index >= 0]
 
 
 def progress_towards(leader: Track, follower: Track) -> float:
-    """Return the metres that the follower drove towards the leader, minus those away from it. Sideways does not count."""
+    """Return the metres that the follower drove towards the leader, minus those away from it. Sideways movement does not
+    count.
+    """
     total = 0.0
     joined = pairs(leader, follower)
     for (goal, here), (_, there) in zip(joined, joined[1:], strict=False):
@@ -124,6 +136,6 @@ def progress_towards(leader: Track, follower: Track) -> float:
 
 
 def farthest(samples: Sequence[tuple[float, float]], since_s: float) -> tuple[float, float] | None:
-    """Return the (time, distance) of the greatest distance after a time, or None without samples."""
+    """Return the sample (time, distance) with the greatest distance from `since_s` on, or None without samples."""
     late = [sample for sample in samples if sample[0] >= since_s]
     return max(late, key=lambda sample: sample[1]) if late else None

@@ -1,4 +1,4 @@
-"""Checks of nodes and topics: which nodes exist, which publish, and which subscribe."""
+"""Checks of nodes and topics: which nodes exist, which nodes publish, and which nodes subscribe."""
 
 from __future__ import annotations
 
@@ -21,7 +21,11 @@ OF_A_TOOL = '_ros2cli'  # prefix of the nodes of command line tools, which ROS 2
 
 
 def named_nodes(recording: Recording, name: str, package: str | None = None, executable: str | None = None) -> list[Found]:
-    """Return the nodes with a fully qualified name as (position, node), of any program or only of a package's programs."""
+    """Return (position in the recording, node) for each node with a fully qualified name.
+
+    If `package` is given, include only the nodes of its programs. If `executable` is given, too, include only the nodes of
+    this program.
+    """
     own = None if package is None else set(nodes_of(recording, package, executable))
     found = [(position, node) for position, node in enumerate(recording.nodes) if node.name == name]
     return [item for item in found if own is None or item[0] in own]
@@ -30,11 +34,11 @@ def named_nodes(recording: Recording, name: str, package: str | None = None, exe
 def require_node(
     run: Evidence, name: str, package: str | None, try_: str | None, executable: str | None = None
 ) -> dict[str, Found]:
-    """Return, for each run, the first node with this fully qualified name whose program is of this package.
+    """Return (position, node) for the first node with this fully qualified name and program, by scenario.
 
     :param package: the package of the program, or None for any program.
-    :param executable: the program of that package (default: any of them).
-    :raises Missing: with the names of the existing nodes. A node of another program is shown with its process.
+    :param executable: the program of that package, or None for any of its programs.
+    :raises Missing: with the names of the existing nodes. For a node of another program, the error names its process.
     """
     found: dict[str, Found] = {}
     for scenario, recording in run.items():
@@ -42,12 +46,13 @@ def require_node(
         if not nodes:
             others = [f'{node.name} of another program ({node.process})' for _, node in named_nodes(recording, name)]
             own = range(len(recording.nodes)) if package is None else nodes_of(recording, package)
-            among = [recording.nodes[position].name for position in own]
+            among = [] if others else [recording.nodes[position].name for position in own]
             program = f' of {" ".join(filter(None, (package, executable)))}' if package and others else ''
             raise Missing(
                 f'the node {name}{program}',
                 name=name,
                 among=among,
+                expected=name if others else None,
                 seen=', '.join(others) or None,
                 where=run.source.place,
                 try_=try_,
@@ -61,9 +66,9 @@ def require_nodes(
 ) -> None:
     """Require that exactly these nodes run. The nodes of `ros2` commands do not count.
 
-    :param packages: the package of some nodes, by the node's name. The other nodes may be of any program.
-    :raises Mismatch: with both lists.
-    :raises Missing: for a node of another program.
+    :param packages: the packages of some nodes, by the node's name. The other nodes may belong to any program.
+    :raises Mismatch: with both lists of nodes.
+    :raises Missing: if a node belongs to a program of another package.
     """
     recording = run[scenario]
     found = sorted(node.name for position, node in enumerate(recording.nodes) if not _is_of_a_tool(recording, position))
@@ -79,7 +84,7 @@ def require_nodes(
 
 
 def _is_of_a_tool(recording: Recording, position: int) -> bool:
-    """Return whether a hidden node belongs to a `ros2` command. A node that only has such a name is a node like any other."""
+    """Return whether a hidden node belongs to a `ros2` command. A student's node with such a name does not."""
     node = recording.nodes[position]
     process = process_of(recording, node, position)
     if process is None or not node.name.rpartition('/')[2].startswith(OF_A_TOOL):
@@ -97,9 +102,10 @@ def require_listener(
     package: str | None = None,
     executable: str | None = None,
 ) -> None:
-    """Require messages on a topic, and a node of this name that subscribes to it.
+    """Require messages on a topic, and a node with this name that subscribes to it.
 
-    :param package: the package of the node's program, or None for any program. `executable` likewise.
+    :param package: the package of the node's program, or None for any program.
+    :param executable: the program of that package, or None for any of its programs.
     :raises Failure: with the names of the subscribers.
     """
     found = require_topic(run, scenario, topic, try_=try_)
@@ -108,6 +114,9 @@ def require_listener(
         seen = f'subscribers of {topic}: {", ".join(found.subscriptions) or "none"}'
         if node in found.subscriptions:
             seen += f'\nthis {node} is not a program of {package}'
+        heard = [name for name, _ in nodes[0][1].subscriptions if name not in ALWAYS_THERE] if nodes else []
+        if heard:
+            seen = f'{node} subscribes to {", ".join(heard)}'
         process = process_of(run[scenario], nodes[0][1], nodes[0][0]) if nodes else None
         raise Failure(
             f'{node} does not subscribe to {topic}',
@@ -115,15 +124,17 @@ def require_listener(
             seen=seen,
             where=run.source.own(process.origin if process else None),
             try_=try_,
+            name=topic,
+            among=heard,
         )
 
 
 def require_started(
     run: Evidence, scenario: str, node: str, try_: str | None = None, package: str | None = None, executable: str | None = None
 ) -> float:
-    """Return when a node started, in simulated seconds.
+    """Return the time at which a node started, in simulated seconds.
 
-    :raises Missing: when it never started, with the names of the existing nodes.
+    :raises Missing: if the node never started, with the names of the existing nodes.
     """
     return require_node(run.only([scenario]), node, package, try_, executable)[scenario][1].started_s
 
@@ -131,10 +142,10 @@ def require_started(
 def require_ended(
     run: Evidence, scenario: str, node: str, try_: str | None = None, package: str | None = None, executable: str | None = None
 ) -> float:
-    """Return when a node ended before the run was over, in simulated seconds.
+    """Return the time at which a node ended before the end of the run, in simulated seconds.
 
-    :raises Missing: when it never started, with the names of the existing nodes.
-    :raises Failure: when it ran until the run was over.
+    :raises Missing: if the node never started, with the names of the existing nodes.
+    :raises Failure: if the node ran until the end of the run.
     """
     ended_s = require_node(run.only([scenario]), node, package, try_, executable)[scenario][1].ended_s
     recording = run[scenario]
@@ -152,13 +163,13 @@ def require_ended(
 def require_topic(
     run: Evidence, scenario: str, name: str, type_: str | None = None, package: str | None = None, try_: str | None = None
 ) -> TopicRecord:
-    """Require messages on a topic, of a type, and only from programs of a package where the caller names them.
+    """Require messages on a topic, and return the topic. The message that the grader sends (`Scenario.sent`) does not count.
 
-    The message that the grader itself publishes there (`Scenario.sent`) does not count.
-
-    :raises Missing: when there is no such topic, with the nearest name.
-    :raises Mismatch: for another type.
-    :raises Failure: when the topic has no messages, or another program publishes it.
+    :param type_: the message type of the topic, or None for any type.
+    :param package: the only package whose programs may publish the topic, or None for any package.
+    :raises Missing: if the topic does not exist, with the nearest name.
+    :raises Mismatch: if the topic has another type.
+    :raises Failure: if the topic has no messages, or another program publishes it.
     """
     topics = run[scenario].topics
     found = topics.get(name)
@@ -183,7 +194,7 @@ def require_topic(
 
 
 def loose_ends(recording: Recording, package: str, executable: str) -> list[str]:
-    """Describe the topics on which the nodes of an executable are the only endpoints."""
+    """Return sentences about the topics of an executable's nodes that have no publisher or no subscriber."""
     words: list[str] = []
     for position in nodes_of(recording, package, executable):
         words += _loose(recording.nodes[position], recording)

@@ -1,4 +1,4 @@
-"""Checks of parameters: their values, and where the values come from."""
+"""Checks of parameters: their values, and the origins of the values."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ if TYPE_CHECKING:
 
 
 def parameter_of(recording: Recording, position: int, name: str, wanted: Any = None) -> Parameter | None:
-    """Return a parameter of a node as the node read it at its start.
+    """Return a parameter of a node with the value that the node read when it started, or None.
 
-    A later value does not change what the node did with the first one. But if the first value is `wanted` and the last
-    one is not, return the last one, because the node must keep the value.
+    A later value does not change the effect of the first value. But if the first value is `wanted` and the last one is not,
+    return the last one, because the node must keep the value.
 
     :param position: the position of the node in `recording.nodes`.
     """
@@ -38,7 +38,7 @@ def parameter_of(recording: Recording, position: int, name: str, wanted: Any = N
 
 
 def _changes(recording: Recording, position: int, name: str) -> list[tuple[float, Any, str]]:
-    """Return every value that a parameter of a node had: (time in s, value or None when undeclared, origin)."""
+    """Return every value of a parameter as (time in s, value, origin). The value None means undeclared."""
     node, owners = recording.nodes[position].name, recording.owners
     return [
         (time_ns / 1e9, value, origin)
@@ -48,7 +48,7 @@ def _changes(recording: Recording, position: int, name: str) -> list[tuple[float
 
 
 def find_parameter(recording: Recording, package: str, executable: str, name: str, wanted: Any = None) -> Parameter | None:
-    """Return a parameter of the nodes of an executable, of the first node that has it; see :func:`parameter_of`."""
+    """Return a parameter of the first node of an executable that has it, or None; see :func:`parameter_of`."""
     for position in nodes_of(recording, package, executable):
         parameter = parameter_of(recording, position, name, wanted)
         if parameter is not None:
@@ -57,15 +57,18 @@ def find_parameter(recording: Recording, package: str, executable: str, name: st
 
 
 def node_parameter(recording: Recording, node: str, package: str, name: str, wanted: Any = None) -> Parameter | None:
-    """Return a parameter of the node with a fully qualified name, whose program is of a package; see :func:`parameter_of`."""
+    """Return a parameter of a node whose program is in a package, or None; see :func:`parameter_of`.
+
+    :param node: the fully qualified name of the node.
+    """
     positions = [position for position in nodes_of(recording, package) if recording.nodes[position].name == node]
     return parameter_of(recording, positions[0], name, wanted) if positions else None
 
 
 def named_origin(run: Evidence, parameter: Parameter, node: str, name: str) -> str:
-    """Return the origin of a parameter. A parameter file must be a file of the package that gives the node this value.
+    """Return the origin of a parameter. If it is a parameter file, the package must contain this file with this value.
 
-    A launch file can write a file of the same name during the run.
+    Otherwise, a launch file could write a file with the same name during the run.
     """
     file = parameter.origin.split(' ')[0]
     texts = run.source.texts()
@@ -78,7 +81,7 @@ def named_origin(run: Evidence, parameter: Parameter, node: str, name: str) -> s
 
 
 def _gives(text: str, node: str, name: str, value: Any) -> bool:
-    """Return whether the text of a parameter file gives a node this value."""
+    """Return whether the content of a parameter file gives a node this value."""
     from edulaunch.engine.graph.parameter_files import ParameterFileError, read_parameter_file
     from edulaunch.engine.graph.parameters import pattern_matches
 
@@ -90,7 +93,7 @@ def _gives(text: str, node: str, name: str, value: Any) -> bool:
 
 
 def value_and_origin(parameter: Parameter | None) -> str:
-    """Return the value with its origin, for a sentence."""
+    """Return the value and its origin in words for a sentence."""
     if parameter is None:
         return 'no such parameter'
     if parameter.origin == 'default':
@@ -103,11 +106,11 @@ def require_parameter(
 ) -> None:
     """Require the value of a parameter of an executable's node in each run.
 
-    :param wanted: the value for each run, by the scenario's name.
-    :param where: the place for the report (default: the Node).
-    :raises Missing: when the launch file gives the node other parameters, but not this one.
+    :param wanted: the expected value for each run, by the scenario's name.
+    :param where: the place for the report (default: the place of the Node).
+    :raises Missing: if the launch file gives the node other parameters, but not this one.
     :raises Mismatch: with the values and their origins.
-    :raises MissingParameterFile: when a parameter file of the node does not exist.
+    :raises MissingParameterFile: if a parameter file of the node does not exist.
     """
     found = {key: find_parameter(run[key], package, executable, name, value) for key, value in wanted.items()}
     if all(seen is not None and seen.value == wanted[scenario] for scenario, seen in found.items()):
@@ -118,17 +121,17 @@ def require_parameter(
     where = where or run.source.own(process.origin, 'IncludeLaunchDescription[(]')
     if given and name not in given:
         raise Missing(f'the parameter {name} of the Node', name=name, among=given, try_=try_, where=where)
-    raise Mismatch(
-        f'the parameter {name} of {executable}',
-        _by_run(run, {key: str(value) for key, value in wanted.items()}),
-        _by_run(run, {key: value_and_origin(seen) for key, seen in found.items()}),
-        where=where,
-        try_=try_,
-    )
+    thing, asked = f'the parameter {name} of {executable}', {key: str(value) for key, value in wanted.items()}
+    seen = _by_run(run, {key: value_and_origin(each) for key, each in found.items()})
+    if len(set(asked.values())) == 1:
+        raise Mismatch(thing, _by_run(run, asked), seen, where=where, try_=try_)
+    bad = next(key for key, each in found.items() if each is None or each.value != wanted[key])
+    words = f'{thing} should be {wanted[bad]} in the run with {run.scenario(bad).words}'
+    raise Failure(words, expected=_by_run(run, asked), seen=seen, where=where, try_=try_)
 
 
 class MissingParameterFile(Failure):
-    """Launch could not find a parameter file, so no advice about single parameters helps."""
+    """Launch could not find a parameter file, so advice about a single parameter would not help."""
 
 
 INSTALL = 'add this file to data_files in setup.py, or correct its path in the launch file'
@@ -136,9 +139,9 @@ NOT_A_FILE = re.compile(r'Parameter file path is not a file: ([^\n]+)')
 
 
 def refuse_missing_file(run: Evidence, wrong: Iterable[Parameter | None], package: str, executable: str | None = None) -> None:
-    """Fail when the launch file sets no value of wrong parameters, and launch has reported a missing parameter file.
+    """Fail if none of the wrong parameters has a value from the launch file, and launch has reported a missing parameter file.
 
-    :param wrong: the parameters that do not have their value, or None for one that the node does not have.
+    :param wrong: the parameters with wrong values. None represents a parameter that the node does not have.
     :raises MissingParameterFile: with the path of the file and the place of the Node.
     """
     if any(parameter is not None and parameter.origin != 'default' for parameter in wrong):
@@ -164,7 +167,7 @@ def refuse_missing_file(run: Evidence, wrong: Iterable[Parameter | None], packag
 
 
 def _by_run(run: Evidence, texts: Mapping[str, str]) -> str:
-    """Return one string when all runs agree, or one line for each run with its arguments."""
+    """Return one string if it is the same for all runs. Otherwise, return a line for each run, with the arguments of the run."""
     if len(set(texts.values())) == 1:
         return next(iter(texts.values()))
     return '\n'.join(f'{text} with {run.scenario(name).words}' for name, text in texts.items())

@@ -1,4 +1,4 @@
-"""Writes parts of a launch file for advice, in the format of the submission: Python, XML or YAML."""
+"""Formats parts of a launch file for advice, in the format of the submission: Python, XML or YAML."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 def written(run: Evidence, python: str, xml: str, yaml: str) -> str:
-    """Return one of three ways to write the same thing: the one for the format of the submitted launch file."""
+    """Return the one of three strings that fits the format of the submitted launch file: Python, XML or YAML."""
     file = run.source.file.lower()
     if file.endswith('.xml'):
         return xml
@@ -17,12 +17,12 @@ def written(run: Evidence, python: str, xml: str, yaml: str) -> str:
 
 
 def default_of(run: Evidence, value: str) -> str:
-    """Return how to write the default value of a launch argument."""
+    """Return the code for the default value of a launch argument."""
     return written(run, f"default_value='{value}'", f'default="{value}"', f'default: "{value}"')
 
 
 def declaration_of(run: Evidence, name: str, default: str) -> str:
-    """Return how to declare a launch argument with a default."""
+    """Return the code that declares a launch argument with a default."""
     return written(
         run,
         f"DeclareLaunchArgument('{name}', default_value='{default}', description='...')",
@@ -32,13 +32,28 @@ def declaration_of(run: Evidence, name: str, default: str) -> str:
 
 
 def remapping_to(run: Evidence, topic: str) -> str:
-    """Return advice to remap a topic of a node to another topic."""
+    """Return advice to remap a topic of a node to `topic`."""
     return written(
         run,
         f"add remappings=[(..., '{topic}')] to the Node",
         f'add <remap from="..." to="{topic}"/> to the node',
         f'add remap: [{{from: "...", to: "{topic}"}}] to the node',
     )
+
+
+def argument_as_namespace(run: Evidence, argument: str, program: str) -> str:
+    """Return advice to use a launch argument as the namespace of a program."""
+    value = written(
+        run, f"namespace=LaunchConfiguration('{argument}')", f'namespace="$(var {argument})"', f'namespace: "$(var {argument})"'
+    )
+    return f'write {value} in the Node of {program}'
+
+
+def name_of_node(run: Evidence, namespace: str, name: str, program: str) -> str:
+    """Return advice to give the node of a program its namespace and its name. One of the two may be ''."""
+    parts = {key: value for key, value in (('namespace', namespace), ('name', name)) if value}
+    words = [written(run, f"{key}='{value}'", f'{key}="{value}"', f'{key}: "{value}"') for key, value in parts.items()]
+    return f'write {" and ".join(words)} in the Node of {program}' if words else f'add a Node of {program}'
 
 
 def parameter_of_node(run: Evidence, name: str) -> str:
@@ -52,7 +67,7 @@ def parameter_of_node(run: Evidence, name: str) -> str:
 
 
 def node_of(run: Evidence, package: str, executable: str) -> str:
-    """Return how to start a node."""
+    """Return the code that starts a node."""
     return written(
         run,
         f"Node(package='{package}', executable='{executable}')",

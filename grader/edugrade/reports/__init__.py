@@ -1,1 +1,1 @@
-"""Reports as JSON, for a terminal, as a web page and as JUnit XML."""
+"""Reports in several formats: JSON, a terminal, a web page and JUnit XML."""

@@ -1,4 +1,6 @@
-"""Makes the JSON report, which docs/report.md describes. FORMAT increases when programs for the old format could fail."""
+"""Creates the JSON report, which docs/report.md describes. FORMAT increases with changes that can break programs for the old
+format.
+"""
 
 from __future__ import annotations
 
@@ -29,10 +31,10 @@ USUAL = ('/rosout', '/parameter_events')
 
 
 def launch_graph(recording: Recording | None) -> list[str]:
-    """Return a sorted line for each program, with the names of its parameters, and for each connection between two programs.
+    """Return sorted lines: one for each program, with the names of its parameters, and one for each connection of two programs.
 
-    The lines have no names of nodes and topics, so that a copy with other names has the same graph. A recording that cannot
-    be read has the graph [].
+    The lines contain no names of nodes and topics, so that a copy with other names has the same graph. For a recording that
+    cannot be read, return [].
     """
     if recording is None:
         return []
@@ -66,14 +68,14 @@ def _connections(recording: Recording) -> list[str]:
 
 
 def explanation(check: Mapping[str, Any]) -> list[str]:
-    """Return the lines of the form ``label: value`` below the reason of a check."""
+    """Return the lines ``label: value`` that follow the reason of a check."""
     where = None if check['where'] is None else Place(**check['where'])
     fields = {'expected': check['expected'], 'seen': check['seen'], 'where': where, 'try': check['try']}
     return [f'{label}: {text}' for label, text in fields.items() if text]
 
 
 def receipt(made: Work | Report) -> dict[str, Any]:
-    """Return the hashes of the submission and the rubric, the version of edulaunch, the seed, and the name of the secret."""
+    """Return the digests of the submission and the rubric, the version of edulaunch, the seed, and the name of the secret."""
     return {
         'submission': made.sha256,
         'rubric': made.rubric_sha256,
@@ -114,7 +116,7 @@ def _variant(variant: Variant) -> dict[str, Any]:
 
 
 def _looked_at(outcomes: Sequence[Outcome]) -> tuple[list[str | None], list[str]]:
-    """Return the same as `look_at`. A worker reads the whole recordings."""
+    """Return the result of `look_at`, which is computed in a worker if it is not known yet."""
     try:
         digests, graph = in_worker(lambda: look_at(outcomes))
     except Exceeded:
@@ -123,12 +125,12 @@ def _looked_at(outcomes: Sequence[Outcome]) -> tuple[list[str | None], list[str]
 
 
 def look_at(outcomes: Sequence[Outcome]) -> tuple[list[str | None], list[str]]:
-    """Return the digest of each run and the launch graph of the first one. Call this in a worker."""
+    """Return the digest of each run and the launch graph of the first run. Call this in a worker."""
     return [digest_of(each) for each in outcomes], launch_graph(outcomes[0].recording)
 
 
 def document_of_all(reports: Sequence[Report], refusals: Sequence[Refusal], exit_code: int) -> dict[str, Any]:
-    """Return several reports as plain data, with the paths that could not be graded."""
+    """Return several reports as plain data, together with the paths that could not be graded."""
     return {
         'format': FORMAT,
         'exit_code': exit_code,
@@ -138,7 +140,7 @@ def document_of_all(reports: Sequence[Report], refusals: Sequence[Refusal], exit
 
 
 def json_text(data: dict[str, Any]) -> str:
-    """Return a document as JSON."""
+    """Return a document as a JSON string."""
     return json.dumps(data, indent=2, ensure_ascii=False) + '\n'
 
 
@@ -158,7 +160,7 @@ def _scenario(outcome: Outcome, digest: str | None, paths: ShortPaths) -> dict[s
 
 
 def _cause(finding: Finding, paths: ShortPaths) -> dict[str, Any]:
-    """Return a finding with its sentences in English, for readers of every language."""
+    """Return a finding as plain data. Its sentences are in English, whatever the language of the reader."""
     from edulaunch.advice import Reader, rendered
 
     words = rendered(finding, Reader())

@@ -13,7 +13,7 @@ _ELEMENTS = {FAILED: 'failure', GRADER_BROKE: 'error', NOT_RUN: 'skipped'}
 
 
 def junit_text(documents: Sequence[Mapping[str, Any]], refusals: Sequence[Refusal] = ()) -> str:
-    """Return all reports (JSON documents or results of a batch) as one document. A refused path is a suite with one error."""
+    """Return all reports (JSON documents or results of a batch) as one XML document. A refused path is a suite with one error."""
     lines = ['<?xml version="1.0" encoding="UTF-8"?>', '<testsuites name="edugrade">']
     for found in documents:
         who = ': '.join(filter(None, (found.get('student'), found.get('path') or found.get('submission', {}).get('file'))))
@@ -72,5 +72,5 @@ def _safe(text: str) -> str:
 
 
 def _legal(text: str) -> str:
-    """Replace control characters and halves of characters, which XML 1.0 does not allow."""
+    """Replace control characters and lone surrogates, which XML 1.0 does not allow."""
     return ''.join(sign if sign.isprintable() or sign in '\n\t' else '?' for sign in text)

@@ -1,4 +1,4 @@
-"""Writes HTML. Every string is escaped when it becomes part of an element, so that no content can change the page."""
+"""Writes HTML. Every string is escaped when it is added to an element, so that no content can change the page."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ POLICY = "default-src 'none'; style-src 'unsafe-inline'"
 
 
 class Markup(str):
-    """Text that is HTML already."""
+    """A string that is already HTML."""
 
     __slots__ = ()
 
 
 def element(tag: str, /, *children: str, **attributes: str) -> Markup:
-    """Return an element. Children that are not Markup are plain text.
+    """Return an element as HTML. Children that are not Markup are plain strings, and are escaped.
 
     :param attributes: attributes of the element. A name that is a keyword of Python ends in an underscore (``class_``). An
-        underscore inside a name stands for a hyphen (``http_equiv``).
+        underscore inside a name represents a hyphen (``http_equiv``).
     """
     words = ''.join(f' {key.rstrip("_").replace("_", "-")}="{escape(visible(value))}"' for key, value in attributes.items())
     if tag in VOID:
@@ -29,23 +29,23 @@ def element(tag: str, /, *children: str, **attributes: str) -> Markup:
 
 
 def joined(*children: str) -> Markup:
-    """Join several pieces."""
+    """Return several pieces of HTML as one piece."""
     return Markup(''.join(child if isinstance(child, Markup) else escape(visible(child)) for child in children))
 
 
 def table_row(*cells: str, kind: str = 'td') -> Markup:
     """Return a row of a table.
 
-    :param kind: 'th' for the header.
+    :param kind: 'th' for a row of the header, 'td' for any other row.
     """
     return element('tr', *(element(kind, cell) for cell in cells))
 
 
 def html_page(title: str, style: str, *body: str, policy: str = POLICY, meta: Sequence[Markup] = ()) -> str:
-    """Return a whole page.
+    """Return a whole HTML page.
 
-    :param policy: what the browser may load for the page.
-    :param meta: more elements for the head of the page.
+    :param policy: the content security policy, which states what the browser may load for the page.
+    :param meta: additional elements for the head of the page.
     """
     head = element(
         'head',
@@ -59,5 +59,5 @@ def html_page(title: str, style: str, *body: str, policy: str = POLICY, meta: Se
 
 
 def visible(text: str) -> str:
-    """Replace control characters and halves of characters, which HTML does not allow."""
+    """Replace control characters and lone surrogates, which HTML does not allow."""
     return ''.join(sign if sign.isprintable() or sign in '\n\t' else '?' for sign in text)

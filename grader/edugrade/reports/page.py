@@ -1,4 +1,4 @@
-"""Writes reports as HTML: in a cell of a notebook, or as the page of ``--html`` with pictures and replays."""
+"""Writes reports as HTML: for a notebook cell, or as the page of ``--html`` with pictures and replays."""
 
 from __future__ import annotations
 
@@ -36,9 +36,10 @@ img { max-width: min(100%, 36em); } figcaption, .small { font-size: .85em; color
 
 
 def page(reports: Sequence[Report], refusals: Sequence[Refusal], is_small: bool = False) -> str:
-    """Return the whole page. Strings of the student are never markup in it, and its policy forbids loading anything.
+    """Return the whole page as HTML. Strings of the student are never markup in it, and its policy forbids loading other content.
 
-    :param is_small: for the pages of a class. Pictures have few colours, and a command replaces the replay.
+    :param is_small: whether the page is part of the pages of a class. Pictures then have few colours, and a command replaces
+        the replay.
     """
     parts = [_summary(reports, refusals)] if len(reports) + len(refusals) > 1 else []
     parts += [_section(report, number, is_small) for number, report in enumerate(reports)]
@@ -98,7 +99,10 @@ _VALUE = 'text-align:left;vertical-align:top;white-space:pre-wrap;font-family:mo
 
 
 def report_html(report: Report) -> Markup:
-    """Return failed checks, checks that were not run, passed checks, points and the next step, as in the terminal."""
+    """Return a report as HTML, in the same order as in the terminal.
+
+    It contains failed checks, checks that were not run, passed checks, points and the next step.
+    """
     from edulaunch.advice import reader_here
 
     reader = reader_here()
@@ -131,7 +135,7 @@ def _line(result: CheckResult, reader: Reader, indent: str = '0') -> Markup:
 
 
 def _failed(alike: Sequence[CheckResult], paths: ShortPaths, reader: Reader, level: int) -> Markup:
-    """Return the checks that fail for one reason, with one explanation."""
+    """Return the checks that failed for one reason, with one explanation."""
     result = best_explained(alike)
     rows = [
         element('tr', element('th', label, style=_LABEL), element('td', text, style=_VALUE))
@@ -142,7 +146,7 @@ def _failed(alike: Sequence[CheckResult], paths: ShortPaths, reader: Reader, lev
 
 
 def _not_run(results: list[CheckResult], reader: Reader) -> Iterator[Markup]:
-    """Yield the checks that were not run, under the failed check that they need."""
+    """Yield the checks that were not run, grouped by the failed check that they need."""
     waiting = [result for result in results if result.status == NOT_RUN]
     for reason in dict.fromkeys(result.reason for result in waiting):
         mark = element('span', reader.says(MARKS[NOT_RUN]), style=_MARK + colour(NOT_RUN))
@@ -164,7 +168,7 @@ LONGEST_DRAWING_S = 10.0  # a drawing usually takes 0.2 s
 
 
 def run_html(outcome: Outcome, is_open: bool, is_small: bool = False) -> Markup:
-    """Return one run under a heading that opens: its arguments, its picture and its replay."""
+    """Return one run under a heading that can be opened: its arguments, its picture and its replay."""
     scenario = outcome.scenario
     heading = f'Run "{scenario.name}": {scenario.duration_s:g} s, launched with {scenario.words}'
     inside = element('p', outcome.text) if outcome.recording is None else _drawn(outcome.recording, is_small)
@@ -173,7 +177,7 @@ def run_html(outcome: Outcome, is_open: bool, is_small: bool = False) -> Markup:
 
 
 def _drawn(recording: Recording, is_small: bool) -> Markup:
-    """Return the picture and the replay, made by a worker. If the worker fails, the page has a sentence instead."""
+    """Return the picture and the replay from a worker. If the worker fails, return a sentence instead."""
     try:
         return Markup(in_worker(lambda: joined(*_seen(recording, is_small))))
     except (Exceeded, Lost, RuntimeError) as error:
@@ -193,7 +197,7 @@ def _seen(recording: Recording, is_small: bool) -> Iterator[Markup]:
 
 
 def _picture(recording: Recording, is_small: bool) -> Markup | None:
-    """Return the turtles at the end of the run, or the frames if nothing moved, or the nodes if there are no frames."""
+    """Return a picture of the turtles at the end of the run. If nothing moved, return one of the frames, or else of the nodes."""
     for plot in (recording.plot_turtles, recording.plot_frames, recording.plot_graph):
         try:
             with cpu_limit(LONGEST_DRAWING_S):
@@ -210,7 +214,7 @@ def _picture(recording: Recording, is_small: bool) -> Markup | None:
 
 
 def _with_few_colours(png: bytes) -> bytes:
-    """Return the same picture with a fifth of the bytes."""
+    """Return the same picture with a fifth of the size."""
     from PIL import Image
 
     with Image.open(io.BytesIO(png)) as image, io.BytesIO() as file:
@@ -219,7 +223,7 @@ def _with_few_colours(png: bytes) -> bytes:
 
 
 def _replay(recording: Recording) -> Markup | None:
-    """Return the player in its own frame, in which it can reach neither this page nor the network."""
+    """Return the player in an inline frame that can access neither this page nor the network."""
     try:
         with cpu_limit(LONGEST_DRAWING_S):
             return Markup(recording.replay().html())
@@ -230,7 +234,7 @@ def _replay(recording: Recording) -> Markup | None:
 
 
 def _launched(recording: Recording) -> Iterator[Markup]:
-    """Yield the tree of the launch, which needs no script."""
+    """Yield the tree of the launch as HTML without a script."""
     from edulaunch.desk.view.replay import outline_of
 
     try:

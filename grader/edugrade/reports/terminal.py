@@ -1,4 +1,4 @@
-"""Renders the report for a terminal. Colours only repeat the words of the statuses."""
+"""Formats the report for a terminal. Colours repeat the statuses, so the report is complete without them."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def _of(status: str, results: list[CheckResult]) -> Iterator[CheckResult]:
 
 
 def of_one_cause(results: Sequence[CheckResult]) -> list[list[CheckResult]]:
-    """Return the results in blocks. Checks that fail for the same reason at the same place share one explanation."""
+    """Return the results in blocks. Checks that fail for the same reason at the same place are in one block."""
     blocks: dict[object, list[CheckResult]] = {}
     for result in results:
         blocks.setdefault((result.reason, result.expected, result.seen, result.where), []).append(result)
@@ -59,7 +59,9 @@ def of_one_cause(results: Sequence[CheckResult]) -> list[list[CheckResult]]:
 
 
 def best_explained(alike: Sequence[CheckResult]) -> CheckResult:
-    """Return the result of a block whose explanation the report shows: the first one with a cause, or the first one."""
+    """Return the result of a block whose explanation the report shows: the first result with a cause, or else the first
+    result.
+    """
     return next((result for result in alike if result.cause is not None), alike[0])
 
 
@@ -82,7 +84,7 @@ def _explanation(result: CheckResult, paths: ShortPaths, reader: Reader, level: 
 
 
 def _wrapped(label: str, text: str) -> Iterator[str]:
-    """Yield the lines of a string after their label, each with its indentation."""
+    """Yield the lines of a string, with a label before the first line and an indentation before the others."""
     margin = INDENT + (f'{label:<10}' if label else '')
     for line in printable(text).splitlines():
         indent = ' ' * (len(line) - len(line.lstrip()))
@@ -103,7 +105,7 @@ def printable(text: str) -> str:
 
 
 def _not_run(results: list[CheckResult], mark: Callable[[str], str], reader: Reader) -> Iterator[str]:
-    """Yield the checks that were not run, under the failed check that they need."""
+    """Yield the checks that were not run, grouped by the failed check that they need."""
     reasons = dict.fromkeys(result.reason for result in _of(NOT_RUN, results))
     for reason in reasons:
         yield f'{mark(NOT_RUN)}{reason}:'
@@ -112,12 +114,12 @@ def _not_run(results: list[CheckResult], mark: Callable[[str], str], reader: Rea
 
 
 def why_line(report: Report) -> str:
-    """Return the sentence on robots that a student reads after passing all checks."""
+    """Return the sentence on robots that students get when all checks pass."""
     return f'On a robot: {report.why}'
 
 
 def says_less(report: Report) -> bool:
-    """Return whether later attempts of the student get more specific advice than this report shows."""
+    """Return whether the student gets more specific advice after further attempts."""
     return report.is_counted and any(at_level(result, report.level) != at_level(result, ALL) for result in report.results)
 
 
@@ -137,7 +139,7 @@ def _why_none(report: Report) -> str:
 
 
 def sandbox_line(reports: Sequence[Report]) -> str:
-    """Return a sentence about the layers of the sandbox that confined the runs, or '' without runs."""
+    """Return a sentence about the layers of the sandbox that confined the runs, or '' without reports."""
     if reports and not any(report.has_run for report in reports):
         return 'sandbox: not needed. Nothing of the submission was run.'
     states = [report.sandbox for report in reports if report.has_run]
@@ -145,14 +147,14 @@ def sandbox_line(reports: Sequence[Report]) -> str:
         return 'sandbox: off. The submission could read, write and send everything that you can.' if states else ''
     missing = {layer: reason for state in states for layer, reason in state.items() if reason != 'held'}
     held = [layer for state in states[:1] for layer in state if layer not in missing]
-    words = f'sandbox: the run was confined by these layers: {", ".join(held) or "none"}.'
     if not missing:
-        return words
+        return 'sandbox: the submission had no access to the network, to other programs, or to files that it does not need.'
+    words = f'sandbox: these layers restricted the submission: {", ".join(held) or "none"}.'
     return f'{words} These layers were MISSING: {", ".join(f"{layer} ({reason})" for layer, reason in missing.items())}.'
 
 
 def next_step(report: Report) -> str:
-    """Return the closing line with the next thing to do, which is always about the first failed check."""
+    """Return the last line of the report, which states what to do next. If a check failed, it is about the first failed check."""
     if report.exit_code == ALL_PASSED:
         return 'Next: start another exercise, or change a value here and predict the next report.'
     if any(result.name == OWN_VARIANT for result in report.results):

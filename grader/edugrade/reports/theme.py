@@ -1,4 +1,4 @@
-"""The colours of pages and reports, light and dark, as variables of CSS."""
+"""The colours of pages and reports, light and dark, as CSS variables."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def variables(colours: Mapping[str, str]) -> str:
 
 
 def colour(name: str) -> str:
-    """Return a colour for the style of an element. A page without the variables has the light colour."""
+    """Return a CSS colour for the style of an element. On a page without the variables, it is the light colour."""
     return f'var(--{name},{LIGHT[name]})'
 
 

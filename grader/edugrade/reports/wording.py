@@ -1,4 +1,4 @@
-"""Phrase results for people: the advice of a level, the reader's language, and short paths.
+"""Adapts results to their readers: the level of the advice, the language, and short paths.
 
 A rubric's author may write the steps of the advice (``try: [first, second, third]``). If there is only one step, this module
 creates the earlier ones. The first step is the kind of thing to check. The second step is the advice without the content of its
@@ -41,7 +41,6 @@ KINDS = {
     'check the conditions of the actions': ('condition',),
     'check the command that the launch file starts': ('ExecuteProcess', 'ros2 topic pub'),
     'check the names of the frames': ('view_frames',),
-    'check the position and the rotation of the frame': ('the rotation of the frame',),
     'check the name, the parent and the position of the frame': ('the frame ',),
     'check the parameters and the remappings of the broadcaster': ('broadcaster',),
     'check the links and the joints of the robot description': ('the joint ', 'a joint '),
@@ -78,15 +77,16 @@ _INSIDE = (
     (re.compile(r'(?<=[\w=])\[[^()\[\]{}]*\]'), '\1'),
     (re.compile(r'(?<=[\w=(\[ ])\{[^()\[\]{}]*\}'), '\3'),
     (re.compile(r'(?<=\w=)"[^"\n]*"'), '\4'),
+    (re.compile(r"(?<=\w=)'[^'\n]*'"), '\5'),
 )
-_ABBREVIATED = {'\0': '(...)', '\1': '[...]', '\2': '()', '\3': '{...}', '\4': '"..."'}
+_ABBREVIATED = {'\0': '(...)', '\1': '[...]', '\2': '()', '\3': '{...}', '\4': '"..."', '\5': "'...'"}
 _DEEPEST = 6
 LAUNCHED = ' in the run with '
 _CORRECTED = re.compile(r'^write "[^"\n]*" instead of "[^"\n]*", or ')
 
 
 def at_level(result: CheckResult, level: int) -> CheckResult:
-    """Return the result with the advice of a level. At KIND it has no cause, unless an error ended a program."""
+    """Return a result with the advice of a level. At KIND, the result has no cause, unless an error ended a program."""
     if result.status == FAILED and ' died ' in result.reason and _has_ended(result):  # the cause knows more than the check
         return replace(result, steps=(), try_=None if level >= ALL else 'correct the mistake that the cause names')
     # this result is not part of the task, so nothing is hidden
@@ -102,7 +102,9 @@ def at_level(result: CheckResult, level: int) -> CheckResult:
 
 
 def _has_ended(result: CheckResult) -> bool:
-    """Return whether an error ended a program. Its cause does not reveal the answer, and a student needs it to continue."""
+    """Return whether an error ended a program. The cause of such a failure does not reveal the answer, and the student needs
+    it.
+    """
     from edulaunch.advice.rule import rule_named
 
     cause = result.cause
@@ -110,7 +112,7 @@ def _has_ended(result: CheckResult) -> bool:
 
 
 def kind_of(result: CheckResult) -> str:
-    """Return advice that only names the kind of thing to check."""
+    """Return advice that names only the kind of thing to check."""
     for text in (_CORRECTED.sub('', result.try_ or ''), result.reason.partition(LAUNCHED)[0], result.sentence):
         advice = next((kind for kind, words in KINDS.items() if any(word in text for word in words)), None)
         if advice is None:
@@ -138,7 +140,7 @@ def without_code(advice: str) -> str:
 
 
 def level_of(tries: int, hints: list[int], untouched: bool) -> int:
-    """Return the level of advice after some attempts with these hints open. The first attempt has the level KIND."""
+    """Return the level of advice after a number of attempts, with these hints open. The first attempt has the level KIND."""
     if untouched:
         return KIND
     reached = max((level for level, least in TRIES.items() if tries >= least), default=KIND)
@@ -187,7 +189,7 @@ def points_of(result: CheckResult, reader: Reader) -> str:
 
 
 def explained(result: CheckResult, paths: ShortPaths, reader: Reader, level: int = ALL) -> dict[str, str]:
-    """Return the lines below the reason of a failed check, by their labels, for a level of advice."""
+    """Return the lines that follow the reason of a failed check, as a mapping of labels to strings, for a level of advice."""
     where = None if result.where is None else str(result.where)
     fields = {'expected': result.expected, 'seen': result.seen, 'where': where, 'try': result.try_}
     if result.cause is not None:
@@ -208,11 +210,11 @@ _HOME = re.compile(r'edugrade-[0-9a-f]{16}/\d+')  # the private folder of a run
 
 
 class ShortPaths:
-    """Shortens the paths in the sentences of a report.
+    """A function object that shortens the paths in the sentences of a report.
 
     :param folder: the absolute path of the submission's directory.
-    :param shown: its replacement, which is '' or a path that ends in a separator.
-    :param package: the name of the package in this directory, if it is a package.
+    :param shown: the replacement for `folder`, which is '' or a path that ends in a separator.
+    :param package: the name of the package in this directory, or None.
     """
 
     def __init__(self, folder: str, shown: str = '', package: str | None = None) -> None:
@@ -221,7 +223,7 @@ class ShortPaths:
         self._package = package
 
     def text(self, text: str | None) -> str | None:
-        """Return a string with short paths, and with at most LONGEST_TEXT characters. Return None for None."""
+        """Return a string with short paths and at most LONGEST_TEXT characters. None stays None."""
         if text is None:
             return None
         if len(text) > LONGEST_TEXT:
@@ -237,7 +239,7 @@ class ShortPaths:
         return Addresses().steady(text)
 
     def _of_word(self, word: str) -> str:
-        """Return a word without the generated beginning of a path."""
+        """Return a word without the generated folders at the beginning of a path."""
         installed = _last(_INSTALLED, word)
         if installed is not None:
             package = installed['package']
@@ -246,7 +248,7 @@ class ShortPaths:
         return word if home is None else '~' + word[home.end() :]
 
     def place(self, place: Place | None) -> Place | None:
-        """Return a place with a short path."""
+        """Return a place whose path is shortened."""
         return None if place is None else Place(self.text(place.file) or '', place.line)
 
     def result(self, result: CheckResult) -> CheckResult:

@@ -1,1 +1,1 @@
-"""Finds rubrics, and reads rubrics in YAML."""
+"""Finds and loads rubrics in Python and YAML."""

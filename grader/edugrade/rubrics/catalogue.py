@@ -27,9 +27,9 @@ def rubrics_folder() -> str:
 
 
 def course_rubrics(inside: str = '') -> str | None:
-    """Return the directory ``rubrics`` of the current course, beside its course.toml or one level above.
+    """Return the directory ``rubrics`` of a course, beside its course.toml or one level above. Return None without a course.
 
-    The search includes the current folder (or the given one) and its parents, but never a submission.
+    The course is searched in a folder (default: the current one) and its parents, but never in a submission.
     """
     path = course_manifest(inside)
     if path is None:
@@ -45,7 +45,7 @@ def exercises() -> list[str]:
 
 
 def _rubrics() -> dict[str, str]:
-    """Return the file of each rubric by the exercise's name. Rubrics of the course come before rubrics of edugrade."""
+    """Return the file of each rubric, by the exercise's name. Rubrics of the course take precedence over rubrics of edugrade."""
     own = course_rubrics()
     return {**rubrics_in(rubrics_folder()), **(rubrics_in(own) if own else {})}
 
@@ -60,13 +60,14 @@ def rubrics_in(folder: str) -> dict[str, str]:
 def find_rubric(
     exercise: str, given: str | None = None, submission: str = '', personal: Callable[[str], str] | None = None
 ) -> tuple[str, Rubric]:
-    """Return the rubric of an exercise and its name.
+    """Return the name of an exercise and its rubric.
 
-    :param given: a rubric's file or an exercise's name, which replaces the name of the submission.
-    :param submission: the folder of the submission, whose own rubrics do not count.
-    :param personal: changes the text of the rubric to a student's variant.
-    :raises UnusableInput: when there is no such rubric, with the names of the existing ones.
-    :raises RubricMistake: when it cannot be loaded.
+    :param exercise: the name of the submission's exercise.
+    :param given: the file of a rubric, or the name of an exercise that replaces `exercise`, or None.
+    :param submission: the folder of the submission. A rubric in this folder is rejected.
+    :param personal: a function that changes the content of the rubric to a student's variant, or None.
+    :raises UnusableInput: if there is no such rubric, with the names of the existing ones.
+    :raises RubricMistake: if the rubric cannot be loaded.
     """
     if given is not None and _is_file(given):
         return os.path.splitext(os.path.basename(given))[0], load_rubric(given, personal)
@@ -81,17 +82,19 @@ def find_rubric(
     from edulaunch.engine.nearest import nearest
 
     close = nearest(name, list(known))
-    hint = f'did you mean {close}? ' if close else ''
+    hint = f'write {close}, or ' if close else ''
     raise UnusableInput(
         f'there is no rubric named "{name}". Available rubrics: {", ".join(sorted(known)) or "none"}',
-        help=f'{hint}Name the file after its exercise (circle.launch.py), or give --rubric NAME or FILE',
+        help=f'{hint}use one of these names in the name of the file or after --rubric, or the path of a rubric file',
     )
 
 
 def _by_the_course(name: str, rubric: Rubric) -> Rubric:
-    """Return a rubric that comes with edugrade, with the points that the course around the current folder gives for its checks.
+    """Return a rubric with the points that the course around the current folder gives for its checks.
 
-    :raises UnusableInput: when the manifest gives points for a check that does not exist.
+    Only rubrics of edugrade are changed.
+
+    :raises UnusableInput: if the manifest gives points for a check that does not exist.
     """
     path = course_manifest()
     if path is None or os.path.dirname(rubric.file) != rubrics_folder():
@@ -116,8 +119,9 @@ def _is_file(given: str) -> bool:
 def load_rubric(path: str, personal: Callable[[str], str] | None = None) -> Rubric:
     """Return the rubric in a file.
 
-    :raises UnusableInput: when it cannot be read, or is not a rubric.
-    :raises RubricMistake: when it has a mistake.
+    :param personal: a function that changes the content of the rubric to a student's variant, or None.
+    :raises UnusableInput: if the file cannot be read, or is not a rubric.
+    :raises RubricMistake: if the rubric has a mistake.
     """
     try:
         data = read_regular(path, LARGEST_BYTES)
@@ -145,7 +149,10 @@ def load_rubric(path: str, personal: Callable[[str], str] | None = None) -> Rubr
 
 
 def _module(path: str, data: bytes) -> ModuleType:
-    """Run the file of a rubric. An exception becomes a message with the line of the rubric."""
+    """Execute the file of a rubric, and return the module.
+
+    :raises RubricMistake: if the file raises an exception, with the line of the rubric.
+    """
     spec = spec_from_loader(f'edugrade_rubric_{os.path.splitext(os.path.basename(path))[0]}', None)
     assert spec is not None  # None means that the loader cannot load the file
     module = module_from_spec(spec)

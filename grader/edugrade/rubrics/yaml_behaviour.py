@@ -1,4 +1,4 @@
-"""Checks of YAML rubrics that compare the output of a program with the worlds and the topics."""
+"""Checks of YAML rubrics that compare the output of a program with the simulated worlds and the topics."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from math import inf
 
 from ..evidence import Evidence, Failure, Mismatch, Missing
 from ..library.description import joints_of, require_derived
+from ..library.following import require_copy, require_driver
 from ..library.frames import transforms
 from ..library.heard import Program, require_heard, require_lines_of_messages
 from ..library.identity import rows_of
@@ -63,7 +64,7 @@ def prints(run: Evidence, wanted: Wanted) -> None:
         rows = rows_of(one.recording, 'output', wanted['package'], wanted['executable'])
         lines = [one.recording.output[row].text for row in rows]
         if not _fits(wanted, (line for text in lines for line in text.splitlines())):
-            thing = f'{wanted["executable"]} does not print the expected line in the run with {one.words}'
+            thing = f'the program {wanted["executable"]} does not print the expected line in the run with {one.words}'
             asked = wanted['example'] or readable(str(wanted['pattern']))
             raise Failure(thing, expected=asked, seen=last_lines(lines) or 'no output', **one.advice)
 
@@ -73,9 +74,18 @@ def _fits(wanted: Wanted, lines: Iterable[str]) -> bool:
     return any(pattern.search(line[:1000]) for line in lines)
 
 
+@kind('{turtle} copies {original}', 'turtle original')
+def copies(run: Evidence, wanted: Wanted) -> None:
+    """Require that a turtle drives as far as another one, because `mimic` receives the poses of the other one."""
+    for one in wanted.of_each(run):
+        turtle, original = (f'/{one.text(key).strip("/")}' for key in ('turtle', 'original'))
+        require_copy(one.alone, original, turtle, wanted.try_ or 'check the remappings of the Node of mimic')
+        require_driver(one.alone, turtle, 'turtlesim', 'mimic')
+
+
 @kind('{executable} counts the messages of {topics}', 'package executable pattern topics')
 def counts(run: Evidence, wanted: Wanted) -> None:
-    """Require that a program prints the number of messages of some topics. The first group of `pattern` is the number."""
+    """Require that a program prints the number of messages on some topics. The first group of `pattern` is the number."""
     for one in wanted.of_each(run):
         times = sorted(time_s for topic in _topics(one) for time_s in _message_times(one, topic))
         lines = _lines(one)
@@ -83,7 +93,9 @@ def counts(run: Evidence, wanted: Wanted) -> None:
         thing = f'the count that {wanted["executable"]} prints in the run with {one.words}'
         if not seen:
             asked = readable(str(wanted['pattern']))
-            raise Failure(f'{wanted["executable"]} prints no count', expected=asked, seen=_last_lines(one), **one.advice)
+            raise Failure(
+                f'the program {wanted["executable"]} prints no count', expected=asked, seen=_last_lines(one), **one.advice
+            )
         for time_s, number in seen:
             low, high = bisect_right(times, time_s - SENT_WITH_S), bisect_right(times, time_s + SENT_WITH_S)
             if not (low + 1 if high > low else low) <= number <= high:
@@ -94,7 +106,9 @@ def counts(run: Evidence, wanted: Wanted) -> None:
 
 @kind('{executable} counts to {at_least}', 'package executable pattern topics at_least')
 def counts_up(run: Evidence, wanted: Wanted) -> None:
-    """Require that a program prints numbers that never fall, reach `at_least`, and never exceed the number of messages sent."""
+    """Require that a program prints numbers that never decrease, reach `at_least`, and never exceed the number of messages
+    sent.
+    """
     for one in wanted.of_each(run):
         times = sorted(time_s for topic in _topics(one) for time_s in _message_times(one, topic))
         newest, program = 0.0, wanted['executable']
@@ -107,18 +121,18 @@ def counts_up(run: Evidence, wanted: Wanted) -> None:
             newest = number
         if not newest >= one.number('at_least'):
             asked = readable(str(wanted['pattern']))
-            thing = f'{program} does not count to {one.number("at_least"):g} in the run with {one.words}'
+            thing = f'the program {program} does not count to {one.number("at_least"):g} in the run with {one.words}'
             raise Failure(thing, expected=asked, seen=_last_lines(one), **one.advice)
 
 
 @kind('{executable} prints the messages of {topic}', 'package executable pattern topic', 'example')
 def repeats(run: Evidence, wanted: Wanted) -> None:
-    """Require that a program prints messages of a topic as they come. The first group of `pattern` is the message's `data`."""
+    """Require that a program prints each message of a topic soon after it arrives. The first group of `pattern` is the `data`."""
     for one in wanted.of_each(run):
         topic, lines, program = one.text('topic'), _lines(one), wanted['executable']
         if not lines:
             asked = wanted['example'] or readable(str(wanted['pattern']))
-            thing = f'{program} does not print the expected line in the run with {one.words}'
+            thing = f'the program {program} does not print the expected line in the run with {one.words}'
             raise Failure(thing, expected=asked, seen=_last_lines(one), **one.advice)
         hidden = one.run.scenario(one.scenario).sent.get(topic, (0.0, ''))
         sent = [(time_s, str(getattr(message, 'data', ''))) for time_s, message in one.recording.messages(topic)]
@@ -134,7 +148,7 @@ def repeats(run: Evidence, wanted: Wanted) -> None:
         first_s, last_s = lines[0][0], one.recording.duration_s - HEARD_AFTER_S
         missed = next((each for each in unprinted if first_s < each[0] < last_s or each == hidden), None)
         if missed is not None:
-            thing = f'{program} does not print the message of {missed[0]:.2f} s in the run with {one.words}'
+            thing = f'the program {program} does not print the message of {missed[0]:.2f} s in the run with {one.words}'
             raise Failure(thing, expected=missed[1], seen=_last_lines(one), **one.advice)
 
 
@@ -142,15 +156,17 @@ def repeats(run: Evidence, wanted: Wanted) -> None:
 def tells_place(run: Evidence, wanted: Wanted) -> None:
     """Require that a program prints an earlier position of a turtle. The groups of `pattern` are x, y and the age in seconds.
 
-    With `frame`, the program must have the position from tf2, so that it knows none before the first transform of this frame.
+    With `frame`, the program must get the position from tf2, so it cannot print a position before the first transform of this
+    frame. The program must not subscribe to the poses of the turtle.
     """
     for one in wanted.of_each(run):
         track = turtle_track(one.recording, f'/{one.text("turtle").strip("/")}/pose')
         lines, known_s = _lines(one), _first_transform_s(one)
+        _refuse_poses(one)
         if len(lines) < LEAST_LINES:
             asked = wanted['example'] or readable(str(wanted['pattern']))
             raise Failure(
-                f'{wanted["executable"]} prints {len(lines)} lines of the expected form in the run with {one.words}',
+                f'the program {wanted["executable"]} prints {len(lines)} lines of the expected form in the run with {one.words}',
                 expected=f'at least {LEAST_LINES} lines such as\n{asked}',
                 seen=_last_lines(one),
                 **one.advice,
@@ -172,10 +188,21 @@ def tells_place(run: Evidence, wanted: Wanted) -> None:
 
 
 def _first_transform_s(one: OfRun) -> float:
-    """Return the time of the first transform of `frame`, or 0.0 for a check without it."""
+    """Return the time of the first transform of `frame`, or 0.0 for a check without `frame`."""
     frame = one.wanted['frame']
     sent = transforms(one.run, one.scenario).get(frame, ()) if frame else ()
     return min((item.time_s for item in sent), default=inf if frame else 0.0)
+
+
+def _refuse_poses(one: OfRun) -> None:
+    """Refuse a program that receives the poses of the turtle, in a check with `frame`: it needs no tf2 to know the position."""
+    topic = f'/{one.text("turtle").strip("/")}/pose'
+    nodes = Program('', *one.program()).nodes(one.recording) if one.wanted['frame'] else []
+    node = next((node for node in nodes if topic in (name for name, _ in node.subscriptions)), None)
+    if node is not None:
+        thing = f'{node.name} receives the positions on {topic}, and not only from tf2, in the run with {one.words}'
+        asked, advice = f'no subscription to {topic}', f'remove this subscription, and look up {one.wanted["frame"]} in a Buffer'
+        raise Failure(thing, expected=asked, seen=f'a subscription to {topic}', where=one.run.source.place, try_=advice)
 
 
 def _topics(one: OfRun) -> list[str]:
@@ -188,7 +215,7 @@ def _message_times(one: OfRun, topic: str) -> list[float]:
 
 
 def _lines(one: OfRun) -> list[tuple[float, re.Match[str]]]:
-    """Return the lines of the program's output that match the pattern, with their times."""
+    """Return (time, match) for each line of the program's output that matches the pattern."""
     pattern, found = re.compile(str(one.wanted['pattern'])), []
     for row in rows_of(one.recording, 'output', one.wanted['package'], one.wanted['executable']):
         output = one.recording.output[row]
@@ -207,7 +234,10 @@ def _at(track: Track, time_s: float) -> tuple[float, float, float] | None:
 
 
 def _distance(track: Track, time_s: float, x: float, y: float) -> float:
-    """Return the distance of a position from the turtle at about that time in m. It is infinite without a pose."""
+    """Return the larger coordinate difference, in metres, between a position and the turtle at about that time.
+
+    Without a pose at that time, the result is infinite.
+    """
     near = [sample for sample in track if abs(sample[0] - time_s) <= 0.05]
     return min((max(abs(sample[1] - x), abs(sample[2] - y)) for sample in near), default=float('inf'))
 
@@ -215,7 +245,8 @@ def _distance(track: Track, time_s: float, x: float, y: float) -> float:
 @kind('The robot description has a joint from {parent} to {child}', 'child parent', 'joint')
 def described(run: Evidence, wanted: Wanted) -> None:
     """Require a joint between two links in the robot description on /robot_description, and transforms that follow from it.
-    `joint` is movable, or a type.
+
+    The value of `joint` is 'movable' or a joint type.
     """
     for one in wanted.of_each(run):
         found = require_topic(one.run, one.scenario, '/robot_description', try_=wanted.try_)
@@ -235,7 +266,7 @@ def described(run: Evidence, wanted: Wanted) -> None:
 
 @kind('A bag contains the messages on {topic}', 'topic', 'package')
 def bag(run: Evidence, wanted: Wanted) -> None:
-    """Require a bag with the messages of a topic, from a package, after launch has received Ctrl-C."""
+    """Require a bag with the messages of a topic after launch has received Ctrl-C. Only `package` may publish the topic."""
     for one in wanted.of_each(run):
         topic, bags = one.text('topic'), run.bags[one.scenario]
         require_topic(one.run, one.scenario, topic, None, wanted['package'] or None, wanted.try_)
@@ -256,7 +287,7 @@ def bag(run: Evidence, wanted: Wanted) -> None:
 
 @kind('The launch file is written in {format}', 'format')
 def written_in(run: Evidence, wanted: Wanted) -> None:
-    """Require this format of the file, and of the files that start its nodes. Files of edulaunch may have any format."""
+    """Require that the launch file and the files that start its nodes have a format. Files of edulaunch may have any format."""
     ending = f'.{str(wanted["format"]).lower()}'
     for one in wanted.of_each(run):
         started = [process.file for process in one.recording.processes if process.file]

@@ -1,8 +1,8 @@
-"""The checks of YAML rubrics, in ROS terms. Each is a function with the name that the rubric uses."""
+"""The checks of YAML rubrics, in ROS terms. Each check is a function with the name that rubrics use."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from math import inf, isfinite, tau
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -11,15 +11,16 @@ from ..library.arguments import require_default
 from ..library.circle_fit import fit_circle
 from ..library.deaths import refuse_dead, refuse_gone
 from ..library.following import driven_track, require_driver, require_near, require_pursuit
-from ..library.frames import numbers, require_frame, transforms, yaw
+from ..library.frames import numbers, require_frame, tilt, transforms, yaw
+from ..library.identity import nodes_of
 from ..library.launched import refuse_strangers, require_process
 from ..library.movement import Track, length, odometry_track, since, turtle_track
 from ..library.node_graph import require_ended, require_listener, require_node, require_nodes, require_started, require_topic
 from ..library.parameters import named_origin, refuse_missing_file, require_parameter, value_and_origin
 from ..library.parameters import node_parameter as read_parameter
-from ..library.written import parameter_of_node, remapping_to
+from ..library.written import argument_as_namespace, name_of_node, parameter_of_node, remapping_to
 from ..shortened import shortened
-from .yaml_wanted import OfRun, Wanted
+from .yaml_wanted import ARGUMENT, OfRun, Wanted
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording.records import Parameter
@@ -27,12 +28,13 @@ if TYPE_CHECKING:
 Function = Callable[[Evidence, Wanted], None]
 LAST_LOOK_S = 0.5
 LONGEST_VALUE = 1000
+STANDS_M = 0.005  # a shorter path would be shown as 0.00 m
 MEASURE = 'tolerance near share'
 PROGRAM = 'package executable'
 
 
 class CheckKind(NamedTuple):
-    """A kind of check: its function, its fields, its required fields, and the sentence for the student."""
+    """A kind of check: its function, its fields, its required fields, and the sentence that the student reads."""
 
     function: Function
     fields: tuple[str, ...]
@@ -44,7 +46,12 @@ KINDS: dict[str, CheckKind] = {}
 
 
 def kind(sentence: str, needs: str = '', may: str = '') -> Callable[[Function], Function]:
-    """Register a function as a kind of check, with its required and its optional fields."""
+    """Return a decorator that registers a function as a kind of check.
+
+    :param sentence: the sentence that the student reads, with the names of fields in braces.
+    :param needs: the required fields, separated by spaces.
+    :param may: the optional fields, separated by spaces.
+    """
 
     def make(function: Function) -> Function:
         KINDS[function.__name__] = CheckKind(function, (*needs.split(), *may.split()), tuple(needs.split()), sentence)
@@ -55,7 +62,7 @@ def kind(sentence: str, needs: str = '', may: str = '') -> Callable[[Function], 
 
 @kind('The launch argument {name} is declared and has a default', 'name', 'default shows')
 def argument(run: Evidence, wanted: Wanted) -> None:
-    """Require a declared launch argument with this default, or with any default, which the runs without it use."""
+    """Require a declared launch argument with a default. The runs without the argument must use this default."""
     default = str(wanted['default']) if 'default' in wanted else None
     try:
         require_default(run, wanted['name'], default, wanted.shows)
@@ -80,7 +87,7 @@ def alive(run: Evidence, wanted: Wanted) -> None:
 
 @kind('There is a node {name} of the package {package}', 'name package', 'executable absent')
 def node(run: Evidence, wanted: Wanted) -> None:
-    """Require a node of a package with this name; in the runs of the list `absent`, no node may have it."""
+    """Require a node of a package with this name. In the runs that `absent` lists, no node may have this name."""
     for one in wanted.of_each(run):
         name, package = one.text('name'), wanted['package']
         if one.scenario in wanted['absent']:
@@ -88,14 +95,23 @@ def node(run: Evidence, wanted: Wanted) -> None:
                 asked = f'no node {name} in the run with {one.words}'
                 raise Failure(f'{name} starts in the run with {one.words}', expected=asked, seen=name, **one.advice)
             continue
-        both = 'this namespace and name' if name.strip('/').count('/') else 'this name'
-        advice = wanted.try_ or f'write {both} in the Node of {package}'
+        advice = wanted.try_ or _name_advice(one)
         require_node(one.alone, name, package, advice, wanted['executable'] or None)
+
+
+def _name_advice(one: OfRun, key: str = 'name') -> str:
+    """Return advice to give a node its namespace and its name. Parts that depend on launch arguments are named by these."""
+    namespace, _, name = str(one.wanted[key]).strip('/').rpartition('/')
+    program = one.wanted['executable'] or one.wanted['package']
+    argument = ARGUMENT.fullmatch(namespace)
+    if argument is not None:
+        return argument_as_namespace(one.run, argument[1], program)
+    return name_of_node(one.run, one.filled(namespace), '' if name == program else one.filled(name), program)
 
 
 @kind('Only these nodes run: {are}', 'are', 'package')
 def nodes(run: Evidence, wanted: Wanted) -> None:
-    """Require exactly these nodes. `package` is the package of all, or a table of packages by the nodes' names."""
+    """Require exactly these nodes. `package` is the package of all nodes, or a table of packages by node name."""
     names, package = [str(name) for name in wanted['are']], wanted['package'] or None
     packages = package if isinstance(package, dict) else dict.fromkeys(names, package) if package else None
     for scenario in run:
@@ -113,19 +129,19 @@ def hears(run: Evidence, wanted: Wanted) -> None:
 
 @kind('{node} starts at the right time', 'node at', f'after {PROGRAM} {MEASURE}')
 def starts(run: Evidence, wanted: Wanted) -> None:
-    """Require that a node starts at a time, or a time after the start of another node."""
+    """Require that a node starts at a given time, or at a given time after the start of another node."""
     _happens(run, wanted.advising('check which action and which event start this node'), 'start', require_started)
 
 
 @kind('{node} ends at the right time', 'node at', f'after {PROGRAM} {MEASURE}')
 def ends(run: Evidence, wanted: Wanted) -> None:
-    """Require that a node ends at a time, or a time after the start of another node."""
+    """Require that a node ends at a given time, or at a given time after the start of another node."""
     _happens(run, wanted.advising('check what ends this node, and when'), 'end', require_ended)
 
 
 @kind('The launch shuts down at the right time', 'at', MEASURE)
 def shuts_down(run: Evidence, wanted: Wanted) -> None:
-    """Require that the launch itself ends at a time before the end of the run."""
+    """Require that launch itself ends at a given time, before the end of the run."""
     for one in wanted.of_each(run):
         ended = [
             process.ended_s for process in one.recording.processes if process.name == 'launch' and process.ended_s is not None
@@ -144,30 +160,44 @@ def _happens(run: Evidence, wanted: Wanted, what: str, require: Callable[..., fl
     for one in wanted.of_each(run):
         if _waits_in_vain(one):
             continue
-        time_s = require(run, one.scenario, one.text('node'), wanted.try_, *one.program())
+        time_s = require(run, one.scenario, one.text('node'), _start_advice(one), *one.program())
         since_s, words = _moment(one)
         if words and time_s < since_s - one.tolerance(0.3) and one.number('at') >= 0.0:
             raise Mismatch(
-                f'the {what} of {one.text("node")}', words.strip(), f'{since_s - time_s:.2f} s before it', **one.advice
+                f'the {what} of {one.text("node")}', words.strip(), f'{since_s - time_s:.2f} s before that', **one.advice
             )
         one.require_close(f'the {what} of {one.text("node")}{words} (in s)', time_s - since_s, one.number('at'), 0.3)
         other, *program = one.other('after')
         if other and _place(one, other, *program) > _place(one, one.text('node'), *one.program()):
-            raise Mismatch(f'the {what} of {one.text("node")}', f'after the start of {other}', 'before it', **one.advice)
+            raise Mismatch(
+                f'the {what} of {one.text("node")}', f'after the start of {other}', f'before the start of {other}', **one.advice
+            )
 
 
 def _waits_in_vain(one: OfRun) -> bool:
-    """Return whether the node is absent because that of `after` could not start.
+    """Return whether the node is absent because the node of `after` could not start.
 
-    :raises Mismatch: when the node started nevertheless.
+    :raises Mismatch: if the node started nevertheless.
     """
     other, *program = one.other('after')
     if not other or not one.run.scenario(one.scenario).fails or _has_node(one, other, *program):
         return False
     if not _has_node(one, one.text('node'), *one.program()):
         return True
-    thing = f'the start of {one.text("node")} in the run with {one.words}'
-    raise Mismatch(thing, f'only after the start of {other}', f'without {other}', **one.advice)
+    node = one.text('node')
+    raise Failure(
+        f'{node} starts without {other} in the run with {one.words}',
+        expected=f'{node} starts only after the start of {other}',
+        seen=f'{node} starts, although {other} does not start',
+        **one.advice,
+    )
+
+
+def _start_advice(one: OfRun) -> str | None:
+    """Return the advice of the rubric, or advice to correct the name of the node if its program starts."""
+    package, executable = one.program()
+    is_there = package is not None and executable is not None and nodes_of(one.recording, package, executable)
+    return _name_advice(one, 'node') if is_there else one.wanted.try_
 
 
 def _has_node(one: OfRun, node: str, package: str | None = None, executable: str | None = None) -> bool:
@@ -179,7 +209,10 @@ def _has_node(one: OfRun, node: str, package: str | None = None, executable: str
 
 
 def _moment(one: OfRun) -> tuple[float, str]:
-    """Return the time of `after` with its words: the start of a node, or the first message on a topic. Without it, return 0."""
+    """Return the time that `after` names, and words for a sentence. Without `after`, return (0.0, '').
+
+    The time is that of the start of a node, or of the first message on a topic.
+    """
     after = one.wanted['after']
     if isinstance(after, dict) and 'topic' in after:
         topic = require_topic(one.alone, one.scenario, one.filled(after['topic']), None, after.get('package'), one.wanted.try_)
@@ -192,14 +225,14 @@ def _moment(one: OfRun) -> tuple[float, str]:
 
 
 def _place(one: OfRun, node: str, package: str | None, executable: str | None) -> int:
-    """Return the place of a node's program among the programs of its run, in the order of their starts."""
+    """Return the position of a node's program among the programs of its run, in the order in which they started."""
     (_, found) = require_node(one.alone, node, package, one.wanted.try_, executable)[one.scenario]
     return next(place for place, process in enumerate(one.recording.processes) if process.name == found.process)
 
 
 @kind('A node publishes on {name}', 'name', f'type package rate {MEASURE}')
 def topic(run: Evidence, wanted: Wanted) -> None:
-    """Require messages on a topic: of a type, from a package, at a rate."""
+    """Require messages on a topic. Optional fields require a type, a package that publishes the messages, and a rate."""
     for one in wanted.of_each(run):
         found = require_topic(run, one.scenario, wanted['name'], wanted['type'] or None, wanted['package'] or None, wanted.try_)
         if 'rate' in wanted:
@@ -209,7 +242,7 @@ def topic(run: Evidence, wanted: Wanted) -> None:
 
 @kind('The parameter {name} of {executable} has the right value', 'package executable name value')
 def parameter(run: Evidence, wanted: Wanted) -> None:
-    """Require a value of a parameter of an executable's node."""
+    """Require the value of a parameter of an executable's node."""
     require_process(run, wanted['package'], wanted['executable'])
     values = {one.scenario: one.same_type('value') for one in wanted.of_each(run)}
     advice = wanted.try_ or parameter_of_node(run, wanted['name'])
@@ -218,7 +251,7 @@ def parameter(run: Evidence, wanted: Wanted) -> None:
 
 @kind('The parameter {name} of {node} has the right value', 'node package name value', 'origin')
 def node_parameter(run: Evidence, wanted: Wanted) -> None:
-    """Require a value of a parameter of a node."""
+    """Require the value of a parameter of a node and, optionally, its origin."""
     for one, found, advice in _parameters(run, wanted):
         asked, origin = one.same_type('value'), str(wanted['origin'])
         is_right = found is not None and found.value == asked and isinstance(found.value, bool) == isinstance(asked, bool)
@@ -231,7 +264,7 @@ def node_parameter(run: Evidence, wanted: Wanted) -> None:
 
 @kind('The parameter {name} of {node} has the right value', 'node package name', 'at_least at_most origin')
 def measured_parameter(run: Evidence, wanted: Wanted) -> None:
-    """Require a parameter of a node between bounds and from an origin."""
+    """Require that a parameter of a node is between limits and, optionally, has an origin."""
     for one, found, advice in _parameters(run, wanted):
         low, high = wanted.get('at_least', -inf), wanted.get('at_most', inf)
         value = None if found is None else found.value
@@ -245,7 +278,7 @@ def measured_parameter(run: Evidence, wanted: Wanted) -> None:
 
 
 def _parameters(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, Parameter | None, str]]:
-    """Yield for each run the parameter of the node, which must exist, and the advice."""
+    """Yield (values of the check, parameter or None, advice) for each run. The node must exist."""
     for one in wanted.of_each(run):
         node, name = one.text('node'), wanted['name']
         advice = wanted.try_ or f'check which parameter file, argument or Node sets the parameter {name} of {node}'
@@ -269,7 +302,7 @@ def defined(run: Evidence, wanted: Wanted) -> None:
 
 @kind('{turtle} is at its position at the end', 'turtle', f'x y since {MEASURE}')
 def place(run: Evidence, wanted: Wanted) -> None:
-    """Require the position of a turtle at the end of the run, or in all of its poses since a time."""
+    """Require the position of a turtle at the end of the run or, with `since`, in all its poses from that time on."""
     for one in wanted.of_each(run):
         track = _turtle(one, 'turtle')
         if not track:
@@ -292,12 +325,13 @@ def place(run: Evidence, wanted: Wanted) -> None:
                 one.require_close(thing, worst[axis], asked, 0.05)
 
 
-@kind('tf knows the frame {child} in the frame {parent}', 'child parent', f'x y z yaw by {MEASURE}')
+@kind('The frame {child} has the parent {parent}', 'child parent', f'x y z yaw by {MEASURE}')
 def frame(run: Evidence, wanted: Wanted) -> None:
-    """Require a frame with its parent, position and yaw."""
+    """Require a frame with its parent and, optionally, its position, its yaw and the package that broadcasts it. A frame with a
+    yaw must have no roll and no pitch.
+    """
     child, advice = wanted['child'], wanted.try_ or 'check the tree of frames with ros2 run tf2_tools view_frames'
     require_frame(run, child, wanted['parent'], advice)
-    place_advice = wanted.try_ or f'check the position and the rotation of the frame {child}'
     for one in wanted.of_each(run):
         for topic in ('/tf', '/tf_static') if wanted['by'] else ():
             refuse_strangers(one.recording, topic, wanted['by'])
@@ -305,17 +339,31 @@ def frame(run: Evidence, wanted: Wanted) -> None:
             place = sent.frame.translation
             for axis, key in enumerate(('x', 'y', 'z')):
                 if key in wanted:
-                    thing = f'{key} of {child} in {sent.frame.parent} (its position is {numbers(place)})'
-                    one.require_close(thing, place[axis], one.number(key), 0.01, place_advice)
+                    thing = f'the {key} of {child} relative to {sent.frame.parent}'
+                    one.require_close(
+                        thing, place[axis], one.number(key), 0.01, _place_advice(one, key), f'the position {numbers(place)}'
+                    )
             if 'yaw' in wanted:
                 asked = one.number('yaw')
                 turns = round((asked - yaw(sent.frame)) / tau)  # half a turn is the same to the left and to the right
-                one.require_close(f'the yaw of {child}', yaw(sent.frame) + turns * tau, asked, 0.01, place_advice)
+                one.require_close(f'the yaw of {child}', yaw(sent.frame) + turns * tau, asked, 0.01, _place_advice(one, 'yaw'))
+                one.require_close(
+                    f'the tilt of {child} by roll and pitch', tilt(sent.frame), 0.0, 0.01, _place_advice(one, 'yaw')
+                )
+
+
+def _place_advice(one: OfRun, key: str) -> str | Sequence[str]:
+    """Return the rubric's advice, or advice to change one number of a transform."""
+    argument, child = ARGUMENT.fullmatch(str(one.wanted[key])), one.wanted['child']
+    value = f'the launch argument {argument[1]}' if argument else f'{one.number(key):g}'
+    what = 'check the rotation of the frame' if key == 'yaw' else 'check the position of the frame'
+    steps = (what, f'check the {key} of the frame {child}', f'set the {key} of the frame {child} to {value}')
+    return one.wanted.try_ or steps
 
 
 @kind('{turtle} drives at least {at_least} m', 'at_least', 'turtle odometry share driver')
 def travels(run: Evidence, wanted: Wanted) -> None:
-    """Require that a turtle or the robot drives a distance."""
+    """Require that a turtle or the robot drives at least a given distance."""
     for one, who, track in _tracks(run, wanted):
         way, asked = length(track), one.number('at_least')
         if not way >= asked:
@@ -331,7 +379,7 @@ def travels(run: Evidence, wanted: Wanted) -> None:
 
 @kind('{turtle} drives a circle with the radius {radius}', 'radius', f'turtle odometry since driver {MEASURE}')
 def circle(run: Evidence, wanted: Wanted) -> None:
-    """Require that a turtle or the robot drives a circle."""
+    """Require that a turtle or the robot drives a circle with a given radius."""
     for one, who, track in _tracks(run, wanted):
         found = fit_circle([(x, y) for _, x, y in since(track, wanted['since'] or 2.0)])
         radius = one.number('radius')
@@ -339,7 +387,9 @@ def circle(run: Evidence, wanted: Wanted) -> None:
             raise Failure(
                 f'{who} does not drive a circle in the run with {one.words}',
                 expected=f'a circle with a radius of {radius:g} m',
-                seen=f'a distance of {length(track):.2f} m, but no circle',
+                seen=f'a path of {length(track):.2f} m that is not a circle'
+                if length(track) > STANDS_M
+                else f'{who} does not move',
                 **one.advice,
             )
         one.require_close(f'the radius of the circle of {who}', found.radius, radius, 0.02 * radius)
@@ -347,7 +397,7 @@ def circle(run: Evidence, wanted: Wanted) -> None:
 
 @kind('{follower} stays within {within} m of {goal}', 'follower goal within', 'since driver')
 def follows(run: Evidence, wanted: Wanted) -> None:
-    """Require that a turtle drives to another one, and follows it when it moves."""
+    """Require that a turtle drives to another turtle, and follows it when it moves."""
     advice = wanted.try_ or 'check the frames that the listener looks up in tf'
     goal, follower = (f'/{wanted[key].strip("/")}' for key in ('goal', 'follower'))
     for one in wanted.of_each(run):
@@ -363,13 +413,13 @@ def _turtle(one: OfRun, key: str) -> Track:
 
 
 def _require_driver(one: OfRun, turtle: str) -> None:
-    """Require that only the driver of the rubric commands the turtle or the robot, if the rubric names one."""
+    """Require that only the `driver` of the rubric sends commands to the turtle or robot. Without `driver`, do nothing."""
     if one.wanted['driver']:
         require_driver(one.alone, f'/{turtle.strip("/")}' if turtle else '', *one.wanted['driver'].split(maxsplit=1))
 
 
 def _tracks(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, str, Track]]:
-    """Yield for each run the name and the track of the turtle or the robot."""
+    """Yield (values of the check, name, track) of the turtle or robot for each run."""
     for one in wanted.of_each(run):
         _require_driver(one, str(wanted['turtle']))
         if wanted['turtle']:

@@ -1,5 +1,6 @@
-"""Finds weak checks in a valid YAML rubric. Such a check gives points for a name that any node may have, or for a default that
-no run shows."""
+"""Finds weak checks in a valid YAML rubric. A weak check gives points for a name that any node may have, or for a default that
+no run shows.
+"""
 
 from __future__ import annotations
 
@@ -13,11 +14,11 @@ NAMED = ('ends', 'hears', 'logs', 'nodes', 'receives', 'starts')
 
 
 def points_for_names(file: str) -> Iterator[str]:
-    """Yield a sentence for each check of a rubric that gives points for a node of a name without a package.
+    """Yield a sentence for each check of a rubric that gives points for the name of a node and requires no package.
 
-    A check that needs a `command` check is not one of them, because a command of `ros2` has no package.
+    Checks that need a `command` check are left out, because a command of `ros2` has no package.
 
-    :param file: the path of a rubric that can be read.
+    :param file: the path of a valid rubric.
     """
     with open(file, encoding='utf-8') as stream:
         root = yaml.compose(stream, yaml.SafeLoader)
@@ -34,9 +35,9 @@ def points_for_names(file: str) -> Iterator[str]:
 
 
 def points_for_defaults(file: str) -> Iterator[str]:
-    """Yield a sentence for each check of a rubric that gives points for a default which no run shows.
+    """Yield a sentence for each check of a rubric that gives points for a default that no run shows.
 
-    :param file: the path of a rubric that can be read.
+    :param file: the path of a valid rubric.
     """
     with open(file, encoding='utf-8') as stream:
         root: Any = yaml.compose(stream, yaml.SafeLoader)

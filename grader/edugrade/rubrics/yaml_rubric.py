@@ -1,4 +1,6 @@
-"""Reads rubrics without Python: runs and checks as YAML. An error message names the file and the line of a mistake."""
+"""Reads rubrics in YAML, which describe runs and checks without Python. Error messages name the file and the line of each
+mistake.
+"""
 
 from __future__ import annotations
 
@@ -26,9 +28,9 @@ COMMON = ('points', 'say', 'name', 'needs', 'try', 'only')
 
 
 def read_yaml_rubric(path: str, data: bytes) -> Rubric:
-    """Return the rubric that a YAML file describes; docs/rubric_checks.md describes the form.
+    """Return the rubric that a YAML file describes; docs/rubric_checks.md describes the format.
 
-    :raises RubricMistake: with the file and line of each mistake. One run or check can have more mistakes than the named one.
+    :raises RubricMistake: with the file and line of the first mistake in each run and check.
     """
     try:
         root = yaml.compose(data, yaml.SafeLoader)
@@ -72,7 +74,10 @@ def read_yaml_rubric(path: str, data: bytes) -> Rubric:
 def _runs_and_checks(
     parts: Mapping[str, yaml.Node], problem: Problem
 ) -> tuple[list[Callable[[Random], Scenario]], dict[str, Check]]:
-    """Return the runs and the checks by name. Raise RubricMistake with the first mistake of each of them, one in a line."""
+    """Return the runs, and the checks by name.
+
+    :raises RubricMistake: with the first mistake in each run and check, one on each line.
+    """
     runs: list[Callable[[Random], Scenario]] = []
     names: list[str] = []
     checks: dict[str, Check] = {}
@@ -99,7 +104,7 @@ def _runs_and_checks(
 
 
 def _name_in(node: yaml.Node) -> str:
-    """Return the name of a run or a check that has a mistake, or '' without a name."""
+    """Return the name of a run or check that has a mistake, or '' if it has no name."""
     pairs = node.value if isinstance(node, yaml.MappingNode) else ()
     return next((str(value.value) for key, value in pairs if key.value == 'name'), '')
 
@@ -112,7 +117,7 @@ def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
     parts = _mapping(node, problem, 'a run', RUN)
     if 'name' not in parts:
         raise problem(node, 'a run needs a name')
-    name = str(_value(parts['name'], problem))
+    name = _string(parts['name'], problem, 'name')
     given = _mapping(parts['arguments'], problem, 'arguments', None) if 'arguments' in parts else {}
     arguments = {key: _argument(value, problem) for key, value in given.items()}
     usual = _mapping(parts['defaults'], problem, 'defaults', None) if 'defaults' in parts else {}
@@ -154,7 +159,7 @@ def _run(node: yaml.Node, problem: Problem) -> Callable[[Random], Scenario]:
 
 
 def _argument(node: yaml.Node, problem: Problem) -> Callable[[Random], str]:
-    """Return a function that gives a launch argument, either fixed or chosen for each submission."""
+    """Return a function that returns the value of a launch argument, which is fixed or selected for each submission."""
     if isinstance(node, yaml.MappingNode) and any(pair[0].value == 'word' for pair in node.value):
         syllables = _value(_mapping(node, problem, 'a choice', ('word',))['word'], problem)
         if not isinstance(syllables, int) or not 2 <= syllables <= 6:
@@ -174,7 +179,9 @@ def _some_time(random: Random, length_s: float) -> float:
 
 
 def _message(node: yaml.Node, problem: Problem) -> tuple[Callable[[Random, float], float], Callable[[Random], str]]:
-    """Return functions that choose the time of a message, from the length of the run, and its text."""
+    """Return two functions: one selects the time of a message for a duration of the run, and the other the string of the
+    message.
+    """
     if not isinstance(node, yaml.MappingNode) or all(pair[0].value != 'at' for pair in node.value):
         return _some_time, _argument(node, problem)
     at = _number({pair[0].value: pair[1] for pair in node.value}['at'], problem, (int, float))
@@ -184,14 +191,14 @@ def _message(node: yaml.Node, problem: Problem) -> tuple[Callable[[Random, float
 
 
 def _default(node: yaml.Node, problem: Problem) -> str | None:
-    """Return the default that an argument should have, or None (null in YAML) for any default."""
+    """Return the default that an argument must have, or None (null in YAML) for any default."""
     if not isinstance(node, yaml.ScalarNode):
         raise problem(node, 'a default must be a string, or null for any default')
     return None if _value(node, problem) is None else str(node.value)
 
 
 def _number(node: yaml.Node, problem: Problem, types: tuple[type, ...] = (str, int, float)) -> Callable[[Random], Any]:
-    """Return a function that gives a number, or chooses one of several.
+    """Return a function that returns a fixed number, or selects one of several values.
 
     :param types: the allowed types of the values of `one_of`.
     """
@@ -244,7 +251,7 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: 
     points = _value(parts['points'], problem) if 'points' in parts else 0
     if type(points) is not int or points < 0:
         raise problem(parts['points'], f'{points!r} points; points are whole numbers, and never negative')
-    words = {name: str(_value(parts[name], problem)) for name in ('say', 'name') if name in parts}
+    words = {name: _string(parts[name], problem, name) for name in ('say', 'name') if name in parts}
     *steps, last = _advice(parts['try'], problem) if 'try' in parts else [None]
     wanted = Wanted(given, last)
     wanted.may_end = may_end
@@ -275,16 +282,15 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: 
 
 
 def _advice(node: yaml.Node, problem: Problem) -> list[str | None]:
-    """Return the advice of a check: one string, or several that become more specific."""
-    found = _value(node, problem)
-    texts = found if isinstance(found, list) else [found]
-    if not texts:
+    """Return the advice of a check as a list: one string, or several that become more specific."""
+    items = node.value if isinstance(node, yaml.SequenceNode) else [node]
+    if not items:
         raise problem(node, 'try must be a string, or a list of strings that become more specific')
-    return [str(text) for text in texts]
+    return [_string(item, problem, 'try') for item in items]
 
 
 def _with_steps(function: CheckFunction, steps: Sequence[str | None]) -> CheckFunction:
-    """Return a check whose failures have the steps of the rubric, except for a missing parameter file."""
+    """Return a check function that adds the steps of the rubric to its failures, except to a missing parameter file."""
 
     def checked(run: Evidence) -> None:
         try:
@@ -298,7 +304,7 @@ def _with_steps(function: CheckFunction, steps: Sequence[str | None]) -> CheckFu
 
 
 def _refuse_unknown_arguments(node: yaml.Node, runs: list[Callable[[Random], Scenario]], problem: Problem) -> None:
-    """Refuse ``$(arg name)`` of a launch argument that one of the runs does not give."""
+    """Raise a RubricMistake for ``$(arg name)`` if one of the runs does not have this launch argument."""
     if isinstance(node, yaml.ScalarNode):
         for name in ARGUMENT.findall(str(node.value)):
             for scenario in _choose(runs, Random(0)):
@@ -311,7 +317,7 @@ def _refuse_unknown_arguments(node: yaml.Node, runs: list[Callable[[Random], Sce
 
 
 def _refuse_unknown_proofs(node: yaml.Node, known: Mapping[str, Check], problem: Problem) -> None:
-    """Refuse `shows` with anything except a list of checks' names."""
+    """Raise a RubricMistake if `shows` is not a list of names of checks."""
     for item in node.value:
         for kind in (pair[1] for pair in item.value if isinstance(pair[1], yaml.MappingNode)):
             for part in (value for key, value in kind.value if key.value == 'shows'):
@@ -341,6 +347,14 @@ def _items(node: yaml.Node, problem: Problem, what: str) -> list[yaml.Node]:
     if not isinstance(node, yaml.SequenceNode) or not node.value:
         raise problem(node, f'{what} is a list, each item after a "-"')
     return list(node.value)
+
+
+def _string(node: yaml.Node, problem: Problem, what: str) -> str:
+    """Return a string, such as a name. A number or a date counts as its string."""
+    value = _value(node, problem)
+    if not isinstance(node, yaml.ScalarNode) or value is None or not str(value).strip():
+        raise problem(node, f'{what} is {value!r}; write a string')
+    return str(value)
 
 
 def _value(node: yaml.Node, problem: Problem) -> Any:

@@ -1,11 +1,11 @@
-"""The values of a check in a YAML rubric, which may contain launch arguments and calculations."""
+"""The values of a check in a YAML rubric. They may contain launch arguments and calculations."""
 
 from __future__ import annotations
 
 import ast
 import operator
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from copy import copy
 from math import isfinite
 from typing import TYPE_CHECKING, Any
@@ -34,10 +34,12 @@ CALCULATED = ('at_least', 'at_most', 'radius', 'x', 'y', 'z', 'yaw', 'at', 'ago'
 
 
 class Wanted(dict[str, Any]):
-    """The values of a check. They may contain ``$(arg name)``, the launch argument of the run.
+    """The values of a check by field name. They may contain ``$(arg name)``, the value of a launch argument in the run.
 
-    :ivar shows: applies the checks that show the effect of a default in a run.
-    :ivar may_end: whether a check of the rubric expects something to end.
+    A field that the rubric does not contain has the value ''.
+
+    :ivar shows: a function that applies the checks that show the effect of a default, or None.
+    :ivar may_end: whether a check of the rubric expects that something ends.
     """
 
     shows: Callable[[Evidence], object] | None = None
@@ -52,13 +54,13 @@ class Wanted(dict[str, Any]):
 
     @property
     def shown(self) -> Wanted:
-        """The values for a sentence: ``$(arg speed)`` is speed, and commas separate the parts of a list."""
+        """The values as strings for a sentence. ``$(arg speed)`` becomes speed, and commas separate the entries of a list."""
         parts = {key: ', '.join(map(str, value)) if isinstance(value, list) else str(value) for key, value in self.items()}
         parts = {key: readable(text) if key == 'pattern' else text for key, text in parts.items()}
         return Wanted({key: ARGUMENT.sub(r'\1', text) for key, text in parts.items()}, None)
 
     def advising(self, advice: str) -> Wanted:
-        """Return the values, with this advice if the rubric has none."""
+        """Return the values with the given advice, unless the rubric contains advice."""
         if self.try_ is not None:
             return self
         advised = copy(self)
@@ -66,11 +68,11 @@ class Wanted(dict[str, Any]):
         return advised
 
     def of_each(self, run: Evidence) -> Iterator[OfRun]:
-        """Return the values for each run."""
+        """Yield the values of the check for each run."""
         return (OfRun(self, run, scenario) for scenario in run)
 
     def refuse_odd_values(self) -> None:
-        """Refuse values of the wrong type, and numbers that are out of range.
+        """Raise an error for a value with a wrong type, or a number that is out of range.
 
         :raises ValueError: with a message that names the field and its value.
         """
@@ -102,7 +104,7 @@ class Wanted(dict[str, Any]):
             raise ValueError(f'pattern is not a valid regular expression: {error}') from None
 
     def _refuse_odd_programs(self) -> None:
-        """Refuse a form of `after` or `from` that names no program or no topic."""
+        """Raise ValueError if `after` or `from` does not name a program or a topic in a valid form."""
         one_of = {'after': ({'node'}, {'topic'}), 'from': ({'node'}, {'package'}, {'node', 'package'})}
         topic = {'after': '{topic: NAME, package: PACKAGE}', 'from': '{package: PACKAGE, executable: EXECUTABLE}'}
         for key, allowed in one_of.items():
@@ -118,7 +120,7 @@ class Wanted(dict[str, Any]):
 class OfRun:
     """The values of a check for one run.
 
-    :ivar alone: the evidence of this run.
+    :ivar alone: the evidence that contains only this run.
     :ivar advice: the place and the advice for a Failure.
     """
 
@@ -130,33 +132,39 @@ class OfRun:
         self.advice: dict[str, Any] = {'where': run.source.place, 'try_': wanted.try_}
 
     def program(self) -> tuple[str | None, str | None]:
-        """Return the package and the executable that the rubric names, or None for each that it does not name."""
+        """Return the package and the executable that the rubric names. Each of them may be None."""
         return self.wanted['package'] or None, self.wanted['executable'] or None
 
     def text(self, key: str) -> str:
-        """Return a value as a string."""
+        """Return the value of a field as a string, in which launch arguments are replaced."""
         return self.filled(self.wanted[key])
 
     def other(self, key: str) -> tuple[str, str | None, str | None]:
-        """Return the name, the package and the executable of another node: `/sim`, or `{node: /sim, package: turtlesim}`."""
+        """Return (name, package, executable) of the node in a field, such as `/sim` or `{node: /sim, package: turtlesim}`.
+
+        The package and the executable may be None.
+        """
         value = self.wanted[key]
         found = value if isinstance(value, dict) else {'node': value}
         return self.filled(found.get('node', '')), found.get('package'), found.get('executable')
 
     def filled(self, value: object) -> str:
-        """Return a value as a string, with the launch arguments of the run in it."""
+        """Return a value as a string, in which the launch arguments of the run replace ``$(arg name)``."""
         arguments = self.run.arguments_of(self.scenario)
         return ARGUMENT.sub(lambda found: arguments[found[1]], str(value))
 
     def number(self, key: str) -> float:
-        """Return a value as a number, which may be a calculation."""
+        """Return the value of a field as a number. The field may contain a calculation.
+
+        :raises Mismatch: if a launch argument in the field is not a number.
+        """
         try:
             return calculated(self.text(key))
         except ValueError:  # the default is not a number
             raise Mismatch(f'the value of {self.wanted[key]}', 'a number', self.text(key), **self.advice) from None
 
     def same_type(self, key: str) -> Any:
-        """Return a value as YAML reads it: ``$(arg radius)`` is 0.5 when radius:=0.5."""
+        """Return the value of a field with its type in YAML: ``$(arg radius)`` is the number 0.5 for radius:=0.5."""
         if not isinstance(self.wanted[key], str) or not ARGUMENT.search(self.wanted[key]):
             return self.wanted[key]
         import yaml
@@ -164,23 +172,27 @@ class OfRun:
         return yaml.safe_load(self.text(key))
 
     def tolerance(self, usual: float) -> float:
-        """Return the tolerance of the rubric, or the usual one."""
+        """Return the tolerance of the rubric, or `usual` if the rubric has none."""
         return float(self.wanted['tolerance']) if 'tolerance' in self.wanted else usual
 
-    def require_close(self, thing: str, seen: float, asked: float, usual: float, try_: str | None = None) -> None:
-        """Require a number within the rubric's tolerance, or within the usual one. Within `near`, the check gives a share.
+    def require_close(
+        self, thing: str, seen: float, asked: float, usual: float, try_: str | Sequence[str] | None = None, beside: str = ''
+    ) -> None:
+        """Require a number within the tolerance of the rubric (default: `usual`). Within `near`, the check gives a share of its
+        points.
 
+        :param beside: a remark about the number that was found.
         :raises Mismatch: with both numbers.
         """
         near, share = float(self.wanted['near'] or 0.0), float(self.wanted['share'] or 0.5)
         advice = try_ or self.wanted.try_
-        require_close(self.run, self.scenario, thing, seen, asked, self.tolerance(usual), near, share, try_=advice)
+        require_close(self.run, self.scenario, thing, seen, asked, self.tolerance(usual), near, share, try_=advice, beside=beside)
 
 
 def calculated(text: str) -> float:
     """Return the value of a calculation with numbers, + - * / and brackets: ``5.544 + 4 * 0.3``.
 
-    :raises ValueError: for anything else.
+    :raises ValueError: if the string is not such a calculation.
     """
     try:
         return _value(ast.parse(text.strip(), mode='eval').body)

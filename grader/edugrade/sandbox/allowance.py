@@ -1,5 +1,6 @@
-"""The limits of a run other than memory and time, and the name of a layer that some systems lack. This module imports
-nothing.
+"""The limits of a run other than memory and time, and the name of a layer that some systems lack.
+
+This module imports nothing.
 """
 
 MOST_PROCESSES = 64

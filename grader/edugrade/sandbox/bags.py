@@ -1,6 +1,8 @@
-"""Compares the bags that a run has written with the messages that were published in it. The confined process of the run reads
-them. A bag is a student's file, so it may contain anything. This module opens only a few small regular files, and unpickles
-nothing. If reading still takes too long or too much memory, the limits end the run as usual.
+"""Compares the bags that a run has written with the messages that were published in the run.
+
+The confined process of the run reads the bags. A bag is a student's file, so it may contain anything. This module opens only
+a few small regular files, and unpickles nothing. If reading still takes too much time or memory, the limits end the run as
+usual.
 """
 
 from __future__ import annotations
@@ -22,10 +24,10 @@ def written_bags(home: str, end_ns: int, published: Published) -> list[dict[str,
     """Read the bags below a folder, in the order of their paths.
 
     :param home: the folder of a run.
-    :param end_ns: messages that arrived later do not count.
-    :param published: returns how often each message, as CDR bytes, was published on a topic.
-    :return: for each bag `folder`, and `topics`: [count, how many of them were published in the run] by name. A bag that cannot
-        be read has no topics.
+    :param end_ns: the simulated time in ns; later messages do not count.
+    :param published: a function that returns how often each message, as CDR bytes, was published on a topic.
+    :return: for each bag `folder` and `topics`. For each topic, `topics` has the number of messages in the bag. A second number
+        states how many of these messages were published in the run. A bag that cannot be read has no topics.
     """
     return [
         {'folder': os.path.relpath(folder, home)[:LONGEST_NAME], 'topics': _topics(folder, end_ns, published)}
@@ -53,7 +55,7 @@ def _topics(folder: str, end_ns: int, published: Published) -> dict[str, list[in
 
 
 def _refuse_odd_files(folder: str) -> None:
-    """Raise ValueError for a directory that is not a bag, or is too large."""
+    """Raise an error for a directory that is not a bag, or is too large."""
     import yaml
 
     states = {name: os.lstat(os.path.join(folder, name)) for name in os.listdir(folder)}

@@ -1,6 +1,6 @@
-"""The allowed system calls, and the names of the others, as ``name:number on x86-64:number on 64-bit ARM``.
+"""The system calls that a run may make, and the names of others, as ``name:number on x86-64:number on 64-bit ARM``.
 
-Calls that are in none of these tables are refused as well. A number above NEWEST is unknown here, so the C library uses an
+Calls that are in none of these tables are refused as well. A number above NEWEST is reported as unknown, so the C library uses an
 older call.
 """
 
@@ -84,7 +84,7 @@ def allowed(column: int, has_view: bool = False) -> dict[str, int]:
     """Return the numbers of the calls that a run may make with any arguments, by name.
 
     :param column: 0 for x86-64, 1 for 64-bit ARM.
-    :param has_view: whether all other files that it sees are read-only.
+    :param has_view: whether the run has its own view, in which all files outside its folder are read-only.
     """
     return _numbers(_ALLOWED + _OF_OWN_FILES * has_view, column)
 
@@ -95,6 +95,6 @@ def looked_at(column: int) -> dict[str, int]:
 
 
 def name_of(number: int, column: int) -> str:
-    """Return the name of a refused call."""
+    """Return the name of a refused call, or a description with its number if the name is unknown."""
     known = {**_numbers(_REFUSED + _OF_OWN_FILES, column), **looked_at(column)}
     return next((name for name, each in known.items() if each == number), f'system call {number}')

@@ -1,6 +1,8 @@
-"""The confined peer of one run: launches the submission, and has a link to the trusted peer. `starter.py` loads this module. It
-confines itself before it reads the student's file, imports nothing of edugrade, and records nothing. It also has a pipe for
-messages about its end. Each one is a frame of a letter, eight bytes of length, and JSON (see `trusted_peer.py`).
+"""The confined peer of one run. It launches the submission, and has a link to the trusted peer.
+
+`starter.py` loads this module. The peer confines itself before it reads the student's file, does not import edugrade, and records
+nothing. It also has a pipe for messages about its end. Each message is a frame of a letter, eight bytes of length, and JSON (see
+`trusted_peer.py`).
 """
 
 from __future__ import annotations
@@ -35,8 +37,8 @@ RESERVE_BYTES = 8 << 20  # memory that is kept free for the report that memory h
 def warm_up() -> None:
     """Load the modules that nearly every run needs, by launching a small demo of edulaunch.
 
-    :raises RuntimeError: when that launch fails, as it does when memory runs out while a module loads. Every run that is forked
-        from this process would fail, too, and students would lose marks.
+    :raises RuntimeError: if the launch fails, for example because memory runs out while a module loads. Every run that is
+        forked from this process would fail, too, and students would lose marks.
     """
     from edulaunch.runtime.session import Session
 
@@ -57,7 +59,10 @@ def warm_up() -> None:
 
 
 def warm_up_for_many() -> None:
-    """Load what only some runs need. If a module is not installed, this process continues, and a run reports what is missing."""
+    """Load modules and message types that only some runs need.
+
+    If a module is not installed, this process continues, and a run reports what is missing.
+    """
     from importlib import import_module
 
     from edulaunch.engine.interfaces.registry import underlay_registry
@@ -72,10 +77,11 @@ def warm_up_for_many() -> None:
 def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[[list[str], str], dict[str, str]]) -> NoReturn:
     """Run the confined peer in a forked process: enter the sandbox, lower the limits, and launch.
 
+    :param job: the input of the run; see `RunRequest.message`.
     :param link: the link to the trusted peer.
     :param words: a pipe for the report on the confinement, and for the last message.
-    :param confine: applies the layers of confinement, given the readable paths and the writable folder, and returns which of
-        them hold.
+    :param confine: a function that applies the layers of confinement. Its arguments are the readable paths and the writable
+        folder. It returns which layers hold.
     """
     os.setsid()
     try:
@@ -107,7 +113,7 @@ def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[
 
 
 def repeat_temporary_names(seed: int) -> None:
-    """Make `tempfile` choose the same names in each run, because reports show them. The folder is private to the run."""
+    """Make `tempfile` choose the same names in each run, because reports show these names. The folder is private to the run."""
     import tempfile
     from random import Random
 
@@ -116,10 +122,10 @@ def repeat_temporary_names(seed: int) -> None:
 
 
 def limit_single_calls(seconds: float) -> None:
-    """End the process when one call into C (``9**9**9``, a slow pattern) uses that much processor time or more.
+    """End the process if one call into C (``9**9**9``, a slow pattern) uses that much processor time or more.
 
-    While Python itself works, the limit moves on with it. If a call does not return, the system ends the process with SIGXCPU
-    after the place was printed.
+    While Python code runs, a timer keeps moving the limit. If a call does not return, its place is printed, and the system
+    ends the process with SIGXCPU.
     """
     try:
         import faulthandler
@@ -140,7 +146,9 @@ def limit_single_calls(seconds: float) -> None:
 
 
 def limit_resources(limits: dict[str, int]) -> None:
-    """Lower the limits of this process permanently. A system that lacks a limit (AS on macOS) goes without it."""
+    """Lower the limits of this process permanently. Limits that the system does not support (such as AS on macOS) are left
+    out.
+    """
     try:
         import resource
     except ImportError:
@@ -158,7 +166,10 @@ def limit_resources(limits: dict[str, int]) -> None:
 
 
 def answer_before_the_deadline(job: dict[str, Any], words: int) -> None:
-    """Report where the program is shortly before the deadline. (The trusted peer ends a run that does not answer.)"""
+    """Set an alarm that reports, shortly before the deadline, where the program is, and ends this process.
+
+    (The trusted peer ends a run that does not report this.)
+    """
 
     def on_alarm(signum: int, frame: FrameType | None) -> None:
         report: dict[str, Any] = {'reason': 'timeout'}
@@ -174,7 +185,7 @@ def answer_before_the_deadline(job: dict[str, Any], words: int) -> None:
 
 
 def innermost(frame: FrameType | None, job: dict[str, Any]) -> tuple[str, int] | None:
-    """Return the file and line of the innermost frame in the student's code, if there is one."""
+    """Return the file and line of the innermost frame in the student's code, or None."""
     folder = os.path.realpath(job['folder']) + os.sep  # links lead to the files of a package
     while frame is not None:
         file = os.path.realpath(frame.f_code.co_filename)

@@ -1,4 +1,4 @@
-"""Applies all layers of confinement to the calling process, and reports which of them hold."""
+"""Applies all layers of confinement to this process, and reports which layers hold."""
 
 from __future__ import annotations
 
@@ -27,8 +27,10 @@ DEVICES = ('/dev/null', '/dev/zero', '/dev/full', '/dev/urandom', '/dev/random',
 class Confinement:
     """The confinement of every run, prepared once.
 
-    :param readable: the paths that all runs may read. In `listable` directories they see only the names.
-    :param shown: the part of the file system that all runs see. `hidden` directories in it are empty.
+    :param readable: the paths that all runs may read.
+    :param listable: the directories whose names all runs may list, without reading the files.
+    :param shown: the part of the file system that all runs see.
+    :param hidden: directories in `shown` that appear empty.
     """
 
     def __init__(
@@ -47,18 +49,23 @@ class Confinement:
         self._devices = landlock.open_paths(DEVICES) if can else []
 
     def narrow_view(self, readable: Sequence[str], home: str) -> dict[str, str]:
-        """Hide everything in the file system that this process may not read. Return HELD, or why it failed, for VIEW."""
+        """Hide all files and folders that this process may not read. Return {VIEW: HELD}, or the reason of the failure instead
+        of HELD.
+
+        :param readable: the paths that this run may read in addition.
+        :param home: the private folder of the run.
+        """
         narrowed = _tried(lambda: view.enter(home, [*self._shown, *readable], self._hidden))
         os.chdir(home)
         self._has_view = not isinstance(narrowed, str)
         return {VIEW: narrowed if isinstance(narrowed, str) else HELD}
 
     def put_on(self, readable: Sequence[str], home: str, notes: socket.socket | None = None) -> dict[str, str]:
-        """Confine this process permanently. Return HELD, or why it failed, for each of LAYERS.
+        """Confine this process permanently. Return HELD, or the reason of its failure, for each of LAYERS.
 
-        :param readable: what this run may read in addition, such as its submission.
-        :param home: the only folder that it may write to.
-        :param notes: the socket of the guard, which receives each refused call.
+        :param readable: the paths that this run may read in addition, such as its submission.
+        :param home: the only folder to which the run may write.
+        :param notes: the socket of the guard, which receives each refused call, or None.
         """
         state = dict.fromkeys(LAYERS, HELD)
         privileges = _tried(lambda: prctl(PR_SET_NO_NEW_PRIVS, 1))
@@ -76,7 +83,7 @@ class Confinement:
         return state
 
     def let_go(self) -> None:
-        """Close the descriptors of the places. With many installed packages, they are more than a run may have open."""
+        """Close the descriptors of the paths. With many installed packages, there are more of them than a run may have open."""
         for descriptor in (*self._readable, *self._listable, *self._devices):
             os.close(descriptor)
 
@@ -108,10 +115,10 @@ class Confinement:
 
 
 def _tried(act: Callable[[], int | None]) -> int | str:
-    """Call a function. Return HELD, or why it failed.
+    """Call a function, and return its result as a number, or the reason as a string if it fails.
 
-    :raises OSError: when the computer has too little of something now, or its disk fails. A run must not continue without a
-        layer for this reason.
+    :raises OSError: if the computer now lacks a resource, or its disk fails. A run must not continue without a layer for this
+        reason.
     """
     try:
         return act() or 0
@@ -124,7 +131,8 @@ def _tried(act: Callable[[], int | None]) -> int | str:
 def _drop_capabilities(keep_reading: bool) -> int:
     """Remove root's capabilities from this process and its children.
 
-    :param keep_reading: keep the capability to read files of other users, which grading needs, if files are confined.
+    :param keep_reading: whether to keep the capability to read files of other users. Grading needs it, and it is safe only if
+        files are confined.
     """
     kept = 1 << CAP_DAC_READ_SEARCH if keep_reading else 0
     for capability in range(LAST_CAPABILITY + 1):

@@ -1,4 +1,4 @@
-"""The guard is between the starter and one run: it starts the run, watches all its processes, and ends all of them.
+"""The guard of one run: it starts the run, watches all its processes, and ends all of them.
 
 The guard itself is not confined. Orphans of the run become its children (it is their subreaper), so that no process escapes.
 """
@@ -28,16 +28,16 @@ SOCKET_BYTES = 212_992  # bytes in the buffer of one socket if the system does n
 
 
 def guard(link: socket.socket, home: str, memory_bytes: int, begin: Callable[[socket.socket], NoReturn]) -> NoReturn:
-    """Start a run in its own process, and send its pid and its end. Then end all processes that it started, and this process.
+    """Start a run in its own process, and report its pid and its end. Then end all processes of the run, and this process.
 
-    :param link: the socket to the runner, which gets lines of JSON. The first line is ``{"pid": 77, "guard": 76}``. The last
+    :param link: the socket to the runner, which receives lines of JSON. The first line is ``{"pid": 77, "guard": 76}``. The last
         line has ``"status": -9``, or ``"cut"`` with ``"processes"``, ``"memory"`` or ``"disk"`` for a run that used too much.
-        It also has ``"refused"`` with names of system calls, if there are any. When the runner closes its end, the guard ends
-        the run. When the guard closes its end, all processes have ended.
-    :param home: the run's private folder, which is removed afterwards, even when the grader was killed.
+        If system calls were refused, it also has their names in ``"refused"``. When the runner closes its end, the guard ends the
+        run. When the guard closes its end, all processes have ended.
+    :param home: the run's private folder, which is removed afterwards, even if the grader was killed.
     :param memory_bytes: the limit for all processes of the run together.
-    :param begin: runs the scenario; it gets a socket for the descriptor that receives refused calls.
-    :raises OSError: when the computer has no process for the run.
+    :param begin: a function that runs the scenario. Its argument is a socket for the descriptor that receives refused calls.
+    :raises OSError: if the computer cannot start a process for the run.
     """
     with suppress(OSError):
         prctl(PR_SET_CHILD_SUBREAPER, 1)
@@ -68,10 +68,10 @@ def guard(link: socket.socket, home: str, memory_bytes: int, begin: Callable[[so
 
 
 class _Watch:
-    """Watches a run.
+    """The observation of one run until it ends or exceeds a limit.
 
-    :param notes: the socket on which the listener of its refused calls arrives.
-    :param refused: receives the names of these calls.
+    :param notes: the socket on which the listener for refused calls arrives.
+    :param refused: the dict to which the names of refused calls are added.
     """
 
     def __init__(
@@ -92,7 +92,9 @@ class _Watch:
             self._ends.register(os.pidfd_open(pid), select.POLLIN)
 
     def until_it_ends(self) -> dict[str, object]:
-        """Wait until the run ends, the runner closes its end, or the run uses too much."""
+        """Wait until the run has ended, the runner closes its end, or the run exceeds a limit. Return the result for the
+        runner.
+        """
         next_look = 0.0
         while True:
             for end, event in self._ends.poll(GLANCE_S * 1000):
@@ -111,7 +113,7 @@ class _Watch:
                 next_look = time.monotonic() + LOOK_S
 
     def _hear(self, end: int, event: int) -> None:
-        """Receive the listener, or refuse the call that waits at it."""
+        """Receive the listener, or refuse the call that waits for an answer."""
         if end == self._notes.fileno():
             self._ends.unregister(end)
             with suppress(OSError):
@@ -138,7 +140,9 @@ class _Watch:
 
 
 def _fits(folder: str) -> bool:
-    """Return whether a directory has at most what a run may write. (The system limits a run that has its own view.)"""
+    """Return whether the content of a directory is within the limits. (For a run with its own view, the system enforces the
+    limits.)
+    """
     count, size = 0, 0
     pending = [folder]
     while pending:
@@ -155,7 +159,7 @@ def _fits(folder: str) -> bool:
 
 
 def end_all(pid: int) -> None:
-    """Kill a child process, its group and every descendant of this process, until none is left."""
+    """Kill a child process, its group and every descendant of this process, until no descendant exists."""
     while True:
         with suppress(OSError):
             os.killpg(pid, signal.SIGKILL)
@@ -186,7 +190,7 @@ def descendants(pid: int) -> list[int]:
 
 
 def _threads(pids: list[int]) -> int:
-    """Return the number of threads of some processes."""
+    """Return the total number of threads of some processes."""
     count = 0
     for pid in pids:
         with suppress(OSError):
@@ -195,7 +199,7 @@ def _threads(pids: list[int]) -> int:
 
 
 def _buffers(pids: list[int]) -> int:
-    """Return the bytes that the sockets of processes can buffer, which the memory of a process does not include."""
+    """Return the bytes that the sockets of processes can buffer. The memory of a process does not include them."""
     sockets: set[str] = set()
     for pid in pids:
         with suppress(OSError):
@@ -215,8 +219,10 @@ def _socket_bytes() -> int:
 
 
 def _memory(pids: list[int], source: str) -> int:
-    """Return the bytes that processes use. `statm` is quick but counts shared memory for each process; `smaps_rollup` does
-    not.
+    """Return the bytes that processes use.
+
+    :param pids: the processes.
+    :param source: 'statm' or 'smaps_rollup'. 'statm' is quick, but counts shared memory for each process.
     """
     total = 0
     for pid in pids:

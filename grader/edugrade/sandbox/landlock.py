@@ -1,5 +1,5 @@
-"""Landlock (Linux 5.13): limits which files a process and its children may read and write, and which processes they may signal
-or connect to.
+"""Landlock (Linux 5.13): limits which files a process and its children may read and write, and which processes they may signal or
+connect to.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class _PathBeneath(ctypes.Structure):
 
 
 def version() -> int:
-    """Return the version of Landlock in the kernel, at most NEWEST; 0 without Landlock."""
+    """Return the version of Landlock in the kernel, but at most NEWEST. Return 0 without Landlock."""
     try:
         return min(syscall(CREATE_RULESET, None, 0, VERSION), NEWEST) if IS_LINUX else 0
     except OSError:
@@ -46,9 +46,9 @@ def version() -> int:
 
 
 def open_paths(paths: Sequence[str]) -> list[int]:
-    """Open descriptors for these paths, without the paths that do not exist or cannot be reached.
+    """Return open descriptors for the paths that exist and can be reached.
 
-    :raises OSError: when the computer cannot open one that may be there. A run without it would blame its submission.
+    :raises OSError: if the computer cannot open a path for another reason. A run without this path would blame its submission.
     """
     found = []
     for path in paths:
@@ -61,11 +61,11 @@ def open_paths(paths: Sequence[str]) -> list[int]:
 
 
 def restrict(rules: Sequence[tuple[Sequence[int], int]]) -> int:
-    """Permanently limit this process to these rights below these places, and to signals to its own processes.
+    """Permanently limit this process to the given rights below the given paths, and to signals to its own processes.
 
-    :param rules: pairs of descriptors (of `open_paths`) and rights.
-    :return: the version that was used.
-    :raises OSError: when the kernel has no Landlock.
+    :param rules: pairs of descriptors (from `open_paths`) and rights.
+    :return: the version of Landlock that was used.
+    :raises OSError: if the kernel has no Landlock.
     """
     known = version()
     rights = RIGHTS.get(known, 0)

@@ -1,4 +1,4 @@
-"""Removes a folder with any content that a hostile program may have created."""
+"""Removes a folder, whatever content a hostile program has created in it."""
 
 from __future__ import annotations
 
@@ -7,8 +7,10 @@ from contextlib import suppress
 
 
 def remove_tree(folder: str) -> None:
-    """Remove a folder with everything in it, as far as possible. First, move up folders that are nested too deep for a path or
-    the stack, and add missing permissions. Remove links without following them.
+    """Remove a folder with everything in it, as far as possible.
+
+    Folders that are nested too deeply for a path or the stack are first moved up, and missing permissions are added. Links
+    are removed without following them.
     """
     moved = 0
     pending = [folder]

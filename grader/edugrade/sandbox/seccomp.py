@@ -1,7 +1,7 @@
-"""A filter of system calls (seccomp) with a list of the allowed calls. It refuses all others.
+"""A filter of system calls (seccomp), which allows the calls in a list and refuses all others.
 
 This module writes the filter itself, so that it needs no library. A refused call fails with EPERM. From Linux 5.0 on, a
-*listener* receives each refused call, so that the report names it. See `guard.py`.
+*listener* receives each refused call, so that the report can name it. See `guard.py`.
 """
 
 from __future__ import annotations
@@ -58,13 +58,13 @@ def _argument(index: int, is_upper_half: bool = False) -> bytes:
 
 
 def _one_of(values: Sequence[int], refuse: bytes) -> list[bytes]:
-    """Return instructions that require the loaded value to be one of these."""
+    """Return instructions that refuse the call unless the loaded value is one of the given values."""
     tests = [_instruction(EQUAL, value, len(values) - place) for place, value in enumerate(values)]
     return [*tests, refuse, _instruction(RETURN, ALLOW)]
 
 
 def _looked_at(refuse: bytes) -> dict[str, list[bytes]]:
-    """Return the instructions that check the arguments of some calls."""
+    """Return the instructions that check the arguments of some calls, by the name of the call."""
     allow = _instruction(RETURN, ALLOW)
     return {
         'clone': [_argument(0), _instruction(ANY_BIT, NAMESPACES, 0, 1), refuse, allow],
@@ -88,12 +88,12 @@ def _looked_at(refuse: bytes) -> dict[str, list[bytes]]:
 
 
 def column_here() -> int | None:
-    """Return this machine's column in `calls.py`; None for an unknown architecture."""
+    """Return this computer's column in `calls.py`, or None for an unknown architecture."""
     return ARCHITECTURES.get(os.uname().machine, (None, 0))[0]
 
 
 def filter_program(has_listener: bool = False, has_view: bool = False) -> bytes | None:
-    """Return the filter for this machine; None for an unknown architecture.
+    """Return the filter for this computer, or None for an unknown architecture.
 
     :param has_listener: whether a listener answers refused calls.
     :param has_view: whether the run has its own view; see `calls.allowed`.
@@ -126,22 +126,22 @@ class _Program(ctypes.Structure):
 def restrict(program: bytes) -> None:
     """Permanently filter the calls of this process and its children. PR_SET_NO_NEW_PRIVS must be set before.
 
-    :raises OSError: when the kernel has no filters.
+    :raises OSError: if the kernel does not support filters.
     """
     prctl(PR_SET_SECCOMP, MODE_FILTER, ctypes.byref(_Program(len(program) // 8, program)))
 
 
 def restrict_with_listener(program: bytes) -> int:
-    """Do the same as `restrict` with a program that has a listener. Return the descriptor of the listener.
+    """Filter the calls like `restrict`, with a program for a listener. Return the descriptor of the listener.
 
-    :raises OSError: when the kernel has no listeners, or this process already has one.
+    :raises OSError: if the kernel does not support listeners, or this process already has one.
     """
     content = _Program(len(program) // 8, program)
     return syscall(SECCOMP[column_here() or 0], SET_MODE_FILTER, NEW_LISTENER, ctypes.byref(content))
 
 
 def refuse_next(listener: int) -> str | None:
-    """Refuse the call that waits at a listener. Return its name, or None if the calling thread has ended."""
+    """Refuse the next call that waits at a listener. Return the name of the call, or None if the calling thread has ended."""
     note = bytearray(NOTE_BYTES)
     try:
         fcntl.ioctl(listener, RECEIVE, note)

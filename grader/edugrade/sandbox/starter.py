@@ -1,15 +1,15 @@
-"""A warm interpreter that starts the runs: it loads the engine once, and becomes each run by forking.
+"""The starter: a process that loads the engine once, and forks itself for each run.
 
 `starter_link.py` starts it as a separate script with its own environment (``-I`` would ignore PYTHONHASHSEED). It reads no
 submission: a run does so after the fork with `child.py`, in its own confined process, session and folder. So every run begins
-in the same clean state, and 400 modules are loaded once instead of once per run.
+in the same clean state, and 400 modules are loaded once instead of once for each run.
 
-The forkserver of the standard library is not enough. Its children inherit the caller's environment and hash seed. It unpickles
-its input, forgets a child's pid before the group could be killed, and has no place for a guard.
+The forkserver of the standard library is not sufficient. Its children inherit the caller's environment and hash seed. It
+unpickles its input, forgets a child's pid before the group could be killed, and has no place for a guard.
 
-A message is JSON after four bytes with its length. The first message is Python's path. The second one has the places that every
-run may read, and whether there will be many runs. Then each run has a message with its job and three descriptors: the channel,
-the output and the guard's link.
+A message is JSON after four bytes with its length. The first message is Python's module search path. The second message contains
+the paths that every run may read, and whether there will be many runs. After that, each run has a message with its job and three
+descriptors: the channel, the output and the guard's link.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ def main() -> NoReturn:
 
 
 def open_many() -> None:
-    """Raise the limit of open files, so that this process can open a file for each installed package."""
+    """Raise the limit on open files, so that this process can open a file for each installed package."""
     with suppress(ImportError, ValueError, OSError):
         import resource
 
@@ -85,8 +85,9 @@ def open_many() -> None:
 
 
 def leave_nothing() -> NoReturn:
-    """End after the grader has ended. Remove the private folder that a killed grader has left, when the guards have emptied
-    it.
+    """End this process after the grader has ended.
+
+    If the grader was killed, its private folder still exists. Wait until the guards have emptied the folder, and remove it.
     """
     folder = os.path.dirname(os.getcwd())
     for _ in range(LAST_LOOKS):
@@ -126,7 +127,7 @@ def _be_a_run(
 def _peer(
     job: dict[str, Any], ends: tuple[int, int], child: Any, confinement: Any, trusted_peer: Any, notes: socket.socket
 ) -> Any:
-    """Return the trusted peer, confined, after the other one was forked."""
+    """Fork the confined peer, confine this process, and return it as the trusted peer."""
     channel, output = ends
     os.setsid()
     for target in (1, 2):
@@ -162,7 +163,9 @@ def _peer(
 
 
 def _load_sandbox() -> tuple[Any, Any, Any, Any]:
-    """Return the modules confine, guard, trusted_peer and system of this folder. No run can find them among the loaded ones."""
+    """Return the modules confine, guard, trusted_peer and system of this folder. They are not in `sys.modules`, so no run can
+    find them.
+    """
     spec = spec_from_file_location('edugrade_sandbox', os.path.join(HERE, '__init__.py'), submodule_search_locations=[HERE])
     assert spec is not None
     sys.modules['edugrade_sandbox'] = module_from_spec(spec)
@@ -174,7 +177,7 @@ def _load_sandbox() -> tuple[Any, Any, Any, Any]:
 
 
 def _load_child() -> Any:
-    """Return the module child.py. It is not in sys.modules either, and its frames do not count as the student's."""
+    """Return the module child.py. It is not in `sys.modules` either, and its frames do not count as the student's code."""
     child = ModuleType('edugrade_child')
     with open(os.path.join(HERE, 'child.py'), encoding='utf-8') as file:
         exec(compile(file.read(), '<frozen edugrade.child>', 'exec'), child.__dict__)

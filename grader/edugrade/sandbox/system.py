@@ -1,4 +1,4 @@
-"""System calls that Python has no functions for."""
+"""System calls for which Python has no functions."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ libc.syscall.restype = ctypes.c_long
 
 
 def syscall(number: int, *arguments: Any) -> int:
-    """Call the kernel by number.
+    """Call the kernel by the number of a system call, and return the result.
 
     :raises OSError: with the error of the kernel.
     """
@@ -35,7 +35,10 @@ def syscall(number: int, *arguments: Any) -> int:
 
 
 def prctl(option: int, value: int = 0, more: Any = 0) -> int:
-    """Call prctl(2). Raise OSError with the error of the kernel."""
+    """Call prctl(2), and return the result.
+
+    :raises OSError: with the error of the kernel.
+    """
     if not IS_LINUX:
         raise OSError('only Linux has prctl')
     return _checked(
@@ -44,10 +47,12 @@ def prctl(option: int, value: int = 0, more: Any = 0) -> int:
 
 
 def fork() -> int:
-    """Fork as `os.fork`, and wait for almost half a second while the computer has no processes left. A Ctrl-C during the fork
-    has its effect afterwards, because Python ignores exceptions in the functions that it calls after a fork.
+    """Fork like `os.fork`. If the computer has no processes left, retry for almost half a second.
 
-    :raises OSError: when it still has none.
+    A Ctrl-C during the fork takes effect afterwards, because Python ignores exceptions in the functions that it calls after a
+    fork.
+
+    :raises OSError: if the fork still fails.
     """
     for pause in PAUSES_S:
         with suppress(OSError):
@@ -65,7 +70,7 @@ def _fork() -> int:
 
 
 def effective_capabilities() -> int:
-    """Return the first 32 capabilities of root that this process has now, one bit for each."""
+    """Return the first 32 capabilities that this process has now, one bit for each."""
     header, sets = (ctypes.c_uint32 * 2)(0x20080522, 0), (ctypes.c_uint32 * 6)()
     _checked(int(libc.capget(header, sets)))
     return int(sets[0])

@@ -1,12 +1,13 @@
-"""The trusted peer of one run: the simulation with its worlds, stock nodes and recorder. It forks the confined peer. It answers
-the runner with two frames of a letter, eight bytes of length, and content. The first frame, ``C``, is JSON with the
-layers of confinement. It comes from the confined peer before that peer reads anything of the submission.
+"""The trusted peer of one run: the simulation with its worlds, stock nodes and recorder. It forks the confined peer.
+
+It sends two frames to the runner. A frame consists of a letter, eight bytes of length, and content. The first frame, ``C``, is
+JSON with the layers of confinement. It comes from the confined peer before that peer reads anything of the submission.
 
 The second frame has one of these letters:
 - ``R`` is the recording of this peer: a line of JSON with the provenance of its rows and the contents of the bags, then bytes.
 - ``U`` is JSON for a launch file that cannot be run, with the message of ROS 2.
-- ``S`` is JSON for a stopped run, with 'timeout', 'memory', 'recording' (too large), 'processes' (too many), 'protocol' (invalid
-  frames) or 'broken'. The last one stands for an error of edulaunch in the other peer.
+- ``S`` is JSON for a stopped run. Its reason is 'timeout', 'memory', 'recording' (too large), 'processes' (too many),
+  'protocol' (invalid frames) or 'broken' (an error of edulaunch in the other peer).
 - ``B`` is JSON for an error of edulaunch in this peer.
 """
 
@@ -35,10 +36,13 @@ INTERRUPTED_S = 2.0  # simulated time in which programs can end after Ctrl-C
 
 
 class TrustedPeer:
-    """One run.
+    """The trusted peer of one run.
 
-    :param channel: the socket to the runner, which sends what the confined peer must not know. So it is read after the fork.
-    :param confined: runs the other peer, given its ends of the link and of the pipe for its last message.
+    :param job: the input of the run; see `RunRequest.message`.
+    :param channel: the socket to the runner. The runner sends values that the confined peer must not know, so they are read
+        after the fork.
+    :param confined: a function that runs the confined peer. Its arguments are the peer's ends of the link and of the pipe for
+        its last message.
     """
 
     def __init__(self, job: dict[str, Any], channel: int, confined: Callable[[socket.socket, int], NoReturn]) -> None:
@@ -56,7 +60,9 @@ class TrustedPeer:
         self._link = ours
 
     def run(self) -> NoReturn:
-        """Report the confinement of the other peer to the runner, run the scenario together with it, and answer."""
+        """Report the confinement of the other peer to the runner, run the scenario together with that peer, and send the
+        result.
+        """
         state = read_words(self._words)
         if state[:1] == b'B':  # it has not been confined, and has read nothing yet
             self._answer(state[:1], state[HEADER_BYTES:])
@@ -101,7 +107,7 @@ class TrustedPeer:
         return json.dumps([*provenance, *found]).encode() + b'\n' + recording
 
     def _bags_after_interrupt(self, trusted: Any) -> list[dict[str, Any]]:
-        """Let launch and its programs end after the recorded part, and read the bags that they have written."""
+        """Continue after the recorded part until launch and its programs have ended, and read the bags that they have written."""
 
         def over(error: Exception) -> NoReturn:
             raise error
@@ -119,12 +125,14 @@ class TrustedPeer:
         self._stopped(REASONS.get(name, 'protocol'), f'{name}: {error}')
 
     def _on_its_end(self, signum: int, frame: FrameType | None) -> None:
-        """Read what the ended peer has sent, and no more, because its children may still hold its end of the link."""
+        """Close the link, so that only data that the ended peer has already sent are read. Its children may still hold the
+        link open.
+        """
         with suppress(OSError):
             self._link.shutdown(socket.SHUT_RDWR)
 
     def _end_like_it(self) -> NoReturn:
-        """Pass on the last message of the ended peer, or end in the same way."""
+        """Pass the last message of the ended peer on, or end in the same way as that peer."""
         words = read_words(self._words)
         if words[:1] == b'B':  # a submission can break its process or pretend that it broke, so this gives no mark
             self._answer(b'S', b'{"reason": "broken", "said": %s}' % (words[HEADER_BYTES:] or b'null'))
@@ -168,7 +176,7 @@ def send(channel: int, letter: bytes, content: bytes) -> None:
 
 
 def read_words(words: int) -> bytes:
-    """Read one complete frame from a pipe, or return b'' at its end."""
+    """Read one complete frame from a pipe, or return b'' if there is no complete frame."""
     data = b''
     with suppress(BlockingIOError):
         while len(data) < LONGEST_WORDS and not _is_whole(data):
@@ -184,7 +192,7 @@ def _is_whole(data: bytes) -> bool:
 
 
 def broke(error: BaseException) -> tuple[bytes, bytes]:
-    """Return the answer for an error of edulaunch itself."""
+    """Return the letter and content of a frame for an error of edulaunch itself."""
     import traceback
 
     text = ''.join(traceback.format_exception(type(error), error, error.__traceback__))

@@ -1,8 +1,9 @@
-"""Gives a run its own tree of directories, without the files that it may not read, and without their names and sizes. This
-needs a mount namespace. Root may create one, and ordinary users may where the system lets them create user namespaces. The tree
-is a file system in memory, in which readable places are mounted. All of it is read-only, including devices, so no mode and no
-time of a file can change. The run's own folder is another file system in memory with its own limit, so that a run cannot fill a
-disk.
+"""Gives a run its own tree of directories, without the files that it may not read, and without their names and sizes.
+
+This needs a mount namespace. Root may create one, and ordinary users may if the system lets them create user namespaces. The
+tree is a file system in memory, in which readable paths are mounted. All of it is read-only, including devices, so the mode
+and the time of a file cannot change. The run's own folder is another file system in memory with its own limit, so that a run
+cannot fill a disk.
 """
 
 from __future__ import annotations
@@ -27,12 +28,12 @@ READ_ALL = 1 << 1 | 1 << 2  # CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH
 
 
 def enter(home: str, shown: Iterable[str], hidden: Sequence[str]) -> None:
-    """Limit this process and its children to these places from now on.
+    """Limit this process and its children to the given paths from now on.
 
-    :param home: the run's own folder, which is empty; it is the current folder afterwards.
-    :param shown: existing places, with everything below them. Other places are left out.
-    :param hidden: folders in them that are empty.
-    :raises OSError: when this user may not create namespaces; then nothing has changed.
+    :param home: the run's own folder, which is empty. It is the current folder afterwards.
+    :param shown: existing paths, which are visible with everything below them. Other paths are left out.
+    :param hidden: folders below them that appear empty.
+    :raises OSError: if this user may not create namespaces. In this case, nothing has changed.
     """
     if not IS_LINUX:
         raise OSError('only Linux has namespaces')
@@ -60,9 +61,9 @@ def enter(home: str, shown: Iterable[str], hidden: Sequence[str]) -> None:
 
 
 class _Tree:
-    """The new tree.
+    """The new tree of directories.
 
-    :param root: its temporary path.
+    :param root: the temporary path of the tree.
     """
 
     def __init__(self, root: str) -> None:
@@ -70,7 +71,7 @@ class _Tree:
         self._bound: list[str] = []
 
     def show(self, place: str) -> None:
-        """Add a place to the tree. Links on its path are also links in the tree."""
+        """Add a path to the tree. Links in the path are also links in the tree."""
         path, links = '/', 0
         rest = [part for part in place.split('/') if part]
         while rest:
@@ -102,9 +103,9 @@ class _Tree:
 
 
 def _is_own_device(path: str, there: str) -> bool:
-    """Create a node of this run for a device, if root may do so. Return False for other files and in most containers.
+    """Create a device node for this run, if root may do so, and return True. Return False for other files and in most containers.
 
-    With locks on a node that all runs share, runs could send each other messages.
+    If all runs shared a node, they could send each other messages with locks on it.
     """
     found = os.stat(path)
     if os.geteuid() != 0 or not stat.S_ISCHR(found.st_mode):
@@ -122,7 +123,7 @@ def _is_own_device(path: str, there: str) -> bool:
 
 
 def _unshare() -> None:
-    """Create a mount namespace. For an ordinary user, also create a user namespace that keeps all user ids."""
+    """Create a mount namespace. For an ordinary user, also create a user namespace in which the user ids do not change."""
     user, group = os.geteuid(), os.getegid()
     if user == 0:  # avoid a user namespace, in which root cannot read the files of students
         return _checked(libc.unshare(NEW_NAMESPACE))
@@ -136,7 +137,7 @@ def _unshare() -> None:
 
 
 def _make_read_only(place: str) -> None:
-    """Make the mounts at a place and below it read-only."""
+    """Make the mounts at a path and below it read-only."""
     wanted = (ctypes.c_uint64 * 4)(READ_ONLY, 0, 0, 0)
     syscall(MOUNT_SETATTR, HERE, os.fsencode(place), WITH_ALL_BELOW, ctypes.byref(wanted), ctypes.sizeof(wanted))
 

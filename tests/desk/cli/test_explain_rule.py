@@ -14,9 +14,9 @@ def test_a_rule_is_explained_with_cause_example_and_cure(capsys: pytest.CaptureF
     lines = capsys.readouterr().out.splitlines()
     assert lines[:4] == [
         'time.timer-period (warning)',
-        '  what:   the timer of <callback>() in <node> has a period of <period_s> s: is this the period that you want?',
+        '  what:   the timer of <callback>() in <node> has an unusual period: <period_s> s',
         '  why:    create_timer() expects seconds: 0.5 means twice a second',
-        '  do:     write the seconds between two calls, such as create_timer(0.1, ...) for ten calls a second',
+        '  do:     if you want another period, write the seconds between two calls, such as create_timer(0.1, ...) for ten calls a second',
     ]
     example = lines[lines.index('Example (lines with - are the mistake, lines with + are the fix):') :]
     assert any(line.startswith('  -') and 'create_timer' in line for line in example)

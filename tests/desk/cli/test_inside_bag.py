@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import itertools
 import re
 from pathlib import Path
@@ -10,7 +9,6 @@ from typing import Any
 
 import pytest
 
-from edulaunch.desk.cli.ros2.bag_play import play_arguments
 from edulaunch.engine.processes.inputs import TypedInput
 
 
@@ -83,14 +81,20 @@ def test_a_topic_is_found_when_it_appears(machine) -> None:
 
 
 def test_record_wants_topics_and_a_new_folder(machine) -> None:
-    assert 'write `ros2 bag record -a`' in machine.fails('ros2 bag record')
+    said = machine.fails('ros2 bag record')
+    assert (
+        said.startswith('[ERROR] [ros2bag]: Need to specify at least one option out of') and 'write `ros2 bag record -a`' in said
+    )
+    assert 'record without this option' in machine.fails('ros2 bag record -a --snapshot-mode')
+    typed = machine.run('ros2 bag record /one --topics /two')
+    assert (typed.code, 'not allowed with argument' in typed.err) == (2, True)
     (machine.folder / 'old').mkdir()
     said = machine.fails('ros2 bag record -a -o old')
     assert "old' already exists.\n" in said and 'help: delete the folder old, or write another name, as in -o old_2' in said
 
 
 def test_regex_and_exclude_choose_topics(machine) -> None:
-    typed = machine.run('ros2 bag record -e turtle1 -x color')
+    typed = machine.run('ros2 bag record -e turtle1 --exclude-regex color')
     assert [line for line in logged(typed.err) if line.startswith('Subscribed')] == ["Subscribed to topic '/turtle1/pose'"]
 
 
@@ -107,7 +111,18 @@ def test_play_repeats_what_was_recorded(machine) -> None:
 
 
 def test_info_of_no_bag(machine) -> None:
-    assert machine.fails('ros2 bag info nix').startswith("[ERROR] [ros2bag]: bag path 'nix' does not exist!\n")
+    (machine.folder / 'empty').mkdir()
+    assert machine.fails('ros2 bag info empty').startswith("[ERROR] [ros2bag]: 'empty' has no metadata.yaml\n")
+
+
+@pytest.mark.parametrize('verb', ['info', 'play'])
+def test_a_missing_bag_is_a_usage_error(machine, verb: str) -> None:
+    typed = machine.run(f'ros2 bag {verb} nix')
+    assert typed.code == 2
+    assert typed.err.endswith(
+        f"ros2 bag {verb}: error: argument bag_path: Bag path 'nix' does not exist!\n"
+        '  help: give the folder that `ros2 bag record` created\n'
+    )
 
 
 @pytest.fixture
@@ -189,6 +204,9 @@ def test_calls_of_a_service_are_recorded_and_made_again(machine) -> None:
     assert 'Service: /add_two_ints | Type: example_interfaces/srv/AddTwoInts | Event Count: 2 | ' in (
         machine.read('ros2 bag info calls')
     )
+    verbose = machine.read('ros2 bag info -v -t calls')
+    assert verbose.startswith("Warning! You have set both the '-t' and '-v' parameters.")
+    assert 'Service: /add_two_ints | Type: example_interfaces/srv/AddTwoInts | Request Count: 1 | Response Count: 1 | ' in verbose
     machine.run('ros2 bag play calls --publish-service-requests', 1.0)
     assert server.out == 'asked\nasked\n'
 
@@ -201,12 +219,8 @@ def test_an_empty_bag_lasts_no_time(machine) -> None:
 @pytest.mark.parametrize(
     ('rate', 'told'), [('fast', 'fast is not the valid type (float)'), ('0', '0 is not in the valid range (> 0.0)')]
 )
-def test_a_rate_that_is_none_is_told_as_ros2bag_does(rate: str, told: str, capsys: pytest.CaptureFixture[str]) -> None:
-    parser = argparse.ArgumentParser('ros2 bag play')
-    play_arguments(parser)
-    with pytest.raises(SystemExit):
-        parser.parse_args(['my_bag', '-r', rate])
-    assert capsys.readouterr().err.endswith(f'error: argument -r/--rate: {told}\n')
+def test_a_rate_that_is_none_is_told_as_ros2bag_does(machine, rate: str, told: str) -> None:
+    assert machine.run(f'ros2 bag play . -r {rate}').err.endswith(f'error: argument -r/--rate: {told}\n')
 
 
 def test_the_clock_of_a_playback_runs_as_fast_as_the_playback(bag) -> None:

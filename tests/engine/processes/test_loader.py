@@ -264,7 +264,7 @@ def test_a_file_beside_the_script_hides_the_standard_module_of_its_name(world: A
     path = world.write(f'{name}.py', 'MINE = True\n')
     text = world.run(f'import {name}\nprint({name}.MINE)\n{name}.nothing')
     assert text.startswith('True\n')
-    assert text.splitlines()[-1] == f'  help: Python imports {path} instead of its own module {name}; rename that file'
+    assert text.splitlines()[-1] == f'  help: Python imports {path} instead of its own module {name}; rename {path}'
 
 
 @pytest.mark.parametrize('name', ['time', 'sys', 'os'])

@@ -7,11 +7,16 @@ from typing import Any
 import pytest
 from edugrade import Scenario
 from fake_recording import FILE, graded
-from fake_runs import FakeRun, circles, frame, late, node, program, statuses, stays
+from fake_runs import FakeRun, circles, frame, late, mimic, node, program, statuses, stays
 
 from edulaunch.engine.recording.records import Parameter, TopicRecord
 
 MIMIC = program(1, 'turtlesim', 'mimic', line=11)
+POSES = {
+    name: TopicRecord(name, 't', ['/sim'], ['/mimic'], 1)
+    for name in ('/teacher/turtle1/pose', '/double/turtle1/pose', '/between/pose', '/between/cmd_vel')
+}
+COPIES = mimic(MIMIC, '/teacher/turtle1', '/turtle1')
 BROADCASTER = program(2, 'turtle_tf2_py', 'turtle_tf2_broadcaster', line=22)
 LISTENER = program(3, 'turtle_tf2_py', 'turtle_tf2_listener', line=33)
 
@@ -22,10 +27,11 @@ def run(scenario: Scenario, **changes: Any) -> FakeRun:
     return FakeRun(
         **{
             'processes': [MIMIC, BROADCASTER, LISTENER],
-            'nodes': [node('/listener', LISTENER)],
+            'nodes': [node('/listener', LISTENER), COPIES],
             'tracks': {'/teacher/turtle1/pose': track, '/turtle1/pose': track, '/turtle2/pose': late(track, 1.0)},
             'frames': lambda time_s: {'turtle1': frame('world', 5.0, 5.0), 'turtle2': frame('world', 5.0, 5.0)},
             'values': {'/listener': {'target_frame': Parameter('turtle1', 'x')}},
+            'topics': {'/turtle1/cmd_vel': TopicRecord('/turtle1/cmd_vel', 't', ['/mimic'], ['/sim'], 1), **POSES},
             **changes,
         }
     )
@@ -47,7 +53,7 @@ def test_a_mimic_whom_nobody_hears_is_pointed_at() -> None:
         return run(
             scenario,
             tracks={**good.tracks, '/turtle1/pose': stays(5.5, 5.5)},
-            nodes=[*good.nodes, node('/mimic', MIMIC, publishes='/output/cmd_vel')],
+            nodes=[*good.nodes[:1], node('/mimic', MIMIC, publishes='/output/cmd_vel')],
             topics={'/output/cmd_vel': topic('/output/cmd_vel', ['/mimic'], [])},
         )
 
@@ -55,6 +61,27 @@ def test_a_mimic_whom_nobody_hears_is_pointed_at() -> None:
     assert statuses(results) == {'turtle1_copies': 'failed', 'turtle2_follows': 'not_run'}
     assert results['turtle1_copies'].seen.endswith('/mimic publishes on /output/cmd_vel, which has no subscriber')
     assert results['turtle1_copies'].where == (FILE, 11)
+
+
+def test_a_mimic_of_another_turtle_that_drives_as_far_does_not_copy() -> None:
+    other = mimic(MIMIC, '/double/turtle1', '/turtle1')
+    results = graded('broken_follow', lambda s: run(s, nodes=[node('/listener', LISTENER), other]))
+    assert statuses(results) == {'turtle1_copies': 'failed', 'turtle2_follows': 'not_run'}
+    assert results['turtle1_copies'].seen == 'mimic subscribes to /double/turtle1/pose'
+
+
+def test_a_chain_of_mimics_copies() -> None:
+    first, second = mimic(MIMIC, '/teacher/turtle1', '/between'), mimic(MIMIC, '/between', '/turtle1')
+    assert statuses(graded('broken_follow', lambda s: run(s, nodes=[node('/listener', LISTENER), second, first]))) == {}
+
+
+def test_a_frame_of_a_turtle_that_does_not_exist_earns_nothing() -> None:
+    def without(scenario: Scenario) -> FakeRun:
+        tracks = {name: track for name, track in run(scenario).tracks.items() if name != '/turtle2/pose'}
+        return run(scenario, tracks=tracks)
+
+    results = graded('broken_follow', without)
+    assert (results['turtle2_is_on_tf'].status, results['turtle2_is_on_tf'].reason) == ('failed', 'the turtle turtle2 is missing')
 
 
 def test_a_broadcaster_that_hears_nobody_is_pointed_at() -> None:
@@ -67,7 +94,7 @@ def test_a_broadcaster_that_hears_nobody_is_pointed_at() -> None:
         )
 
     result = graded('broken_follow', silent)['turtle2_is_on_tf']
-    assert result.seen == 'turtle1 in world\n/b2 subscribes to /turtle_2/pose, which has no publisher'
+    assert result.seen == 'turtle1 (parent world)\n/b2 subscribes to /turtle_2/pose, which has no publisher'
     assert result.where == (FILE, 22)
     assert 'did you mean' not in result.try_
 

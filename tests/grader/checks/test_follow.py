@@ -71,13 +71,16 @@ def test_without_turtle2_its_frame_is_not_judged() -> None:
 def test_a_missing_frame_names_those_that_are_there() -> None:
     results = graded('follow', lambda scenario: run(scenario, frames={'turtle1': FRAME, 'turtel2': FRAME}))
     assert results['follower_is_on_tf'].reason == 'the frame turtle2 is missing'
-    assert results['follower_is_on_tf'].seen == 'turtle1 in world, turtel2 in world'
+    assert results['follower_is_on_tf'].seen == 'turtle1 (parent world), turtel2 (parent world)'
 
 
 def test_a_frame_in_the_wrong_parent_is_no_frame_in_world() -> None:
     frames = {'turtle1': FRAME, 'turtle2': FRAME._replace(parent='turtle1')}
     results = graded('follow', lambda scenario: run(scenario, frames=frames))
-    assert (results['follower_is_on_tf'].expected, results['follower_is_on_tf'].seen) == ('world', 'turtle1')
+    assert (results['follower_is_on_tf'].expected, results['follower_is_on_tf'].seen) == (
+        'the parent world',
+        'the parent turtle1',
+    )
 
 
 def test_a_leader_that_ignores_move_is_no_test_of_following() -> None:

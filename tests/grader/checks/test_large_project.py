@@ -6,15 +6,18 @@ from typing import Any
 
 from edugrade import Scenario
 from fake_recording import graded
-from fake_runs import FakeRun, frame, node, program, statuses
+from fake_runs import FakeRun, frame, mimic, node, program, statuses
 
-from edulaunch.engine.recording.records import Parameter
+from edulaunch.engine.recording.records import Parameter, TopicRecord
 
 WORLD = program(1, 'turtlesim', 'turtlesim_node')
 LISTENER = program(2, 'turtle_tf2_py', 'turtle_tf2_listener')
+MIMIC = program(3, 'turtlesim', 'mimic')
+COPIES = mimic(MIMIC, '/turtle2', '/turtlesim2/turtle1')
 WATER = {
     f'background_{letter}': Parameter(value, 'turtlesim.yaml line 4') for letter, value in zip('rgb', (150, 86, 255), strict=True)
 }
+POSES = {'/turtle2/pose': TopicRecord('/turtle2/pose', 't', ['/sim'], ['/mimic'], 1)}
 PLACES = {'carrot1': (5.5, 7.5), 'turtle1': (5.5, 5.5)}
 
 
@@ -24,11 +27,15 @@ def run(scenario: Scenario, **changes: Any) -> FakeRun:
     way = [(0.0, 4.0, 2.0), (5.0, x, y), (19.0, x, y)]
     return FakeRun(
         **{
-            'processes': [WORLD, LISTENER],
-            'nodes': [node('/sim', WORLD), node('/turtlesim2/sim', WORLD), node('/listener', LISTENER)],
+            'processes': [WORLD, LISTENER, MIMIC],
+            'nodes': [node('/sim', WORLD), node('/turtlesim2/sim', WORLD), node('/listener', LISTENER), COPIES],
             'values': {'/sim': WATER, '/turtlesim2/sim': WATER, '/listener': {'target_frame': Parameter(goal, 'x')}},
             'frames': lambda time_s: {'turtle1': frame('world', 5.5, 5.5), 'carrot1': frame('turtle1', 0.0, 2.0)},
             'tracks': {'/turtle2/pose': way, '/turtlesim2/turtle1/pose': way},
+            'topics': {
+                '/turtlesim2/turtle1/cmd_vel': TopicRecord('/turtlesim2/turtle1/cmd_vel', 't', ['/mimic'], ['/sim'], 1),
+                **POSES,
+            },
             **changes,
         }
     )

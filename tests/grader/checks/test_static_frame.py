@@ -46,8 +46,20 @@ def test_degrees_are_not_radians() -> None:
 def test_a_camera_in_base_link_hangs_in_the_wrong_frame() -> None:
     wrong = frame('base_link', 0.2, 0.0, 0.6, LEFT, is_static=True)
     results = graded('static_frame', lambda scenario: run(scenario, camera=wrong))
-    assert (results['camera_is_on_tf'].expected, results['camera_is_on_tf'].seen) == ('laser', 'base_link')
+    assert (results['camera_is_on_tf'].expected, results['camera_is_on_tf'].seen) == ('the parent laser', 'the parent base_link')
     assert results['camera_is_in_its_place'].root_cause == 'camera_is_on_tf'
+
+
+def test_a_root_is_a_frame_without_a_parent() -> None:
+    results = graded('static_frame', lambda scenario: run(scenario, laser=None, other=frame('world', 0.0, 0.0, is_static=True)))
+    assert results['laser_is_on_tf'].reason == 'the frame laser has no parent'
+    assert results['laser_is_on_tf'].seen == 'camera (parent laser), other (parent world)'
+
+
+def test_a_misspelt_parent_is_to_be_written_right() -> None:
+    wrong = frame('base_lnk', 0.2, 0.0, 0.5, is_static=True)
+    result = graded('static_frame', lambda scenario: run(scenario, laser=wrong), wrote="frame = 'base_lnk'")['laser_is_on_tf']
+    assert result.try_.startswith('write "base_link" instead of "base_lnk", or ')
 
 
 def test_a_leaning_camera_is_not_turned_to_the_left() -> None:
@@ -93,7 +105,7 @@ def test_a_frame_that_was_elsewhere_first_is_not_in_its_place() -> None:
 def test_a_frame_that_hung_elsewhere_first_is_told_with_its_time() -> None:
     wrong = frame('world', 0.2, 0.0, 0.5, is_static=True)
     results = graded('static_frame', lambda scenario: sent_from(4.5, scenario, laser=wrong))
-    assert results['laser_is_on_tf'].seen == 'world at 0.00 s'
+    assert results['laser_is_on_tf'].seen == 'the parent world at 0.00 s'
 
 
 @pytest.mark.parametrize('number', [float('nan'), float('inf'), 1e200])

@@ -52,7 +52,11 @@ def test_a_spreadsheet_with_semicolons_and_decimal_commas_is_read(tmp_path: Path
         ('student,exercise,points\nanna,circle,-3\n', ":2: '-3' is not a valid number of points"),
         ('student,exercise,points\nanna,circle,nan\n', ":2: 'nan' is not a valid number of points"),
         ('name,mark\nanna,3\n', 'has no columns student and points'),
-        ('student,exercise,points\nana,circle,3\n', 'teacher.csv names ana with the exercise circle'),
+        (
+            'student,exercise,points\nana,circle,3\n',
+            'teacher.csv names ana, who has no result\n  help: write anna, or remove the line',
+        ),
+        ('student,exercise,points\nanna,follow,3\n', 'teacher.csv: anna has no result of follow\n  help: write one of circle'),
     ],
 )
 def test_a_mistake_in_it_is_said_with_its_line(tmp_path: Path, text: str, told: str) -> None:

@@ -83,7 +83,7 @@ def test_a_seed_that_somebody_chose_is_found(work: Path, tmp_path: Path, capsys:
     assert 'seed: it does not follow from the text' in capsys.readouterr().out
     assert main(['verify', report, '--seed', '7']) == 0
     assert main(['verify', str(work / 'class.results' / 'anna' / 'static_frame.launch.py.json')]) == 2
-    assert 'give --course-secret-file' in capsys.readouterr().err
+    assert 'add --course-secret-file' in capsys.readouterr().err
 
 
 def test_a_package_is_found_beside_its_report(tmp_path: Path) -> None:

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 import pytest
 from edugrade.evidence import Evidence
-from edugrade.library.written import declaration_of, default_of, node_of, parameter_of_node, remapping_to
+from edugrade.library.written import (
+    argument_as_namespace,
+    declaration_of,
+    default_of,
+    name_of_node,
+    node_of,
+    parameter_of_node,
+    remapping_to,
+)
 from edugrade.source import SubmittedText
 
 
@@ -23,6 +31,17 @@ def evidence(file: str) -> Evidence:
 )
 def test_a_default_and_a_remapping(file: str, default: str, remapping: str) -> None:
     assert (default_of(evidence(file), 'kitchen'), remapping_to(evidence(file), '/news')) == (default, remapping)
+
+
+def test_a_name_of_a_node_is_what_to_write() -> None:
+    python, xml, yaml = (evidence(f'/a.launch.{ending}') for ending in ('py', 'xml', 'yaml'))
+    assert (
+        name_of_node(python, 'late', 'sim', 'turtlesim_node')
+        == "write namespace='late' and name='sim' in the Node of turtlesim_node"
+    )
+    assert name_of_node(xml, '', 'driver', 'draw_square') == 'write name="driver" in the Node of draw_square'
+    assert name_of_node(python, '', '', 'talker') == 'add a Node of talker'
+    assert argument_as_namespace(yaml, 'room', 'listener') == 'write namespace: "$(var room)" in the Node of listener'
 
 
 def test_an_xml_file_gets_no_python() -> None:

@@ -91,7 +91,7 @@ def test_a_run_that_did_not_begin_was_not_without_a_sandbox() -> None:
     assert sandbox_line([report(BROKE, outcome=broke)]) == 'sandbox: not needed. Nothing of the submission was run.'
     assert (
         sandbox_line([report(BROKE, outcome=broke), report(PASSED, outcome=held)])
-        == 'sandbox: the run was confined by these layers: files.'
+        == 'sandbox: the submission had no access to the network, to other programs, or to files that it does not need.'
     )
     assert sandbox_line([report(PASSED)]).startswith('sandbox: off.')
     assert sandbox_line([]) == ''
@@ -106,5 +106,5 @@ def test_the_report_promises_better_advice_only_to_a_student_who_gets_it() -> No
 
 def test_the_line_on_the_sandbox_names_the_layers_that_failed() -> None:
     partly = Outcome(Scenario('fast'), 'recorded', sandbox={'files': 'held', 'network': 'no namespaces'})
-    line = 'sandbox: the run was confined by these layers: files. These layers were MISSING: network (no namespaces).'
+    line = 'sandbox: these layers restricted the submission: files. These layers were MISSING: network (no namespaces).'
     assert sandbox_line([report(PASSED, outcome=partly)]) == line

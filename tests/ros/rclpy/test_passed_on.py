@@ -23,6 +23,7 @@ def test_every_name_is_found_at_its_home(module: str) -> None:
     [
         ('rclpy.node', 'Publisher', 'rclpy.publisher'),
         ('rclpy.node', 'ParameterDescriptor', 'rcl_interfaces.msg'),
+        ('rclpy.parameter', 'ParameterType', 'rcl_interfaces.msg'),
         ('rclpy.executors', 'Future', 'rclpy.task'),
         ('rclpy.client', 'QoSProfile', 'rclpy.qos'),
         ('tf2_ros', 'TransformStamped', 'geometry_msgs.msg'),

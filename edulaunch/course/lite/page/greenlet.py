@@ -1,8 +1,8 @@
 """`greenlet` in Pyodide, as far as edulaunch needs it: tasks that switch by suspending WebAssembly (JSPI).
 
-Each greenlet is a separate call from JavaScript. A switch resolves the promise of the other one and waits for its own; the
-browser's queue of promises then continues with the other. A greenlet that is never switched to again stays suspended. No
-exception is raised in it.
+Each greenlet is a separate call from JavaScript. A switch resolves the promise of the next greenlet and waits for the promise of
+the current one. The browser's queue of promises then continues with the next greenlet. A greenlet that is never switched to again
+stays suspended, and no exception is raised in it.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _change, _open, _prepare = run_js("""(() => {
 
 
 class GreenletExit(BaseException):
-    """Raised to end a greenlet quietly."""
+    """The exception that ends a greenlet without a traceback."""
 
 
 class greenlet:
@@ -41,7 +41,7 @@ class greenlet:
             _prepare(self._number, create_proxy(self._body))
 
     def switch(self, *values):
-        """Continue this one; return the value of the next switch back, or raise the exception that ended a child."""
+        """Continue this greenlet. Return the value of the next switch back, or raise the exception that ended a child."""
         global _current
         mine = _current
         if self is mine:

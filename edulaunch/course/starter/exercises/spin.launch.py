@@ -1,4 +1,7 @@
-"""turtle1 drives a circle. The launch argument speed sets its speed in m/s; it turns at 1 rad/s."""
+"""turtle1 drives a circle. The launch argument speed sets its speed in m/s; it turns at 1 rad/s.
+
+Grade it with `edugrade exercises/spin.launch.py`.
+"""
 
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument

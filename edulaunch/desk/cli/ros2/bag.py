@@ -12,12 +12,16 @@ from pathlib import Path
 from typing import Any
 
 from edulaunch.desk.cli.ros2.bag_metadata import read_metadata, unreadable
-from edulaunch.desk.cli.ros2.output import say_lines, with_help
+from edulaunch.desk.cli.ros2.output import say, say_lines, with_help
 from edulaunch.engine.processes.current import current_process
 from edulaunch.errors import MissingExtra
 
 EVENT_TOPIC, EVENT_TYPE = '/_service_event', '_Event'
 """The endings of the name and of the type of the topic with a service's events."""
+NO_BAG = 'give the folder that `ros2 bag record` created'
+RESPONSE_SENT = 2
+CALL = slice(16, 44)
+"""The bytes of a serialized service event that identify a call: the id of the client and the number of the request."""
 WIDTH = 19
 LOG_LEVELS = ('debug', 'info', 'warn', 'error', 'fatal')
 SORTED_BY: dict[str, Callable[[dict[str, Any]], Any]] = {
@@ -42,6 +46,13 @@ def folder_of(path: str) -> str:
     return os.path.abspath(os.path.join(current_process().cwd or '', path))
 
 
+def existing_path(text: str) -> str:
+    """Return the path of a bag as it was typed. Raise ArgumentTypeError with the message of ROS 2 if there is no such path."""
+    if not os.path.exists(folder_of(text)):
+        raise argparse.ArgumentTypeError(with_help(f"Bag path '{text}' does not exist!", NO_BAG))
+    return text
+
+
 def new_folder() -> str:
     """Return the path of a new folder.
 
@@ -56,15 +67,14 @@ def found_bag(path: str) -> str:
     """Return the folder of a bag.
 
     :param path: the path of this folder, or of a file in it.
-    :raises RuntimeError: when there is no bag. The message begins as in ROS 2.
+    :raises RuntimeError: when there is no bag.
     """
     folder = folder_of(path)
     if os.path.isfile(folder):
         folder = os.path.dirname(folder)
     if os.path.isfile(os.path.join(folder, 'metadata.yaml')):
         return folder
-    text = f"'{path}' has no metadata.yaml" if os.path.exists(folder) else f"bag path '{path}' does not exist!"
-    raise RuntimeError(with_help(f'[ERROR] [ros2bag]: {text}', 'give the folder that `ros2 bag record` created'))
+    raise RuntimeError(with_help(f"[ERROR] [ros2bag]: '{path}' has no metadata.yaml", NO_BAG))
 
 
 def require_rosbags() -> None:
@@ -128,8 +138,9 @@ def event_kind(data: bytes) -> int:
 
 def info_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the argument for the bag, and the options that choose what to print."""
-    parser.add_argument('bag_path', help='Bag to open')
+    parser.add_argument('bag_path', type=existing_path, help='Bag to open')
     parser.add_argument('-t', '--topic-name', action='store_true', help='Only display topic names.')
+    parser.add_argument('-v', '--verbose', action='store_true', help='Display request/response information for services')
     parser.add_argument('--sort', choices=tuple(SORTED_BY), default='name', help='Configuration for sorting of output.')
     parser.add_argument('-s', '--storage', metavar='ID', help='accepted; the storage is found out from the bag')
 
@@ -141,13 +152,27 @@ def info_verb(arguments: argparse.Namespace) -> None:
     folder = found_bag(arguments.bag_path)
     content = read_metadata(arguments.bag_path, folder)
     content['topics_with_message_count'].sort(key=SORTED_BY[arguments.sort])
-    if arguments.topic_name:
+    if arguments.topic_name and arguments.verbose:
+        say("Warning! You have set both the '-t' and '-v' parameters. The '-t' parameter will be ignored.")
+    if arguments.topic_name and not arguments.verbose:
         say_lines([each['topic_metadata']['name'] for each in content['topics_with_message_count']])
     else:
-        say_lines(_lines(folder, content))
+        calls = _calls(arguments.bag_path) if arguments.verbose else None
+        say_lines(_lines(folder, content, calls))
 
 
-def _lines(folder: str, content: dict[str, Any]) -> list[str]:
+def _calls(path: str) -> dict[str, tuple[int, int]]:
+    """Return the numbers of requests and responses for each topic of service events. Client and server record the same call."""
+    seen: dict[str, tuple[set[bytes], set[bytes]]] = {}
+    with opened(path) as reader:
+        events = [each for each in reader.connections if each.topic.endswith(EVENT_TOPIC)]
+        for connection, _, data in messages_of(path, reader, connections=events) if events else ():
+            is_response = event_kind(data) >= RESPONSE_SENT
+            seen.setdefault(connection.topic, (set(), set()))[is_response].add(bytes(data[CALL]))
+    return {topic: (len(requests), len(responses)) for topic, (requests, responses) in seen.items()}
+
+
+def _lines(folder: str, content: dict[str, Any], calls: dict[str, tuple[int, int]] | None) -> list[str]:
     files = content['relative_file_paths']
     size = sum(os.path.getsize(os.path.join(folder, name)) for name in files)
     start, length = content['starting_time']['nanoseconds_since_epoch'], content['duration']['nanoseconds']
@@ -165,18 +190,29 @@ def _lines(folder: str, content: dict[str, Any]) -> list[str]:
         ('Start:', _moment(start)),
         ('End:', _moment(start + length)),
         ('Messages:', str(content['message_count'])),
-        ('Topic information:', '\n'.join(f'Topic: {_described(each, "Count")}' for each in topics)),
+        ('Topic information:', '\n'.join(f'Topic: {_described(each, _count(each))}' for each in topics)),
         ('Service:', str(len(events))),
-        ('Service information:', '\n'.join(f'Service: {_described(each, "Event Count")}' for each in events)),
+        ('Service information:', '\n'.join(f'Service: {_described(each, _events(each, calls))}' for each in events)),
     )
     return ['', *(f'{name:<{WIDTH}}{text}'.replace('\n', '\n' + ' ' * WIDTH) for name, text in rows)]
+
+
+def _count(entry: dict[str, Any]) -> str:
+    return f'Count: {entry["message_count"]}'
+
+
+def _events(entry: dict[str, Any], calls: dict[str, tuple[int, int]] | None) -> str:
+    if calls is None:
+        return f'Event {_count(entry)}'
+    requests, responses = calls.get(entry['topic_metadata']['name'], (0, 0))
+    return f'Request Count: {requests} | Response Count: {responses}'
 
 
 def _described(entry: dict[str, Any], count: str) -> str:
     about = entry['topic_metadata']
     return (
         f'{about["name"].removesuffix(EVENT_TOPIC)} | Type: {about["type"].removesuffix(EVENT_TYPE)} | '
-        f'{count}: {entry["message_count"]} | Serialization Format: {about["serialization_format"]}'
+        f'{count} | Serialization Format: {about["serialization_format"]}'
     )
 
 

@@ -8,7 +8,17 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.desk.cli.ros2 import cli_node
-from edulaunch.desk.cli.ros2.bag import EVENT_TOPIC, EVENT_TYPE, LOG_LEVELS, Keys, event_kind, messages_of, opened, set_level
+from edulaunch.desk.cli.ros2.bag import (
+    EVENT_TOPIC,
+    EVENT_TYPE,
+    LOG_LEVELS,
+    Keys,
+    event_kind,
+    existing_path,
+    messages_of,
+    opened,
+    set_level,
+)
 from edulaunch.desk.cli.ros2.bag_metadata import unreadable
 from edulaunch.desk.cli.ros2.fill_message import interface_class
 from edulaunch.engine.interfaces import current_registry
@@ -189,7 +199,7 @@ def _rate_hz(text: str) -> float:
 
 def play_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options that select and remap topics, and that set the rate."""
-    parser.add_argument('bag_path', help='Bag to open')
+    parser.add_argument('bag_path', type=existing_path, help='Bag to open')
     parser.add_argument(
         '-r', '--rate', type=_rate_hz, default=1.0, help='rate at which to play back messages. Valid range > 0.0.'
     )

@@ -90,17 +90,16 @@ def _suitable(offered: list[qos.QoS]) -> qos.QoS:
 
 def record_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the options of ROS 2 that choose the topics and the folder of the bag."""
-    parser.add_argument('topics', nargs='*', help='List of topics to record.')
-    parser.add_argument('--topics', nargs='+', dest='more_topics', default=[], metavar='Topic', help='List of topics to record.')
-    parser.add_argument('-a', '--all', action='store_true', help='Record all topics and services.')
-    parser.add_argument('--all-topics', action='store_true', help='Record all topics.')
+    topics = parser.add_mutually_exclusive_group()
+    topics.add_argument('topics', nargs='*', default=[], help='List of topics to record. (deprecated)')
+    topics.add_argument('--topics', nargs='+', dest='more_topics', default=[], metavar='Topic', help='List of topics to record.')
+    parser.add_argument('-a', '--all', action='store_true', help='Record all topics and services, except hidden topics.')
+    parser.add_argument('--all-topics', action='store_true', help='Record all topics, except hidden topics.')
     parser.add_argument('--services', '--service', nargs='+', default=[], metavar='Service', help='List of services to record.')
     parser.add_argument('--all-services', action='store_true', help='Record all services via their event topics.')
     parser.add_argument('--topic-types', nargs='+', default=[], metavar='Type', help='List of topic types to record.')
     parser.add_argument('-e', '--regex', default='', help='Record only topics containing provided regular expression.')
-    parser.add_argument(
-        '-x', '--exclude', '--exclude-regex', default='', help='Exclude topics containing provided regular expression.'
-    )
+    parser.add_argument('--exclude-regex', default='', help='Exclude topics containing provided regular expression.')
     parser.add_argument('--exclude-topics', nargs='+', default=[], metavar='Topic', help='List of topics not being recorded.')
     parser.add_argument(
         '--exclude-topic-types', nargs='+', default=[], metavar='Type', help='List of topic types not being recorded.'
@@ -118,6 +117,7 @@ def record_arguments(parser: argparse.ArgumentParser) -> None:
     _add_control(parser)
     for names, hint in ACCEPTED:
         parser.add_argument(*names, help=f'accepted; {hint}')
+    parser.add_argument('--snapshot-mode', action='store_true', help='refused; edulaunch has no snapshot service')
 
 
 def _add_discovery(parser: argparse.ArgumentParser) -> None:
@@ -163,9 +163,14 @@ def record_verb(arguments: argparse.Namespace) -> str | None:
         wanted or arguments.all or arguments.all_topics or arguments.all_services or arguments.topic_types or arguments.regex
     ):
         return with_help(
-            'Must specify only one option out of --all, --all-topics, --all-services, --topics, --services, --topic-types, or '
-            '--regex',
+            '[ERROR] [ros2bag]: Need to specify at least one option out of --all, --all-topics, --all-services, --services, '
+            '--topics, --topic-types or --regex',
             'write `ros2 bag record -a` to record everything',
+        )
+    if arguments.snapshot_mode:
+        return with_help(
+            '[ERROR] [ros2bag]: edulaunch does not simulate --snapshot-mode.',
+            'record without this option: the bag has all messages',
         )
     if arguments.use_sim_time and arguments.no_discovery:
         return (
@@ -265,7 +270,7 @@ class BagRecorder:
 
     def _is_wanted(self, topic: str, type_name: str) -> bool:
         chosen, is_event = self._arguments, topic.endswith(EVENT_TOPIC)
-        if topic not in self._core.graph.publishers or (chosen.exclude and re.search(chosen.exclude, topic)):
+        if topic not in self._core.graph.publishers or (chosen.exclude_regex and re.search(chosen.exclude_regex, topic)):
             return False
         if topic in self._unwanted or type_name in chosen.exclude_topic_types:
             return False

@@ -112,7 +112,7 @@ def _launch_file(process: Process, arguments: argparse.Namespace) -> tuple[str, 
     is_argument = name is not None and ':=' in name
     if os.path.isfile(path) or ((name is None or is_argument) and (os.sep in word or word.endswith(LAUNCH_SUFFIXES))):
         return find_launch_file(process.index, path, None), [] if name is None else [name]
-    return find_launch_file(process.index, word, None if is_argument else name), [name] if is_argument else []
+    return find_launch_file(process.index, word, None if is_argument else name, as_ros=True), [name] if is_argument else []
 
 
 def run_arguments(parser: argparse.ArgumentParser) -> None:

@@ -1,7 +1,7 @@
-"""Views: what standard modules look like from inside a simulated program.
+"""Views: the versions of standard modules that simulated programs use.
 
-Each is a separate module per process, with the real module's names. Names that would leave the simulation are replaced: the
-clock, random numbers, threads, the process and its environment.
+A view is a separate module for each process, with the names of the real module. Names that would use the real machine are
+replaced: the clock, random numbers, threads, the process and its environment.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""`asyncio` in simulated time: every loop of a program is a simulated one."""
+"""`asyncio` in simulated time: every event loop of a program is a simulated one."""
 
 from __future__ import annotations
 
@@ -23,7 +23,9 @@ OUR_CALLBACK = re.compile(r' cb=\[_threadsafe\.[^]]*\]')
 
 
 class ProcessEventLoop(SimulatedEventLoop):
-    """A simulated loop: its executor threads are threads of the program, and its tasks count as tasks of the program."""
+    """A simulated event loop of one program. Its executor threads are threads of the program, and all loops share one task
+    counter.
+    """
 
     def __init__(self, process: Process, task: Task) -> None:
         super().__init__(task)
@@ -32,11 +34,11 @@ class ProcessEventLoop(SimulatedEventLoop):
         process.lifecycle.at_exit.append(self._tell_what_is_pending)
 
     def create_task(self, coro: Any, *, name: object = None, **options: Any) -> Any:
-        """Do the same as asyncio; without a name, the task is called `Task-N`."""
+        """Create an asyncio task. Without a name, the task is called `Task-N`, where N counts the tasks of this program."""
         return super().create_task(coro, name=f'Task-{next(self._numbers)}' if name is None else str(name), **options)
 
     def _tell_what_is_pending(self) -> None:
-        """At the end of the program, print Python's messages about pending tasks; a killed program prints nothing."""
+        """Print Python's messages about pending tasks at the end of the program. A killed program prints nothing."""
         for task in sorted(real.all_tasks(self), key=lambda task: task.get_name()):
             task._log_destroy_pending = False  # type: ignore[attr-defined]  # otherwise Python reports the task later
             if (self._process.returncode or 0) >= 0:
@@ -44,7 +46,7 @@ class ProcessEventLoop(SimulatedEventLoop):
                 self._process.write('stderr', f'Task was destroyed but it is pending!\ntask: {shown}\n')
 
     def run_in_executor(self, executor: Any, func: Callable[..., Any], *args: Any) -> Any:  # type: ignore[override]
-        """Run a blocking function beside the loop; return an asyncio future of its result."""
+        """Run a blocking function in another thread of the program, and return an asyncio future of its result."""
         answer = self.create_future()
 
         def give(error: BaseException | None, value: Any) -> None:
@@ -75,12 +77,12 @@ class ProcessEventLoop(SimulatedEventLoop):
         self._process.signals.handlers[sig] = lambda signum: self.call_soon_threadsafe(callback, *args)
 
     def remove_signal_handler(self, sig: int) -> bool:
-        """Remove the handler of a signal; return whether there was one."""
+        """Remove the handler of a signal, and return whether there was one."""
         return self._process.signals.handlers.pop(sig, None) is not None
 
 
 def _refusal(name: str, need: str) -> Callable[..., Any]:
-    """Return a method that raises an error, because it cannot be used."""
+    """Return a method that raises an error, because the simulation does not support the real method."""
 
     def refuse(self: ProcessEventLoop, *_: Any, **__: Any) -> Any:
         raise with_facts(
@@ -109,7 +111,7 @@ for _need, _names in REFUSED.items():
 
 
 def make_asyncio(view: ModuleType, process: Process) -> ModuleType:
-    """Replace `run`, `Runner` and everything that creates or returns a loop."""
+    """Replace `run`, `Runner`, `run_coroutine_threadsafe`, and every function that creates, sets or returns a loop."""
     loops: dict[Task, Any] = {}
 
     def new_event_loop() -> ProcessEventLoop:
@@ -153,7 +155,7 @@ def make_asyncio(view: ModuleType, process: Process) -> ModuleType:
 
 
 def _threadsafe(process: Process) -> Callable[..., Any]:
-    """Return a `run_coroutine_threadsafe` with futures of the process."""
+    """Return a `run_coroutine_threadsafe` that uses this process's version of `concurrent.futures`."""
 
     def run_coroutine_threadsafe(coro: Coroutine[Any, Any, Any], loop: Any) -> Any:
         futures: Any = process.loader.import_module('concurrent.futures')
@@ -174,7 +176,7 @@ def _threadsafe(process: Process) -> Callable[..., Any]:
 
 
 def _close(loop: Any) -> None:
-    """Close a loop like `asyncio.run`: cancel the remaining tasks, and wait for them."""
+    """Cancel the remaining tasks of a loop, wait for them, and close the loop, as `asyncio.run` does."""
     cancel_all_tasks(loop)
     loop.run_until_complete(loop.shutdown_asyncgens())
     loop.close()
@@ -182,7 +184,7 @@ def _close(loop: Any) -> None:
 
 def _runner_class(run: Callable[..., Any]) -> type:
     class Runner:
-        """The simulated `asyncio.Runner`: one loop for several calls."""
+        """The simulated `asyncio.Runner`. Each call of `run` uses a new loop."""
 
         def __init__(self, *, debug: bool | None = None, loop_factory: Callable[[], Any] | None = None) -> None:
             self._options = {'debug': debug, 'loop_factory': loop_factory}
@@ -194,10 +196,10 @@ def _runner_class(run: Callable[..., Any]) -> type:
             self.close()
 
         def run(self, coro: Coroutine[Any, Any, Any], *, context: Any = None) -> Any:
-            """Run a coroutine to its end."""
+            """Run a coroutine until it ends, and return its result."""
             return run(coro, **self._options)
 
         def close(self) -> None:
-            """Do nothing, because nothing stays open between two calls."""
+            """Do nothing, because each call of `run` closes its own loop."""
 
     return Runner

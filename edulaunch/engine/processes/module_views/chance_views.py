@@ -1,4 +1,6 @@
-"""`random`, `uuid` and `numpy.random`, seeded per process: a student's unseeded randomness repeats from run to run."""
+"""`random`, `uuid` and `numpy.random` with a seed for each process: unseeded random numbers of a student are the same in each
+run.
+"""
 
 from __future__ import annotations
 
@@ -16,13 +18,13 @@ DRAWING = [name for name in dir(random.Random) if not name.startswith('_') and h
 
 
 class Random(random.Random):
-    """The simulated `random.Random`: without a seed, it is seeded by the process's generator, not by the machine."""
+    """The simulated `random.Random`. Without a seed, it gets one from the process's generator instead of the real machine."""
 
     def __init__(self, x: Any = None) -> None:
         super().__init__(_generator_here().random() if x is None else x)
 
     def seed(self, a: Any = None, version: int = 2) -> None:
-        """Do the same as `random.Random.seed`, but never use the machine's randomness."""
+        """Set the seed like `random.Random.seed`. Without a seed, use the process's generator instead of the real machine."""
         super().seed(_generator_here().random() if a is None else a, version)
 
 
@@ -32,8 +34,9 @@ def _generator_here() -> random.Random:
 
 
 def make_random(view: ModuleType, process: Process) -> ModuleType:
-    """Make the module's functions use one generator seeded by (simulation seed, process name), which also gives the seed of
-    `Random()`.
+    """Make the module's functions use one generator, seeded with (simulation seed, process name).
+
+    An unseeded `Random()` gets its seed from this generator, too.
     """
     generator = process.state['random'] = process.sim.random(process.name)
     for name in DRAWING:
@@ -47,7 +50,7 @@ def make_random(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_uuid(view: ModuleType, process: Process) -> ModuleType:
-    """Make `uuid1` and `uuid4` use a generator seeded by (simulation seed, process name)."""
+    """Make `uuid1` and `uuid4` use a generator that is seeded with (simulation seed, process name)."""
     import uuid
 
     generator = process.sim.random(f'{process.name}/uuid')
@@ -64,7 +67,9 @@ def make_uuid(view: ModuleType, process: Process) -> ModuleType:
 
 
 class NumpyView(ModuleType):
-    """Everything except `random` comes from the real numpy; parts that numpy loads late are loaded on first use."""
+    """A view of `numpy`. Everything except `random` comes from the real numpy, and modules that numpy loads late are loaded on
+    first use.
+    """
 
     def __init__(self) -> None:
         super().__init__('numpy')
@@ -87,8 +92,9 @@ def make_numpy(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_numpy_random(view: ModuleType, process: Process) -> ModuleType:
-    """Make the module's functions use one generator seeded by (simulation seed, process name). Generators without a seed use
-    it, too.
+    """Make the module's functions use one generator, seeded with (simulation seed, process name).
+
+    Unseeded generators get their seed from the same source.
     """
     import numpy
 
@@ -102,7 +108,7 @@ def make_numpy_random(view: ModuleType, process: Process) -> ModuleType:
         state.seed(source.getrandbits(32) if seed is None else seed)
 
     class RandomState(numpy.random.RandomState):
-        """The simulated `numpy.random.RandomState`: without a seed, it is seeded by the process's generator."""
+        """The simulated `numpy.random.RandomState`. Without a seed, it gets one from the process's generator."""
 
         def __init__(self, seed: Any = None) -> None:
             super().__init__(source.getrandbits(32) if seed is None else seed)

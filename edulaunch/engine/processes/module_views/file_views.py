@@ -1,4 +1,4 @@
-"""Relative paths in `os`, `os.path` and `io` for a program with its own working folder."""
+"""Relative paths in `os`, `os.path` and `io` for a program that has its own working folder."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class Entry:
-    """An `os.DirEntry` of a folder that was given relative to the program's own one."""
+    """An `os.DirEntry` of a folder whose path is relative to the program's working folder."""
 
     __slots__ = ('_entry', 'path')
 
@@ -36,11 +36,12 @@ class Entry:
 
 
 class Listing:
-    """The result of `os.scandir`: an iterator that can be closed. The entries are in the order of their names, because the
-    order of a real folder differs between computers.
+    """The result of `os.scandir`: an iterator that can be closed.
 
-    :param shown: the folder as the program wrote it.
-    :param folder: its real path.
+    The entries are in alphabetical order, because the order in a real folder differs between computers.
+
+    :param shown: the path of the folder as the program wrote it.
+    :param folder: the path relative to the real working folder.
     """
 
     def __init__(self, shown: Any, folder: Any) -> None:
@@ -63,7 +64,7 @@ class Listing:
         self.close()
 
     def close(self) -> None:
-        """Stop the iteration before its end."""
+        """End the iteration."""
         self._entries = iter(())
 
 
@@ -88,7 +89,9 @@ QUESTIONS = ('abspath', 'exists', 'getsize', 'isdir', 'isfile', 'islink', 'ismou
 
 
 def inside(path: Any) -> Any:
-    """Return the path that the running program means, which starts in its own folder if it has changed to one."""
+    """Return a path for the real file system. A relative path of the running program starts in the program's own working
+    folder.
+    """
     folder = current_task().owner.cwd
     if folder is None or isinstance(path, int):
         return path
@@ -96,7 +99,9 @@ def inside(path: Any) -> Any:
 
 
 class PlainFunction:
-    """A function that does not become a method as an attribute of a class, like functions in C; `pathlib` relies on this."""
+    """A function that does not become a method when it is an attribute of a class, like functions in C. `pathlib` relies on
+    this.
+    """
 
     def __init__(self, function: Callable[..., Any]) -> None:
         self._function = function
@@ -107,9 +112,10 @@ class PlainFunction:
 
 
 class Relative(PlainFunction):
-    """Calls a function of the real module with the paths that the program means.
+    """A function of the real module that gets the running program's paths relative to the program's working folder.
 
-    :param paths: the number of its arguments that are paths.
+    :param function: the function of the real module.
+    :param paths: the number of leading arguments that are paths.
     """
 
     def __init__(self, function: Callable[..., Any], paths: int = 1) -> None:
@@ -153,7 +159,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
 
 
 def _recorded_time(name: str) -> Callable[[Any], float]:
-    """Return a function such as `getmtime`; the real computer has set the time that it returns, so its use is recorded."""
+    """Return a function such as `getmtime` that records its use, because its result depends on the real computer."""
 
     def time_of(path: Any) -> float:
         note_use(current_task().owner, f'os.path.{name}')
@@ -192,12 +198,12 @@ PATH = _make_path()
 
 
 def make_path(view: ModuleType, process: Process) -> ModuleType:
-    """Return the functions that accept paths, `PATH`."""
+    """Return `PATH`, the view of `os.path` that all programs share."""
     return PATH
 
 
 def make_io(view: ModuleType, process: Process) -> ModuleType:
-    """Make `io.open` the program's own `open`, which `pathlib` uses, too."""
+    """Make `io.open` the program's own `open`. `pathlib` uses it, too."""
     view.__dict__['open'] = PlainFunction(process.loader.builtins['open'])
     copy_names(view, io)
     return view

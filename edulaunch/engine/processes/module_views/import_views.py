@@ -1,4 +1,4 @@
-"""`builtins`, `importlib` and `pickle` of a simulated program: they find the program's own modules first, in the same places as
+"""`builtins`, `importlib` and `pickle` of a simulated program. They find the program's own modules first, in the same places as
 `import` statements.
 """
 
@@ -24,13 +24,13 @@ if TYPE_CHECKING:
 
 
 def make_builtins(view: ModuleType, process: Process) -> ModuleType:
-    """Make a `builtins` with the names that the program's code uses, including its own additions and replacements."""
+    """Make a `builtins` with the builtins of this program, including names that the program adds or replaces."""
     view.__dict__.update(_private_builtins(process, process.loader.import_))
     return view
 
 
 def _private_builtins(process: Process, import_: Callable[..., Any]) -> dict[str, Any]:
-    """Return Python's builtins with the functions of this process, for example `print`, `open` and `__import__`."""
+    """Return Python's builtins with this process's versions of functions such as `print`, `open` and `__import__`."""
 
     def private_print(
         *values: object, sep: str | None = None, end: str | None = None, file: Any = None, flush: bool = False
@@ -78,7 +78,7 @@ SUBMODULES = ('metadata', 'resources', 'util')
 
 
 class ImportlibView(ModuleType):
-    """A view of `importlib`, which loads the program's own versions of its submodules on first use."""
+    """A view of `importlib` that loads the program's own versions of submodules on first use."""
 
     def __init__(self, process: Process) -> None:
         super().__init__('importlib')
@@ -92,7 +92,7 @@ class ImportlibView(ModuleType):
 
 
 def make_importlib(view: ModuleType, process: Process) -> ModuleType:
-    """Make an `importlib` with `import_module`, `reload` and `__import__` of this program."""
+    """Make an `importlib` with this program's versions of `import_module`, `reload` and `__import__`."""
     loader = process.loader
 
     def import_module(name: str, package: str | None = None) -> ModuleType:
@@ -113,7 +113,10 @@ def make_importlib(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_resources(view: ModuleType, process: Process) -> ModuleType:
-    """Make an `importlib.resources` that finds this program's own packages, which may be given by name or left out."""
+    """Make an `importlib.resources` that finds this program's own packages.
+
+    Its functions accept a package, the name of a package, or None for the package of the caller.
+    """
     import importlib.resources as real_resources
 
     def of_this_program(function: Callable[..., Any]) -> Callable[..., Any]:
@@ -132,7 +135,7 @@ def make_resources(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_util(view: ModuleType, process: Process) -> ModuleType:
-    """Make an `importlib.util` that finds the program's own modules. A module that is created from a spec belongs to the
+    """Make an `importlib.util` that finds the program's own modules. A module that is created from a spec is private to the
     program.
     """
     import importlib.util as real_util
@@ -166,8 +169,9 @@ NAMES = ('dump', 'dumps', 'load', 'loads', 'Pickler', 'Unpickler')
 
 
 def make_pickle(view: ModuleType, process: Process) -> ModuleType:
-    """Execute the standard module privately with its Python functions. Those in C search for classes in modules that all programs
-    share.
+    """Execute the standard module privately, and use its functions in Python instead of those in C.
+
+    The functions in C search for classes in modules that all programs share.
     """
     spec = PathFinder.find_spec('pickle')
     assert spec is not None and spec.origin is not None
@@ -181,7 +185,7 @@ def _pickler_class(pickle: Any) -> type:
     import datetime
 
     class Pickler(pickle._Pickler):  # type: ignore[misc]
-        """The simulated `pickle.Pickler`: it saves the real `datetime` and `date` by name, so that loading returns the
+        """The simulated `pickle.Pickler`. It saves the real `datetime` and `date` by name, so that loading returns the
         program's classes.
         """
 

@@ -1,5 +1,5 @@
-"""`os`, `sys` and `atexit` of a simulated program: its own environment, folder, pid, children, arguments, streams, modules and
-end.
+"""`os`, `sys` and `atexit` of a simulated program, with the program's own environment, folder, pid, children, arguments, streams,
+modules and end.
 """
 
 from __future__ import annotations
@@ -36,14 +36,15 @@ class Reader(io.StringIO):
         self._status = status
 
     def close(self) -> Any:
-        """Return None for success, otherwise the wait status."""
+        """Close the stream. Return None for success, otherwise the wait status."""
         super().close()
         return self._status or None
 
 
 def make_os(view: ModuleType, process: Process) -> ModuleType:
-    """Give the view its own `environ`, and a `urandom` that repeats. `kill` reaches only simulated processes by their simulated
-    pid, and `system` and `popen` use the view of `subprocess`.
+    """Give the view its own `environ`, and a `urandom` that returns the same bytes in each run.
+
+    `kill` reaches only simulated processes, by their simulated pid. `system` and `popen` use the view of `subprocess`.
     """
     chance: list[Any] = []
 
@@ -88,12 +89,12 @@ def make_os(view: ModuleType, process: Process) -> ModuleType:
 
 
 def _recorded_reads(process: Process) -> dict[str, Any]:
-    """Record that the program has asked for a fact about the real machine."""
+    """Return functions that record that the program has asked for a fact about the real machine."""
     return {name: PlainFunction(noting(process, f'os.{name}', getattr(os, name))) for name in REAL_MACHINE if hasattr(os, name)}
 
 
 def _files(process: Process) -> dict[str, Any]:
-    """Return functions for file numbers, in which 0, 1 and 2 are the process's own streams."""
+    """Return functions for file descriptors, in which 0, 1 and 2 are the process's own streams."""
 
     def read(fd: int, length: int, /) -> bytes:
         return process.streams.stdin.read1(length).encode() if fd == 0 else os.read(fd, length)
@@ -115,7 +116,7 @@ def _files(process: Process) -> dict[str, Any]:
 
 
 def _commands(process: Process) -> dict[str, Any]:
-    """Return functions that run shell lines through the process's `subprocess`."""
+    """Return functions that run shell lines with the process's view of `subprocess`."""
 
     def run(command: str, **options: Any) -> Any:
         subprocess: Any = process.loader.import_module('subprocess')
@@ -143,10 +144,10 @@ def _kill(process: Process, pid: int, signum: int) -> None:
 
 
 class SysView(ModuleType):
-    """A view of `sys`. Everything that does not belong to the program is read from the real `sys` on each access."""
+    """A view of `sys`. Each access to a name that does not belong to the program reads the real `sys`."""
 
     def __new__(cls, process: Process | str, *arguments: Any) -> ModuleType:  # type: ignore[misc]
-        """Return an ordinary module for a program that calls `type(sys)('name')`."""
+        """Return a new view, or an ordinary module for a program that calls `type(sys)('name')`."""
         return ModuleType(process, *arguments) if isinstance(process, str) else super().__new__(cls)
 
     def __init__(self, process: Process) -> None:
@@ -164,15 +165,16 @@ class SysView(ModuleType):
         return getattr(sys, name)
 
     def private_path(self) -> tuple[list[str], list[str]]:
-        """Return the folders that this program added to its path: those before the shared ones, and those after the first of
-        them.
+        """Return the folders that this program added to its path, as two lists.
+
+        The first list contains the folders before all shared ones, and the second list the folders after the first shared one.
         """
         first = next((place for place, folder in enumerate(self.path) if folder in self._shared_path), len(self.path))
         return self.path[:first], [folder for folder in self.path[first:] if folder not in self._shared_path]
 
     @staticmethod
     def exit(status: object = None) -> None:
-        """End this program only."""
+        """Raise SystemExit, which ends this program only."""
         raise SystemExit(status)
 
 
@@ -185,7 +187,7 @@ Function = TypeVar('Function', bound=Callable[..., object])
 
 
 def make_atexit(view: ModuleType, process: Process) -> ModuleType:
-    """Make an `atexit` with `register` and `unregister` for this process."""
+    """Make an `atexit` whose functions belong to this process."""
     calls = process.lifecycle.exit_calls
 
     def register(function: Function, /, *arguments: Any, **options: Any) -> Function:

@@ -1,5 +1,7 @@
-"""Modules that the simulated machine does not have. They can be imported, because many programs import them without need, and
-their use raises an error that suggests a replacement.
+"""Modules that the simulated machine does not have.
+
+Programs can import these modules, because many programs import them without need. Using them raises an error that suggests a
+replacement.
 """
 
 from __future__ import annotations
@@ -23,10 +25,10 @@ PROCESSES = f'Process Pool Queue SimpleQueue JoinableQueue Pipe Manager Value Ar
 
 
 def _refused(name: str, kind: type[Exception], text: str, about: str) -> Any:
-    """Return a class that raises an error when it is called. It is a class because programs derive from some of them."""
+    """Return a class that raises an error when it is called. It is a class because some programs derive from it."""
 
     class Refused:
-        """A class of which only the name exists."""
+        """A class that cannot be instantiated."""
 
         def __init__(self, *_: Any, **__: Any) -> None:
             raise with_facts(kind(text.format(name)), about, wanted=name)
@@ -36,7 +38,9 @@ def _refused(name: str, kind: type[Exception], text: str, about: str) -> Any:
 
 
 def make_multiprocessing(view: ModuleType, process: Process) -> ModuleType:
-    """Reject everything that would start another process or share data with it. `cpu_count` is that of the simulated machine."""
+    """Reject everything that would start another process or share data with it. `cpu_count` returns that of the simulated
+    machine.
+    """
     import multiprocessing as real
 
     view.__dict__.update({name: _refused(name, RuntimeError, NO_COPY, THREADS) for name in PROCESSES})
@@ -46,7 +50,7 @@ def make_multiprocessing(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_tkinter(view: ModuleType, process: Process) -> ModuleType:
-    """Make a `_tkinter`, which all of `tkinter` needs, in which opening a window raises `TclError`."""
+    """Make a `_tkinter` in which opening a window raises `TclError`. All of `tkinter` uses this module."""
     import _tkinter as real
 
     view.__dict__['create'] = _refused('create', real.TclError, NO_DISPLAY, SCREEN)
@@ -55,7 +59,7 @@ def make_tkinter(view: ModuleType, process: Process) -> ModuleType:
 
 
 class TurtleView(ModuleType):
-    """A view of `turtle` with all public names, because editors sometimes import one of them by accident."""
+    """A view of `turtle` in which every public name exists, because editors sometimes import one of these names by accident."""
 
     def __init__(self) -> None:
         super().__init__('turtle')
@@ -75,7 +79,7 @@ def make_turtle(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_metadata(view: ModuleType, process: Process) -> ModuleType:
-    """Make an `importlib.metadata` with the distributions of Python, to which a package of the workspace does not belong."""
+    """Make an `importlib.metadata` with the distributions of Python. It does not contain packages of the workspace."""
     import importlib.metadata as real
 
     def of(ask: Callable[[str], Any]) -> Callable[[str], Any]:

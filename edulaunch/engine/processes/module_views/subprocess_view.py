@@ -1,5 +1,5 @@
-"""`subprocess` of a simulated program: `ros2 ...` and programs of packages run in the simulation, and other programs run for
-real.
+"""`subprocess` of a simulated program. `ros2 ...` and programs of packages run in the simulation, and other programs run on the
+real machine.
 """
 
 from __future__ import annotations
@@ -17,8 +17,10 @@ if TYPE_CHECKING:
 
 
 def make_subprocess(view: ModuleType, process: Process) -> ModuleType:
-    """Replace `Popen`, `run`, `call`, `check_call`, `check_output`, `getoutput` and `getstatusoutput`. Waiting for a real
-    program takes no simulated time. While a real program runs in the background (`Popen`), simulated time follows real time.
+    """Replace `Popen`, `run`, `call`, `check_call`, `check_output`, `getoutput` and `getstatusoutput`.
+
+    `run` and the functions that use it take no simulated time for a real program. While a real program runs in the background
+    (`Popen`), simulated time follows real time.
     """
 
     class Popen(Child):
@@ -96,7 +98,7 @@ def _runner(process: Process, popen: type[Child]) -> Callable[..., Any]:
 
 
 def _really(process: Process, args: Any, input: Any, timeout: float | None, options: dict[str, Any]) -> Any:
-    """Run a program of this machine to its end, with the output streams of the simulated program."""
+    """Run a program of the real machine until it ends, and write its output to the streams of the simulated program."""
     complete = dict(options, cwd=options.get('cwd') or process.cwd, env=options.get('env') or dict(process.env))
     inherited = [stream for stream in ('stdout', 'stderr') if complete.get(stream) is None]
     complete.update(dict.fromkeys(inherited, real.PIPE))

@@ -1,5 +1,6 @@
-"""`select`, `termios`, `fcntl` and `tty` for programs that read keys, whose keyboard is their scripted input; and `signal`,
-whose handlers run where the program waits.
+"""`select`, `termios`, `fcntl` and `tty` for programs that read keys, whose keyboard is their scripted input.
+
+The module also contains `signal`, whose handlers run where the program waits.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def make_select(view: ModuleType, process: Process) -> ModuleType:
-    """Make `select.select` wait in simulated time. The program's input is ready while it has more text."""
+    """Make `select.select` wait in simulated time. The program's input is ready if a program can read without waiting."""
     import select as real
 
     def is_input(file: Any) -> bool:
@@ -46,8 +47,9 @@ def make_select(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_termios(view: ModuleType, process: Process) -> ModuleType:
-    """Make a `termios` with the attributes of the program's input. Without canonical mode, the program reads a keyboard key by
-    key.
+    """Make a `termios` with the attributes of the program's input.
+
+    If the program switches canonical mode off, it reads its input key by key.
     """
     import termios as real
 
@@ -76,7 +78,7 @@ def make_termios(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_fcntl(view: ModuleType, process: Process) -> ModuleType:
-    """Make `fcntl.fcntl` work on the program's input: after O_NONBLOCK, reading does not wait."""
+    """Make `fcntl.fcntl` work on the program's input. If O_NONBLOCK is set, reading does not wait."""
     import fcntl as real
 
     def fcntl(fd: Any, cmd: int, arg: Any = 0, /) -> Any:
@@ -114,7 +116,7 @@ def make_tty(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_signal(view: ModuleType, process: Process) -> ModuleType:
-    """Make `signal.signal` install a handler for this process, which is called as handler(signum, frame)."""
+    """Make `signal.signal` install a handler for this process. The handler is called as handler(signum, frame)."""
     handlers = process.signals.handlers
     installed: dict[int, Any] = {}
 
@@ -151,7 +153,7 @@ def make_signal(view: ModuleType, process: Process) -> ModuleType:
 
 
 def _timer(process: Process) -> Callable[..., tuple[float, float]]:
-    """Return a `setitimer` in simulated time."""
+    """Return a `setitimer` that works in simulated time."""
     alarm: list[Any] = []
 
     def setitimer(which: int, seconds: float, interval: float = 0.0, /) -> tuple[float, float]:
@@ -174,7 +176,7 @@ def _timer(process: Process) -> Callable[..., tuple[float, float]]:
 
 
 def _check(process: Process, signum: int, handler: Any) -> None:
-    """Raise Python's error for a handler that cannot be installed."""
+    """Raise Python's error if the handler cannot be installed."""
     if not (callable(handler) or handler in (signal.SIG_DFL, signal.SIG_IGN)):
         raise TypeError('signal handler must be signal.SIG_IGN, signal.SIG_DFL, or a callable object')
     if current_task() is not process.lifecycle.task:
@@ -184,7 +186,7 @@ def _check(process: Process, signum: int, handler: Any) -> None:
 
 
 def _interrupted_frame() -> FrameType | None:
-    """Return the current place of the program: its innermost frame outside the engine."""
+    """Return the innermost frame of the running program outside the engine, or None."""
     frame: FrameType | None = sys._getframe()
     while frame is not None and is_engine(frame.f_code.co_filename):
         frame = frame.f_back

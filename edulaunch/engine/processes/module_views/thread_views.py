@@ -1,4 +1,4 @@
-"""`threading` and `queue` in simulated time: a thread is a task of the same process."""
+"""`threading` and `queue` in simulated time. A thread is a task of the process that creates it."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Threads:
-    """The threads of one process: their tasks and their numbers."""
+    """The threads of one process, with their tasks and numbers."""
 
     def __init__(self, process: Process) -> None:
         self.process = process
@@ -33,11 +33,11 @@ class Threads:
         return self.count
 
     def current(self) -> Thread:
-        """Return the thread whose code runs."""
+        """Return the thread whose code is running."""
         return self.by_task.get(current_task(), self.main)
 
     def alive(self) -> list[Thread]:
-        """Return the threads that have begun and not ended."""
+        """Return the threads that have started and not ended."""
         return [thread for thread in self.by_task.values() if thread.is_alive()]
 
 
@@ -114,7 +114,7 @@ class Thread:
         return self.ident
 
     def start(self) -> None:
-        """Run the thread up to its first wait, as CPython nearly always does; then the caller continues."""
+        """Run the thread up to its first wait, as CPython nearly always does. Then the caller continues."""
         if self._started:
             raise RuntimeError('threads can only be started once')
         self._started = True
@@ -133,18 +133,18 @@ class Thread:
             view.excepthook(real.ExceptHookArgs((type(error), error, error.__traceback__, self)))
 
     def _begin(self, task: Task) -> None:
-        """Become the thread of a task."""
+        """Set the task that runs this thread."""
         self._task, self._started = task, True
         self.ident = self._threads.process.pid * 1000 + len(self._threads.by_task)
         self._threads.by_task[task] = self
 
     def run(self) -> None:
-        """Call the target of the thread."""
+        """Call the target of the thread, if there is one."""
         if self._target is not None:
             self._target(*self._args, **self._kwargs)
 
     def join(self, timeout: float | None = None) -> None:
-        """Wait until the thread has ended, or `timeout` simulated seconds."""
+        """Wait until the thread has ended, but at most `timeout` simulated seconds (None: no limit)."""
         if not self._started or self._task is None:
             raise RuntimeError('cannot join thread before it is started')
         waiting = current_task()
@@ -157,28 +157,28 @@ class Thread:
             waiting.park(deadline)
 
     def is_alive(self) -> bool:
-        """Return whether the thread has begun and not ended."""
+        """Return whether the thread has started and not ended."""
         return self._started and self._task is not None and not self._task.finished
 
     def isDaemon(self) -> bool:
-        """Return `daemon`. This is the old spelling."""
+        """Return `daemon`. This is the old name of the attribute."""
         return self.daemon
 
     def setDaemon(self, daemonic: bool) -> None:
-        """Set `daemon`. This is the old spelling."""
+        """Set `daemon`. This is the old way to set the attribute."""
         self.daemon = daemonic
 
     def getName(self) -> str:
-        """Return `name`. This is the old spelling."""
+        """Return `name`. This is the old way to read the attribute."""
         return self.name
 
     def setName(self, name: str) -> None:
-        """Set `name`. This is the old spelling."""
+        """Set `name`. This is the old way to set the attribute."""
         self.name = name
 
 
 class MainThread(Thread):
-    """The thread in which the program began."""
+    """The thread that runs the main function of the program."""
 
 
 class Timer(Thread):
@@ -197,18 +197,18 @@ class Timer(Thread):
         self.finished = sync.Event()
 
     def cancel(self) -> None:
-        """Cancel the call."""
+        """Cancel the call of the function."""
         self.finished.set()
 
     def run(self) -> None:
-        """Wait for the interval, then call the function."""
+        """Wait for the interval, and then call the function, unless the timer has been cancelled."""
         if not self.finished.wait(self.interval):
             self.function(*self.args, **self.kwargs)
         self.finished.set()
 
 
 class Barrier(real.Barrier):
-    """Python's own barrier, which waits in simulated time."""
+    """The simulated `threading.Barrier`: Python's own class, with waits in simulated time."""
 
     def __init__(self, parties: int, action: Callable[[], object] | None = None, timeout: float | None = None) -> None:
         super().__init__(parties, action, timeout)  # type: ignore[arg-type]
@@ -216,7 +216,9 @@ class Barrier(real.Barrier):
 
 
 class local:
-    """The simulated `threading.local`: each thread has its own values, for which `__init__` of a subclass is called again."""
+    """The simulated `threading.local`. Each thread has its own values, and `__init__` of a subclass is called again for each
+    thread.
+    """
 
     def __new__(cls, *arguments: Any, **options: Any) -> local:
         made = super().__new__(cls)
@@ -225,7 +227,7 @@ class local:
         return made
 
     def __init__(self, *_: Any, **__: Any) -> None:
-        """Start without values."""
+        """Do nothing, because a new object has no values."""
 
     def __getattribute__(self, name: str) -> Any:
         if name == '__dict__':
@@ -245,7 +247,7 @@ class local:
 
 
 def _values(data: local) -> dict[str, Any]:
-    """Return the values of the running thread."""
+    """Return the values of the running thread. On first use in a thread, create them."""
     values: dict[Any, dict[str, Any]] = object.__getattribute__(data, '_edulaunch_values')
     thread = _threads_here().current()
     if thread not in values:
@@ -256,7 +258,7 @@ def _values(data: local) -> dict[str, Any]:
 
 
 def _print_exception(args: Any, /) -> None:
-    """Do the same as `threading.excepthook`, but show only frames of the program in the traceback."""
+    """Print an error like `threading.excepthook`, but show only frames of the program in the traceback."""
     from edulaunch.engine.processes.traceback_text import student_traceback
 
     if args.exc_type is not SystemExit:
@@ -265,7 +267,7 @@ def _print_exception(args: Any, /) -> None:
 
 
 class _SimulatedWaiting:
-    """Python's own queue classes with simulated locks and conditions; their logic is unchanged."""
+    """The base of the queue classes: Python's own logic, with simulated locks and conditions."""
 
     def __init__(self, maxsize: int = 0) -> None:
         self.maxsize = maxsize
@@ -278,7 +280,7 @@ class _SimulatedWaiting:
         self.is_shutdown = False
 
     def put(self, item: Any, block: bool = True, timeout: float | None = None) -> None:
-        """Do the same as `queue.Queue.put`."""
+        """Add an item like `queue.Queue.put`; `timeout` is in simulated seconds."""
         with self.not_full:
             if self.maxsize > 0 and not self._wait(self.not_full, lambda: self._qsize() < self.maxsize, block, timeout):  # type: ignore[attr-defined]
                 raise queue.Full
@@ -287,7 +289,7 @@ class _SimulatedWaiting:
             self.not_empty.notify()
 
     def get(self, block: bool = True, timeout: float | None = None) -> Any:
-        """Do the same as `queue.Queue.get`."""
+        """Remove and return an item like `queue.Queue.get`; `timeout` is in simulated seconds."""
         with self.not_empty:
             if not self._wait(self.not_empty, lambda: self._qsize() > 0, block, timeout):  # type: ignore[attr-defined]
                 raise queue.Empty

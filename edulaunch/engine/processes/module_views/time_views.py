@@ -1,4 +1,4 @@
-"""`time` and `datetime` in simulated time: all clocks are the simulation's."""
+"""`time` and `datetime` in simulated time: all clocks show the time of the simulation."""
 
 from __future__ import annotations
 
@@ -19,8 +19,9 @@ if TYPE_CHECKING:
 
 
 def make_time(view: ModuleType, process: Process) -> ModuleType:
-    """Make clocks read simulated time, and `sleep` let it pass. Each reading counts as a poll, so that a loop that only reads
-    the clock does not run forever.
+    """Make all clocks return simulated time, and make `sleep` wait in simulated time.
+
+    Each reading of a clock counts as a poll, so that a loop that only reads the clock does not run forever.
     """
     functions = {**_clocks(process.sim), **_conversions(process.sim), 'sleep': _sleep_of(process)}
     # like the functions of the real module, these do not become methods when a class stores them
@@ -50,10 +51,10 @@ def _clocks(sim: Simulation) -> dict[str, Any]:
 
 
 def _conversions(sim: Simulation) -> dict[str, Any]:
-    """Return the functions that write a time in another form. The default is the simulated time, and the time zone is UTC."""
+    """Return the functions that convert a time. The default argument is the simulated time, and the time zone is UTC."""
 
     def seconds(convert: Any) -> Any:
-        """Return the real function with the simulated time as its default argument."""
+        """Return a version of the real function whose default argument is the simulated time."""
 
         def converted(when: float | None = None) -> Any:
             return convert(sim.now_ns / 1e9 if when is None else when)
@@ -86,14 +87,14 @@ def _sleep_of(process: Process) -> Any:
 
 
 class _RealInstances(type):
-    """A metaclass with which isinstance() also accepts instances of the real class."""
+    """A metaclass that makes isinstance() accept instances of the real class, too."""
 
     def __instancecheck__(cls, instance: object) -> bool:
         return isinstance(instance, cls.__mro__[1])
 
 
 def make_datetime(view: ModuleType, process: Process) -> ModuleType:
-    """Make a `datetime` whose local time is UTC, so that a run does not depend on the machine's time zone."""
+    """Make a `datetime` whose local time is UTC, so that a run does not depend on the computer's time zone."""
     sim = process.sim
 
     def now() -> real_datetime.datetime:
@@ -117,23 +118,23 @@ def _datetime(now: Callable[[], real_datetime.datetime]) -> type:
 
         @classmethod
         def now(cls, tz: real_datetime.tzinfo | None = None) -> Any:
-            """Return the simulated time."""
+            """Return the simulated time, in the time zone `tz` or without a time zone in UTC."""
             return now() if tz is None else now().replace(tzinfo=real_datetime.timezone.utc).astimezone(tz)
 
         @classmethod
         def fromtimestamp(cls, timestamp: float, tz: real_datetime.tzinfo | None = None) -> Any:
-            """Return the time in UTC."""
+            """Return the time of a timestamp, in the time zone `tz` or without a time zone in UTC."""
             made = super().fromtimestamp(timestamp, tz or real_datetime.timezone.utc)
             return made if tz is not None else made.replace(tzinfo=None)
 
         @classmethod
         def utcnow(cls) -> Any:
-            """Return the simulated time."""
+            """Return the simulated time in UTC, without a time zone."""
             return now()
 
         @classmethod
         def today(cls) -> Any:
-            """Return the simulated time."""
+            """Return the simulated time in UTC, without a time zone."""
             return now()
 
     return datetime
@@ -151,12 +152,12 @@ def _date(now: Callable[[], real_datetime.datetime]) -> type:
 
         @classmethod
         def today(cls) -> Any:
-            """Return the simulated day."""
+            """Return the simulated date."""
             return now().date()
 
         @classmethod
         def fromtimestamp(cls, timestamp: float, /) -> Any:
-            """Return the day in UTC."""
+            """Return the date of a timestamp in UTC."""
             return (real_datetime.datetime(1970, 1, 1) + real_datetime.timedelta(seconds=timestamp)).date()
 
     return date

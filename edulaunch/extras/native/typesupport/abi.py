@@ -11,22 +11,22 @@ import ctypes as c
 from typing import Any
 
 KEPT: list[object] = []
-"""Objects to which C code has pointers; types live as long as the program."""
+"""Objects to which C code has pointers. Types exist until the program ends."""
 
 
 def keep(made: Any) -> Any:
-    """Keep an object alive forever, and return it."""
+    """Keep an object alive until the process ends, and return it."""
     KEPT.append(made)
     return made
 
 
 def address_of(function: Any) -> int:
-    """Return the address of a C function, or of a Python function made callable from C."""
+    """Return the address of a C function, or of a Python function that ctypes has made callable from C."""
     return c.cast(function, c.c_void_p).value or 0
 
 
 class Block(c.Structure):
-    """A message on the C side: its CDR bytes without the header, in memory of malloc."""
+    """A message in C: its CDR bytes without the header, in memory from malloc."""
 
     _fields_ = (('data', c.c_void_p), ('size', c.c_size_t))
 
@@ -50,31 +50,31 @@ class Sequence(c.Structure):
 
 
 class DescribedType(c.Structure):
-    """type_description_interfaces/FieldType."""
+    """The C struct of type_description_interfaces/FieldType."""
 
     _fields_ = (('type_id', c.c_uint8), ('capacity', c.c_uint64), ('string_capacity', c.c_uint64), ('nested', String))
 
 
 class DescribedField(c.Structure):
-    """type_description_interfaces/Field."""
+    """The C struct of type_description_interfaces/Field."""
 
     _fields_ = (('name', String), ('type', DescribedType), ('default_value', String))
 
 
 class DescribedOne(c.Structure):
-    """type_description_interfaces/IndividualTypeDescription."""
+    """The C struct of type_description_interfaces/IndividualTypeDescription."""
 
     _fields_ = (('type_name', String), ('fields', Sequence))
 
 
 class Description(c.Structure):
-    """type_description_interfaces/TypeDescription."""
+    """The C struct of type_description_interfaces/TypeDescription."""
 
     _fields_ = (('type', DescribedOne), ('referenced', Sequence))
 
 
 class TypeSource(c.Structure):
-    """type_description_interfaces/TypeSource."""
+    """The C struct of type_description_interfaces/TypeSource."""
 
     _fields_ = (('type_name', String), ('encoding', String), ('contents', String))
 
@@ -84,13 +84,13 @@ _DESCRIBED = (('hash', c.c_void_p), ('description', c.c_void_p), ('sources', c.c
 
 
 class MessageSupport(c.Structure):
-    """rosidl_message_type_support_t."""
+    """The C struct rosidl_message_type_support_t."""
 
     _fields_ = (*_SUPPORT, *_DESCRIBED)
 
 
 class ServiceSupport(c.Structure):
-    """rosidl_service_type_support_t."""
+    """The C struct rosidl_service_type_support_t."""
 
     _fields_ = (
         *_SUPPORT,
@@ -100,7 +100,7 @@ class ServiceSupport(c.Structure):
 
 
 class ActionSupport(c.Structure):
-    """rosidl_action_type_support_t."""
+    """The C struct rosidl_action_type_support_t."""
 
     _fields_ = (*((name, c.c_void_p) for name in ('goal', 'result', 'cancel', 'feedback', 'status')), *_DESCRIBED)
 
@@ -122,7 +122,7 @@ class ServiceCallbacks(c.Structure):
 
 
 class Member(c.Structure):
-    """A field of a message for introspection."""
+    """A field of a message, for introspection."""
 
     _fields_ = (
         ('name', c.c_char_p),
@@ -140,7 +140,7 @@ class Member(c.Structure):
 
 
 class Members(c.Structure):
-    """A message for introspection."""
+    """The fields of a message, for introspection."""
 
     _fields_ = (
         ('namespace', c.c_char_p),
@@ -155,7 +155,7 @@ class Members(c.Structure):
 
 
 class ServiceMembers(c.Structure):
-    """A service for introspection."""
+    """The request, the response and the event message of a service, for introspection."""
 
     _fields_ = (
         ('namespace', c.c_char_p),
@@ -167,7 +167,7 @@ class ServiceMembers(c.Structure):
 
 
 TO_SUPPORT = c.CFUNCTYPE(c.c_void_p, c.c_void_p, c.c_char_p)
-"""Returns the variant of a type support that an identifier names."""
+"""The type of a C function that returns the variant of a type support for an identifier."""
 GIVES_ADDRESS = c.CFUNCTYPE(c.c_void_p, c.c_void_p)
 
 libc = c.CDLL(None)
@@ -184,7 +184,7 @@ NO_VARIANTS = {
     'message': address_of(runtime.get_message_typesupport_handle_function),
     'service': address_of(runtime.get_service_typesupport_handle_function),
 }
-"""Returns a type support of one kind itself, if its own kind is requested."""
+"""The C functions for type supports of a single kind. Each returns the type support itself if this kind is requested."""
 
 
 def identifier(of: c.c_char_p) -> int:

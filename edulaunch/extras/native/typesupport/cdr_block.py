@@ -22,7 +22,9 @@ _SIZE = 424242  # a length that no pointer or counter in a new object equals
 
 
 def _places() -> tuple[int, int, int]:
-    """Return where a Cdr stores its buffer, and where a buffer stores start and length of its bytes, from objects for this test.
+    """Return where a Cdr stores its buffer, and where a buffer stores the start and the length of its bytes.
+
+    The function finds these offsets in objects that it creates for this purpose.
 
     :raises ImportError: when this Fast CDR has another layout.
     """
@@ -44,7 +46,7 @@ _BUFFER, _START, _LENGTH = _places()
 
 
 def fill(block: int, body: bytes) -> None:
-    """Set the CDR bytes of a message (without header)."""
+    """Set the CDR bytes of a message, without the header."""
     held = abi.Block.from_address(block)
     if held.data:
         abi.libc.free(held.data)
@@ -59,14 +61,14 @@ def content(block: int) -> bytes:
 
 
 def _serialize(block: int, cdr: int) -> bool:
-    """Write a message at the position of the stream."""
+    """Write a message at the current position of the stream."""
     held = abi.Block.from_address(block)
     _write(cdr, held.data, held.size)
     return True
 
 
 def _deserialize(cdr: int, block: int) -> bool:
-    """Read from the position of the stream to its end; the codec finds the end of the message."""
+    """Read from the current position of the stream to its end. The codec finds the end of the message."""
     buffer = c.c_size_t.from_address(cdr + _BUFFER).value
     end = c.c_size_t.from_address(buffer + _START).value + c.c_size_t.from_address(buffer + _LENGTH).value
     position = _position(cdr)
@@ -80,7 +82,7 @@ def _size(block: int) -> int:
 
 
 def _largest_size(bounds: int) -> int:
-    """Report that no type has a fixed or bounded size (the flags behind `bounds`)."""
+    """Set the flags behind `bounds`: no type has a fixed or bounded size."""
     c.c_uint8.from_address(bounds).value = 0
     return 0
 

@@ -1,4 +1,6 @@
-"""Choose the classes for the real rclpy: its own for types that its C++ code handles itself, ours for all others."""
+"""Select the classes for the real rclpy. Types that its C++ code handles itself keep their own classes; all others get
+edulaunch's.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +21,7 @@ from edulaunch.extras.native.typesupport.services import support_action, support
 ITS_OWN = frozenset(
     ('action_msgs', 'lifecycle_msgs', 'rcl_interfaces', 'rosgraph_msgs', 'service_msgs', 'type_description_interfaces')
 )
-"""Packages whose messages the C++ code of rclpy itself creates and reads."""
+"""The packages whose messages the C++ code of rclpy itself creates and reads."""
 
 
 class SupportedClasses(Registry):
@@ -36,18 +38,18 @@ class SupportedClasses(Registry):
 
 
 class _Finder(InterfaceFinder):
-    """Makes them importable in place of compiled classes of the same name."""
+    """Makes these classes importable in place of compiled classes of the same name."""
 
     def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> ModuleSpec | None:
         return None if fullname.partition('.')[0] in ITS_OWN else super().find_spec(fullname, path, target)
 
 
 Layers = Sequence[tuple[Sequence[str], Sequence[str]]]
-"""Share folders, with the packages in them that a lower layer has; the lowest layer first."""
+"""Share folders, each with the packages in it that a lower layer also has. The lowest layer comes first."""
 
 
 def layered(layers: Layers) -> SupportedClasses:
-    """Return a registry over all the layers."""
+    """Return a registry that contains all the layers."""
     registry: SupportedClasses | None = None
     for roots, leave in layers:
         registry = SupportedClasses(roots, registry, leave)
@@ -58,7 +60,7 @@ def layered(layers: Layers) -> SupportedClasses:
 def install(layers: Layers) -> None:
     """Make interfaces importable for the real rclpy.
 
-    Messages that contain one of :data:`ITS_OWN` contain our class of it, which is equal but not identical.
+    A message that contains one of :data:`ITS_OWN` contains edulaunch's class of that type, which is equal but not identical.
     """
     interrupts.defer()
     sys.meta_path.insert(0, _Finder(layered(layers)))

@@ -1,4 +1,4 @@
-"""The type description, hash and source text of a type, as C structures: the answer of `~/get_type_description`."""
+"""The type description, the hash and the source of a type, as C structures. `~/get_type_description` returns them."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def _field(data: dict[str, Any]) -> abi.DescribedField:
 
 
 def _source(type_name: str, registry: Registry) -> abi.TypeSource:
-    """Return the text of a type's file; a part of a service or action has no text of its own."""
+    """Return the content of a type's file. A part of a service or action has no file of its own."""
     is_part = '_' in type_name.rpartition('/')[2]
     text = '' if is_part else registry.text(type_name)
     return abi.TypeSource(_string(type_name), _string('implicit' if is_part else type_name.split('/')[1]), _string(text))

@@ -1,4 +1,6 @@
-"""Delay Ctrl-C while C code waits for one of our functions, because C code knows no exceptions and would use no result."""
+"""Delay Ctrl-C while C code waits for a function of edulaunch. C code cannot handle exceptions, and would use an invalid
+result.
+"""
 
 from __future__ import annotations
 
@@ -10,13 +12,13 @@ from types import FrameType
 
 SOON_S = 0.0002
 MOST_TRIES = 50
-"""It is delayed this many times where rclpy may be about to call C code, because it may also be waiting for a service."""
+"""How often Ctrl-C is delayed if rclpy may be about to call C code. rclpy may be waiting for a service instead."""
 _tries = 0
 _FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), '')
 
 
 def defer() -> None:
-    """Raise KeyboardInterrupt only outside type support."""
+    """Install a handler that raises KeyboardInterrupt only outside type support."""
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, _interrupt)
 
@@ -44,7 +46,9 @@ def _again() -> None:
 
 
 def _calls_c(frame: FrameType) -> bool:
-    """Return whether it is a function of rclpy that passes messages to C code; the executor does so when it takes them."""
+    """Return whether a frame is a function of rclpy that passes messages to C code. The executor calls such functions to take
+    messages.
+    """
     folder, file = os.path.split(frame.f_code.co_filename)
     return f'{folder}{os.sep}'.find(f'{os.sep}rclpy{os.sep}') >= 0 and (
         file != 'executors.py' or frame.f_code.co_name.startswith('_take')

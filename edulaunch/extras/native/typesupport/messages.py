@@ -1,4 +1,4 @@
-"""Type support of a message class."""
+"""Type support for message classes."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _NESTED_NUMBER = 18
 
 
 def support_message(cls: type[Message], registry: Registry) -> type[Message]:
-    """Let the real rclpy find type support on the metaclass of a message class; it is created at first use."""
+    """Put type support on the metaclass of a message class, where the real rclpy finds it. Create it on first use."""
     names = ('_TYPE_SUPPORT', '_CREATE_ROS_MESSAGE', '_DESTROY_ROS_MESSAGE', '_CONVERT_FROM_PY', '_CONVERT_TO_PY')
     metaclass: Any = type(f'Metaclass_{cls.__name__}', (type(cls),), dict.fromkeys(names))
 
@@ -67,7 +67,7 @@ def _to_python(cls: type[Message]) -> int:
 
 
 def message_support(cls: type[Message], registry: Registry) -> abi.MessageSupport:
-    """Return the C type support of a message class, created once."""
+    """Return the C type support of a message class. Create it only once."""
     made = cls.__dict__.get('_NATIVE_SUPPORT')
     if made is None:
         package, kind, name = cls.TYPE.split('/')
@@ -81,7 +81,7 @@ def message_support(cls: type[Message], registry: Registry) -> abi.MessageSuppor
 
 
 def introspection(cls: type[Message], registry: Registry) -> abi.MessageSupport:
-    """Return the C type support through which others read the fields of a message class, created once."""
+    """Return the C type support with which C code reads the fields of a message class. Create it only once."""
     made = cls.__dict__.get('_NATIVE_INTROSPECTION')
     if made is None:
         where = c.addressof(members(cls, registry))
@@ -91,7 +91,7 @@ def introspection(cls: type[Message], registry: Registry) -> abi.MessageSupport:
 
 
 def members(cls: type[Message], registry: Registry) -> abi.Members:
-    """Return the fields of a message class in C form, created once."""
+    """Return the fields of a message class in C form. Create them only once."""
     made = cls.__dict__.get('_NATIVE_MEMBERS')
     if made is None:
         fields = cls._SPEC.fields or (EMPTY_FIELD,)

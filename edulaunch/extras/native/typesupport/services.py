@@ -1,4 +1,4 @@
-"""Type support of service and action classes."""
+"""Type support for service and action classes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from edulaunch.extras.native.typesupport.messages import members, message_suppor
 
 
 def _with_metaclass(cls: type[Any], make_support: Callable[[], Any], **attributes: Any) -> type[Any]:
-    """Return a class like `cls` whose metaclass has its type support, created at first use."""
+    """Return a class like `cls` whose metaclass has type support. It is created on first use."""
     metaclass: Any = type(f'Metaclass_{cls.__name__}', (type(cls),), {'_TYPE_SUPPORT': None})
 
     def import_type_support(_: type) -> None:
@@ -40,7 +40,8 @@ def support_service(cls: type[Service], registry: Registry) -> type[Service]:
 def service_support(cls: type[Service], registry: Registry) -> abi.ServiceSupport:
     """Return the C type support of a service class.
 
-    Its event message has type support, but no code creates events. Service introspection of the real rclpy must stay off for it.
+    The event message has type support, but no code creates events. Service introspection of the real rclpy must stay off for this
+    class.
     """
     package, kind, name = cls.TYPE.split('/')
     parts = (cls.Request, cls.Response, cls.Event)
@@ -56,7 +57,7 @@ def service_support(cls: type[Service], registry: Registry) -> abi.ServiceSuppor
 
 
 def support_action(cls: type[Action], registry: Registry) -> type[Action]:
-    """Return an action class that the real rclpy can use; cancelling and status have the real rclpy's own types."""
+    """Return an action class that the real rclpy can use. The types for cancelling and status are those of the real rclpy."""
     from action_msgs.msg import GoalStatusArray
     from action_msgs.srv import CancelGoal
 

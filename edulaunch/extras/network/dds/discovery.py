@@ -31,17 +31,17 @@ from edulaunch.ros.serialization.cdr import decode, encode
 INFO = 'rmw_dds_common/msg/ParticipantEntitiesInfo'
 MOST_ENDPOINTS, MOST_NODES, MOST_PARTICIPANTS = 4000, 1000, 1000
 AT_ONCE = 200
-"""The number of discovery events handled in one turn of the machine."""
+"""The number of discovery events that one turn of the machine handles."""
 ANY = 0x7F
 """Samples in any state."""
 OwnNode = tuple[str, str, Sequence[bytes], Sequence[bytes]]
-"""Namespace, name, gids of its readers and of its writers."""
+"""A node of this link: its namespace, its name, and the gids of its readers and its writers."""
 
 
 class Discovery:
-    """Observes who joins and leaves, and announces our own nodes.
+    """Observes which nodes and endpoints join and leave the network, and announces the nodes of this link.
 
-    :param wake: called in another thread when there is news.
+    :param wake: called in another thread when the network has changed.
     """
 
     def __init__(self, participant: Any, wake: Callable[[], object]) -> None:
@@ -69,13 +69,13 @@ class Discovery:
         ]
 
     def tell(self, nodes: Sequence[OwnNode]) -> None:
-        """Announce which of our endpoints belong to which node."""
+        """Announce which endpoints of this link belong to which node."""
         cls = underlay_registry().get(INFO)
         wire = (self.own, tuple((namespace, name, _gids(readers), _gids(writers)) for namespace, name, readers, writers in nodes))
         ddspy_write(reference(self._teller), padded(encode(cls, wire)))
 
     def take(self) -> tuple[bool, bool]:
-        """Handle some of the news; return whether there was any, and whether more may wait."""
+        """Handle some of the changes. Return whether there were any, and whether more may wait."""
         counts = []
         for reader, take, make in self._builtin:
             found = take(reference(reader), AT_ONCE, make, cqos_to_qos)
@@ -143,7 +143,7 @@ class Discovery:
         self._participant_of.pop(gid, None)
 
     def _info(self, data: bytes) -> None:
-        """Handle a participant's list of nodes."""
+        """Handle the list of nodes that a participant announces."""
         try:
             participant, nodes = decode(underlay_registry().get(INFO), data)
         except InterfaceError as error:

@@ -1,4 +1,4 @@
-"""The range of discovery: the configuration of a domain, from ROS 2's variables."""
+"""The range of discovery: the configuration of a domain, from ROS 2's environment variables."""
 
 from __future__ import annotations
 
@@ -16,19 +16,18 @@ MOST_PARTICIPANTS = 32
 """The number of participants on one computer that find each other without multicast, as in ROS 2's Cyclone DDS configuration."""
 LOCALHOST = '127.0.0.1'
 LARGE_FRAGMENTS = '<MaxMessageSize>65500B</MaxMessageSize><FragmentSize>8000B</FragmentSize>'
-"""On the loopback, a packet may have UDP's maximum size. An image in the usual fragments of 1.3 kB overflows the buffers of its
-subscriber."""
+"""A packet on the loopback interface may have UDP's maximum size. Images in 1.3 kB fragments overflow the buffers."""
 ANNOUNCED_EVERY = '3s'
-"""How often we announce ourselves. A static peer that starts after us, or loses a packet, finds us within this time."""
+"""The period of announcements. A static peer that starts later, or loses a packet, finds this program within this time."""
 REPEATS = (
     '<HeartbeatInterval min="2ms" minsched="2ms" max="100ms">5ms</HeartbeatInterval>'
     '<MaxQueuedRexmitBytes>4MiB</MaxQueuedRexmitBytes>'
 )
-"""A reliable publisher asks for missing samples this soon; the default is 100 ms."""
+"""The period of heartbeats, after which a reliable publisher repeats missing samples; the default is 100 ms."""
 
 
 class _Joined:
-    """A domain of this program: its configuration, and the number of links that use it."""
+    """A DDS domain that this program has joined: its configuration, and the number of links that use it."""
 
     def __init__(self, number: int, text: str) -> None:
         self.text, self.domain, self.links = text, Domain(number, text), 0
@@ -38,7 +37,7 @@ _joined: dict[int, _Joined] = {}
 
 
 def join(settings: Settings) -> None:
-    """Join a domain until :func:`leave`. Several links of one program share it.
+    """Join a domain until :func:`leave` is called. Several links of one program share the domain.
 
     :raises LinkError: for an invalid number, or when this program is in the domain with other settings.
     """
@@ -57,7 +56,10 @@ def join(settings: Settings) -> None:
 
 
 def _open_files() -> set[int]:
-    """Return the numbers of this program's open files, if the system reports them, without that of the list itself."""
+    """Return the numbers of this program's open files, without the file that lists them.
+
+    The result is empty if the system does not report them.
+    """
     try:
         return {number for number in map(int, os.listdir('/proc/self/fd')) if _is_open(number)}
     except OSError:
@@ -73,7 +75,7 @@ def _is_open(number: int) -> bool:
 
 
 def _keep_on_loopback(files: set[int]) -> None:
-    """Accept nothing from other devices: Cyclone DDS binds its sockets to all addresses, and has no setting for that."""
+    """Accept no packets from other devices. Cyclone DDS binds its sockets to all addresses, and has no setting for this."""
     for number in files:
         with suppress(OSError), socket.socket(fileno=os.dup(number)) as ear:
             if ear.family == socket.AF_INET and ear.type == socket.SOCK_DGRAM:
@@ -95,9 +97,10 @@ def is_on_loopback(settings: Settings) -> bool:
 
 
 def configuration(settings: Settings) -> str:
-    """Return Cyclone DDS's configuration: loopback only, or the computer's network.
+    """Return Cyclone DDS's configuration for the loopback interface only, or for the computer's network.
 
-    On the loopback, multicast is used, too (it stays there), because programs without settings announce themselves there.
+    On the loopback interface, multicast is used, too, because programs without settings announce themselves in this way. It does
+    not leave the computer.
     """
     peers = [] if settings.discovery_range == 'OFF' else list(settings.static_peers)
     on_loopback = is_on_loopback(settings)

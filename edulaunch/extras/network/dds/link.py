@@ -1,4 +1,6 @@
-"""A link with cyclonedds in this process: topics and graph with all peers, services only with Cyclone DDS peers."""
+"""A link with cyclonedds in this process. It carries topics and the graph with all peers, and services only with Cyclone DDS
+peers.
+"""
 
 from __future__ import annotations
 
@@ -44,15 +46,15 @@ from edulaunch.extras.network.network_link import (
 )
 
 HEADER, ID = 4, 16
-"""Bytes before a message, and bytes of the id that rmw_cyclonedds puts between them and a request or reply."""
+"""The bytes of a message's header, and of the ID that rmw_cyclonedds puts between header and request or reply."""
 AT_ONCE = 100
-"""The number of messages of one subscription that are taken in one turn of the machine."""
+"""The number of messages of one subscription that one turn of the machine takes."""
 SIDES = {PUBLISHER: ('', TOPIC), SUBSCRIPTION: (TOPIC, ''), SERVICE: (REQUEST, REPLY), CLIENT: (REPLY, REQUEST)}
 """The readers and writers of each kind of endpoint."""
 
 
 class End:
-    """One of our endpoints; while it is announced, it has a reader and a writer."""
+    """One endpoint of this link. While it is announced, it has a reader and a writer."""
 
     def __init__(self, node: int, kind: str, name: str, interface: Interface, qos: QoS) -> None:
         self.node, self.kind, self.name, self.interface, self.qos = node, kind, name, interface, qos
@@ -64,12 +66,12 @@ class End:
 
     @property
     def is_on(self) -> bool:
-        """Return whether others can see it."""
+        """Return whether other programs can see the endpoint."""
         return self.reader is not None or self.writer is not None
 
 
 class CycloneLink:
-    """See `network_link.Link`."""
+    """The link with Cyclone DDS; see `network_link.Link`."""
 
     title = f'cyclonedds {version("cyclonedds")}'
 
@@ -112,7 +114,7 @@ class CycloneLink:
         self._is_announced = False
 
     def add(self, node: int, kind: str, name: str, interface: Interface, qos: QoS) -> int:
-        """See `Link.add`. A service is announced when a peer exists that can use it."""
+        """Add an endpoint; see `Link.add`. A service is announced when a peer exists that can use it."""
         self._count += 1
         handle, end = self._count, End(node, kind, name, interface, qos)
         self._ends[handle] = end
@@ -185,7 +187,7 @@ class CycloneLink:
             self._ring()
 
     def flush(self) -> None:
-        """See `Link.flush`. Messages are sent immediately; this announces new nodes and endpoints."""
+        """Announce new nodes and endpoints; see `Link.flush`. Messages are sent immediately."""
         if self._is_announced:
             return
         self._is_announced = True
@@ -251,7 +253,7 @@ class CycloneLink:
             self._mark(handle, end)
 
     def _writer_of(self, end: End, handle: int) -> bytes:
-        """Return the gid of the sender."""
+        """Return the gid of the endpoint that sent a sample."""
         gid = end.writers.get(handle)
         if gid is None:
             found = end.reader.get_matched_publication_data(handle)
@@ -263,14 +265,14 @@ class CycloneLink:
         return gid
 
     def graph(self) -> RemoteGraph:
-        """See `Link.graph`: services that this link cannot use are left out."""
+        """Return the remote graph; see `Link.graph`. Services that this link cannot use are left out."""
         remote = self._discovery.graph()
         return remote._replace(
             endpoints=[end for end in remote.endpoints if not (end.kind in (SERVICE, CLIENT) and is_fast_dds(end.gid))]
         )
 
     def _look_at_services(self) -> None:
-        """Announce services and clients that have a compatible counterpart."""
+        """Announce the services and clients for which a compatible peer exists."""
         self._services.look(self._discovery.graph())
         for handle, end in list(self._ends.items()):
             if end.kind in (SERVICE, CLIENT) and not end.is_on:

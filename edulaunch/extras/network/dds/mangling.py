@@ -1,4 +1,6 @@
-"""Convert ROS 2 names to DDS names: '/chatter' is 'rt/chatter', std_msgs/msg/String is std_msgs::msg::dds_::String_."""
+"""Convert ROS 2 names to DDS names: '/chatter' becomes 'rt/chatter', and std_msgs/msg/String becomes
+std_msgs::msg::dds_::String_.
+"""
 
 from __future__ import annotations
 
@@ -10,18 +12,18 @@ LONGEST = 512
 
 
 def topic_name(prefix: str, name: str) -> str:
-    """Return the DDS topic of a ROS topic, or of a service's requests or replies."""
+    """Return the DDS topic of a ROS topic, or of the requests or replies of a service."""
     return f'{prefix}{name}{SUFFIX[prefix]}'
 
 
 def dds_type(type_name: str) -> str:
-    """Return 'geometry_msgs::msg::dds_::Twist_' for 'geometry_msgs/msg/Twist'."""
+    """Return the DDS name of a type, such as 'geometry_msgs::msg::dds_::Twist_' for 'geometry_msgs/msg/Twist'."""
     package, kind, name = type_name.split('/')
     return f'{package}::{kind}::dds_::{name}_'
 
 
 def remote_name(topic: str, type_name: str, is_writer: bool) -> tuple[str, str, str] | None:
-    """Return a DDS endpoint as (kind, name, type name) of ROS 2; None if it is not a topic or service of ROS 2.
+    """Return (kind, name, type name) in ROS 2 for a DDS endpoint, or None if it is not a topic or service of ROS 2.
 
     The reader of requests identifies a service, and the writer of requests identifies a client.
     """

@@ -1,4 +1,4 @@
-"""Convert quality of service between our classes and cyclonedds."""
+"""Convert quality of service between edulaunch's classes and cyclonedds."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from edulaunch.engine.graph.qos import (
 from edulaunch.extras.network.network_link import KEPT, WAITING
 
 LONGEST_BLOCK_NS = 10_000_000
-"""A reliable publisher waits this long for slow readers before it drops a message; everything else waits meanwhile."""
+"""The longest time that a reliable publisher waits for slow readers before it drops a message. The machine waits meanwhile."""
 NEVER_NS = (1 << 63) - 1
 PLAIN = Policy.DataRepresentation(use_cdrv0_representation=True, use_xcdrv2_representation=False)
 _ENCLAVE = re.compile(r'(?:^|;)enclave=([^;]*);')
@@ -29,7 +29,7 @@ HASH = re.compile(r'(?:^|;)typehash=(RIHS01_[0-9a-f]{64});')
 
 
 def to_dds(qos: QoS, type_hash: str, is_reader: bool) -> Qos:
-    """Return the policies of one of our endpoints, with the hash of its type, as in ROS 2."""
+    """Return the DDS policies for an endpoint of this link. As in ROS 2, they include the hash of its type."""
     is_kept = qos.reliability == RELIABLE and qos.durability != TRANSIENT_LOCAL
     depth = max(qos.depth, WAITING if is_reader else KEPT if is_kept else 1)
     life = Policy.Liveliness.ManualByTopic if qos.liveliness == MANUAL_BY_TOPIC else Policy.Liveliness.Automatic
@@ -50,9 +50,9 @@ def to_dds(qos: QoS, type_hash: str, is_reader: bool) -> Qos:
 
 
 def from_dds(qos: Qos) -> tuple[QoS, str]:
-    """Return the policies of an endpoint on the network, and the hash of its type ('' if it announces none).
+    """Return the policies of an endpoint on the network, and the hash of its type ('' if the endpoint announces no hash).
 
-    DDS does not announce the depth: ROS 2 shows UNKNOWN, this function returns the usual depth.
+    DDS does not announce the depth. ROS 2 shows UNKNOWN, but this function returns the usual depth.
     """
     found = HASH.search(_user_data(qos))
     reliable = Policy.Reliability in qos and qos[Policy.Reliability] != Policy.Reliability.BestEffort
@@ -69,7 +69,7 @@ def from_dds(qos: Qos) -> tuple[QoS, str]:
 
 
 def enclave_of(qos: Qos) -> str:
-    """Return the enclave that a participant announces; '' for a participant that is not ROS 2."""
+    """Return the enclave that a participant announces, or '' for a participant that does not use ROS 2."""
     found = _ENCLAVE.search(_user_data(qos))
     return found[1] if found else ''
 

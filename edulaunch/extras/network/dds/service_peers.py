@@ -1,8 +1,8 @@
 """The peers with which services work over Cyclone DDS.
 
-A reply contains the id of its request. Cyclone DDS puts the id into the message. Fast DDS puts it beside the message, where
-cyclonedds for Python can neither write nor read it. So our service is announced only if a compatible peer exists, and our client
-calls only such a server. A hidden service is better than one that never answers.
+A reply contains the ID of its request. Cyclone DDS puts the ID into the message. Fast DDS puts it beside the message, where
+cyclonedds for Python can neither write nor read it. Therefore, a service of this link is announced only if a compatible peer
+exists, and a client calls only a compatible server. A hidden service is better than one that never replies.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 from edulaunch.extras.network.network_link import CLIENT, SERVICE, LinkDiagnostic, RemoteGraph
 
 FAST_DDS = b'\x01\x0f'
-"""The first bytes of gids with Cyclone DDS: the number of its vendor."""
+"""The first bytes of gids of Fast DDS, as Cyclone DDS reports them. They are the number of the vendor."""
 HELP = 'only topics cross to Fast DDS here; for all: edulaunch network install, then edulaunch network on --link rclpy'
 
 
@@ -20,7 +20,7 @@ def is_fast_dds(gid: bytes) -> bool:
 
 
 class ServicePeers:
-    """The other programs with services and clients."""
+    """The other programs on the network with services and clients."""
 
     def __init__(self) -> None:
         self._anybody = False
@@ -43,11 +43,13 @@ class ServicePeers:
             setattr(self, found, names)
 
     def is_wanted(self, kind: str, name: str) -> bool:
-        """Return whether our endpoint has a compatible peer. Other peers must never get our requests: they misread the id."""
+        """Return whether an endpoint of this link has a compatible peer. Other peers must never receive its requests, because
+        they misread the ID.
+        """
         return self._anybody if kind == SERVICE else name in self._served and name not in self._served_by_fast
 
     def diagnostic(self, kind: str, name: str) -> LinkDiagnostic | None:
-        """Return a message, once, when a peer needs a service that does not work."""
+        """Return a diagnostic if a peer needs a service that does not work. Return it only once."""
         there = self._asked_by_fast if kind == SERVICE else self._served_by_fast
         if name not in there or (kind, name) in self._reported:
             return None

@@ -1,6 +1,6 @@
-"""The types of ROS 2 messages for cyclonedds, made at run time from their definitions.
+"""The types of ROS 2 messages for cyclonedds, generated at run time from their definitions.
 
-Peers that compare types (XTypes) find the right ones; our own codec writes the bytes of messages.
+Peers that compare types (XTypes) thus find equal types. edulaunch's own codec writes the bytes of messages.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ PRIMITIVES: dict[str, Any] = {
     **{name: getattr(idl, name) for name in ('float32', 'float64')},
 }
 TAKEN = ('serialize', 'deserialize', 'serialize_key', 'deserialize_key')
-"""Types with another name in IdlStruct."""
+"""The types that have another name in IdlStruct."""
 
 
 CALL = {'client_guid': idl.uint64, 'sequence_number': idl.int64}
@@ -38,7 +38,7 @@ CALL = {'client_guid': idl.uint64, 'sequence_number': idl.int64}
 def idl_class(type_name: str, registry: Registry, is_call: bool = False) -> Any:
     """Return the IdlStruct with the fields of a message type.
 
-    :param is_call: whether it is a request or a reply, which begins with the id of the call.
+    :param is_call: whether the type is a request or a reply, which begins with the ID of the call.
     :raises InterfaceError: when there is no such type.
     """
     spec: MessageSpec = registry.spec(type_name)  # type: ignore[assignment]

@@ -1,1 +1,1 @@
-"""action_tutorials_py: The action tutorial with a server and a client of Fibonacci."""
+"""action_tutorials_py: The action tutorial with a server and a client for Fibonacci numbers."""

@@ -21,7 +21,7 @@ class FibonacciActionClient(Node):
         self._action_client = ActionClient(self, Fibonacci, 'fibonacci')
 
     def send_goal(self, order: int) -> None:
-        """Send the goal as soon as the server exists."""
+        """Wait for the server, and send the goal."""
         self._action_client.wait_for_server()
         goal = Fibonacci.Goal(order=order)
         sent = self._action_client.send_goal_async(goal, feedback_callback=self.feedback_callback)

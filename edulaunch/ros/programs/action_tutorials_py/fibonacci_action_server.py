@@ -13,7 +13,7 @@ from edulaunch.ros.running import spin
 
 
 class FibonacciActionServer(Node):
-    """Serves `fibonacci`."""
+    """Serves the action `fibonacci`."""
 
     def __init__(self) -> None:
         super().__init__('fibonacci_action_server')

@@ -1,1 +1,1 @@
-"""examples_rclpy_executors: Several nodes in one program, and executors of its own."""
+"""examples_rclpy_executors: Several nodes in one program, and custom executors and callback groups."""

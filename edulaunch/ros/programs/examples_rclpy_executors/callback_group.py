@@ -1,4 +1,4 @@
-"""The program callback_group: two timers of one group, which never run at the same time, and a listener."""
+"""The program callback_group: two timers in one group, which never run at the same time, and a listener."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from examples_rclpy_executors.listener import Listener
 
 
 class DoubleTalker(Node):
-    """Counts in both timers, so they must not run at the same time."""
+    """Publishes from two timers with a common counter, so the timers must not run at the same time."""
 
     def __init__(self) -> None:
         super().__init__('double_talker')

@@ -12,7 +12,7 @@ from edulaunch.ros.running import spin
 
 
 class ThrottledCallbackGroup(CallbackGroup):
-    """Delays callbacks that have run too often. A timer restores the allowed number."""
+    """Delays callbacks when too many have run. A timer resets the number of allowed callbacks."""
 
     def __init__(self, node: Node) -> None:
         super().__init__()
@@ -32,10 +32,10 @@ class ThrottledCallbackGroup(CallbackGroup):
         return True
 
     def ending_execution(self, entity: Any) -> None:
-        """Do nothing, because only the timer restores the number."""
+        """Do nothing, because only the timer increases the number of allowed callbacks."""
 
     def timer_callback(self) -> None:
-        """Restore the number of allowed callbacks when it is 0."""
+        """Reset the number of allowed callbacks when it is 0."""
         if not self.bucket:
             self.bucket = self.bucket_max
 

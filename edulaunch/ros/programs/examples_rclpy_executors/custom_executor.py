@@ -26,7 +26,7 @@ class Estopper(Node):
 
 
 class PriorityExecutor(Executor):
-    """Runs each callback of a high-priority node in a separate thread. All others share the thread that spins."""
+    """Runs the callbacks of high-priority nodes in a separate thread pool, and all other callbacks in a second pool."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -35,7 +35,7 @@ class PriorityExecutor(Executor):
         self.lp_executor = ThreadPoolExecutor(max_workers=1)
 
     def add_high_priority_node(self, node: Node) -> None:
-        """Add a node whose callbacks run first."""
+        """Add a node whose callbacks run in the pool for high priority."""
         self.high_priority_nodes.add(node)
         self.add_node(node)
 

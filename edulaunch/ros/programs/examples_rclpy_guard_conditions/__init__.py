@@ -1,1 +1,1 @@
-"""examples_rclpy_guard_conditions: A guard condition, which is a callback that the program itself triggers."""
+"""examples_rclpy_guard_conditions: A guard condition, whose callback the program itself triggers."""

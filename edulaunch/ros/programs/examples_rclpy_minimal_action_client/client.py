@@ -23,7 +23,7 @@ class MinimalActionClient(Node):
         self._action_client = ActionClient(self, Fibonacci, 'fibonacci')
 
     def send_goal(self) -> None:
-        """Wait for the server and send the goal."""
+        """Wait for the server, and send the goal."""
         self.get_logger().info('Waiting for action server...')
         self._action_client.wait_for_server()
         self.get_logger().info('Sending goal request...')

@@ -23,7 +23,7 @@ class MinimalActionClientAsyncIO(Node):
         self._action_client = ActionClient(self, Fibonacci, 'fibonacci')
 
     async def send_goal(self) -> tuple[Fibonacci.Result, int] | None:
-        """Return the result and the status of a goal; None if it was rejected."""
+        """Return the result and the status of a goal, or None if the goal was rejected."""
         self.get_logger().info('Waiting for action server...')
         self._action_client.wait_for_server()
         self.get_logger().info('Sending goal request...')

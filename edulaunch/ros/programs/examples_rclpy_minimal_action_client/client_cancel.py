@@ -15,7 +15,7 @@ class CancellingActionClient(MinimalActionClient):
     """Cancels its goal after two seconds."""
 
     def accepted(self, goal_handle: ClientGoalHandle) -> None:
-        """Start the timer for the cancellation."""
+        """Start the timer that cancels the goal."""
         self._goal_handle = goal_handle
         self._timer = self.create_timer(PATIENCE_S, self.timer_callback)
 

@@ -13,7 +13,7 @@ ORDER = 10
 
 
 def work() -> None:
-    """Wait for the server, the acceptance of the goal, and the result."""
+    """Send a goal. Wait for the server, for the acceptance of the goal, and for the result."""
     node = rclpy.create_node('minimal_action_client')
     log = node.get_logger()
     client = ActionClient(node, Fibonacci, 'fibonacci')

@@ -1,1 +1,1 @@
-"""examples_rclpy_minimal_action_server: An action server that counts Fibonacci numbers, which treats goals in five ways."""
+"""examples_rclpy_minimal_action_server: An action server that computes Fibonacci numbers, with five ways to treat goals."""

@@ -18,7 +18,7 @@ STEP_S = 1.0
 
 
 class MinimalActionServer(Node):
-    """Serves `fibonacci`. Each number takes a second.
+    """Serves the action `fibonacci`. Computing a number takes one second.
 
     :param options: further callbacks of the ActionServer.
     """
@@ -37,7 +37,7 @@ class MinimalActionServer(Node):
         )
 
     def destroy_node(self) -> None:
-        """Destroy the action server, too."""
+        """Destroy the action server and the node."""
         self._action_server.destroy()
         super().destroy_node()
 
@@ -70,14 +70,14 @@ class MinimalActionServer(Node):
         return self.succeed(goal_handle, feedback)
 
     def succeed(self, goal_handle: ServerGoalHandle, feedback: Fibonacci.Feedback) -> Fibonacci.Result:
-        """End a goal successfully with the numbers of its feedback."""
+        """Mark a goal as succeeded. Its result has the numbers of its feedback."""
         goal_handle.succeed()
         self.get_logger().info(f'Returning result: {feedback.sequence}')
         return Fibonacci.Result(sequence=feedback.sequence)
 
 
 def serve(make_server: type[MinimalActionServer], args: list[str] | None) -> None:
-    """Spin a server with several threads, so that goals can be cancelled while it works on them."""
+    """Spin a server with several threads, so that a goal can be cancelled while the server executes it."""
 
     def body() -> None:
         executor = MultiThreadedExecutor()

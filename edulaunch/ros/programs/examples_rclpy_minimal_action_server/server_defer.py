@@ -1,4 +1,4 @@
-"""The program server_defer: it starts each goal three seconds after it accepted the goal."""
+"""The program server_defer: it starts each goal three seconds after accepting it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ DELAY_S = 3.0
 
 
 class DeferringActionServer(MinimalActionServer):
-    """Delays the goal that it accepted last."""
+    """Delays the goal that was accepted last."""
 
     def __init__(self) -> None:
         super().__init__(handle_accepted_callback=self.handle_accepted_callback)

@@ -1,4 +1,4 @@
-"""The program server_single_goal: a new goal aborts the one before it."""
+"""The program server_single_goal: a new goal aborts the previous goal."""
 
 from __future__ import annotations
 

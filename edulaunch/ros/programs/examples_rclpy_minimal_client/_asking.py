@@ -1,4 +1,4 @@
-"""The common parts of the clients: waiting for the service, the request, and the line with the sum."""
+"""The common parts of the clients: waiting for the service, the request, and the log line with the sum."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ REQUEST = AddTwoInts.Request(a=41, b=1)
 
 
 def client_of(node: Node) -> Client:
-    """Return a client of `add_two_ints`, when there is a server."""
+    """Wait for a server of `add_two_ints`, and return a client."""
     client = node.create_client(AddTwoInts, 'add_two_ints')
     while not client.wait_for_service(timeout_sec=1.0):
         node.get_logger().info('service not available, waiting again...')

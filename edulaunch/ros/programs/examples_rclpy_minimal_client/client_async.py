@@ -1,4 +1,4 @@
-"""The program client_async: it checks between other work whether the reply has arrived."""
+"""The program client_async: between other work, it checks whether the reply has arrived."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from examples_rclpy_minimal_client._asking import REQUEST, client_of, tell
 
 
 def ask() -> None:
-    """Send one request half a second after the start. The callback group lets the reply arrive while the callback
+    """Send one request half a second after the start. The callback group allows the reply to arrive while the callback
     waits for it.
     """
     node = rclpy.create_node('minimal_client')

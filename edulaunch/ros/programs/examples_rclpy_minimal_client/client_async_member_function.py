@@ -10,7 +10,7 @@ from examples_rclpy_minimal_client._asking import REQUEST, client_of, tell
 
 
 class MinimalClientAsync(Node):
-    """Contains a client of `add_two_ints`, and waits for the server when it is created."""
+    """A node with a client of `add_two_ints`. Its constructor waits for the server."""
 
     def __init__(self) -> None:
         super().__init__('minimal_client_async')

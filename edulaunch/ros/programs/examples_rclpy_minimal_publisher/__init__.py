@@ -1,1 +1,1 @@
-"""examples_rclpy_minimal_publisher: The same publisher written in three ways."""
+"""examples_rclpy_minimal_publisher: One publisher, written in three ways."""

@@ -1,1 +1,1 @@
-"""examples_rclpy_minimal_service: A service that adds, written in two ways."""
+"""examples_rclpy_minimal_service: A service that adds two numbers, written in two ways."""

@@ -9,14 +9,14 @@ from edulaunch.ros.running import spin
 
 
 class MinimalService(Node):
-    """Adds two numbers."""
+    """Serves `add_two_ints`, which adds two numbers."""
 
     def __init__(self) -> None:
         super().__init__('minimal_service')
         self.srv = self.create_service(AddTwoInts, 'add_two_ints', self.add_two_ints_callback)
 
     def add_two_ints_callback(self, request: AddTwoInts.Request, response: AddTwoInts.Response) -> AddTwoInts.Response:
-        """Answer a request."""
+        """Return the response to a request."""
         response.sum = request.a + request.b
         self.get_logger().info(f'Incoming request\na: {request.a} b: {request.b}')
         return response

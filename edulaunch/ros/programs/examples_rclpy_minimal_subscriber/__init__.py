@@ -1,1 +1,1 @@
-"""examples_rclpy_minimal_subscriber: The same subscriber written in three ways."""
+"""examples_rclpy_minimal_subscriber: One subscriber, written in three ways."""

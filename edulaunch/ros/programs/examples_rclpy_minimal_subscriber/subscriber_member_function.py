@@ -9,7 +9,7 @@ from edulaunch.ros.running import spin
 
 
 class MinimalSubscriber(Node):
-    """Subscribes to `topic`."""
+    """Subscribes to `topic`, and logs each message."""
 
     def __init__(self) -> None:
         super().__init__('minimal_subscriber')

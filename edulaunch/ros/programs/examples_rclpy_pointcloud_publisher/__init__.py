@@ -1,1 +1,1 @@
-"""examples_rclpy_pointcloud_publisher: A moving surface as a point cloud."""
+"""examples_rclpy_pointcloud_publisher: A node that publishes a moving surface as a point cloud."""

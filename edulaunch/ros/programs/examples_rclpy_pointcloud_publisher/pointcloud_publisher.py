@@ -15,7 +15,7 @@ SIDE_M = 2.0
 
 
 class PointCloudPublisher(Node):
-    """Publishes on `test_cloud`, in the frame `map`."""
+    """Publishes point clouds on `test_cloud`, in the frame `map`."""
 
     def __init__(self) -> None:
         super().__init__('pc_publisher')

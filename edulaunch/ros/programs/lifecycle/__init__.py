@@ -1,1 +1,1 @@
-"""lifecycle: the tutorial of managed nodes (a talker, a listener, and a client that leads the talker through its states)."""
+"""lifecycle: The tutorial of managed nodes, with a talker, a listener, and a client that changes the talker's states."""

@@ -32,7 +32,7 @@ class LifecycleServiceClient(Node):
         self._change = self.create_client(ChangeState, 'lc_talker/change_state')
 
     def get_state(self) -> bool:
-        """Log the state. Return False if no reply arrives."""
+        """Log the state of lc_talker. Return False if no reply arrives."""
         if not self._get.wait_for_service(timeout_sec=5.0):
             self.get_logger().error('Service /lc_talker/get_state is not available.')
             return False
@@ -64,7 +64,7 @@ class LifecycleServiceClient(Node):
 
 
 def work() -> None:
-    """Trigger one transition after the other, until one fails."""
+    """Trigger the transitions one after the other, until one fails."""
     client = LifecycleServiceClient()
     if not client.get_state():
         return

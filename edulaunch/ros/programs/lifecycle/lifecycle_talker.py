@@ -14,7 +14,7 @@ from edulaunch.ros.running import run
 class SlowTalker(LifecycleTalker):
     """A lifecycle talker whose activation takes some time, for which other nodes must wait.
 
-    A workspace with a clone of lifecycle_py has its own LifecycleTalker, so this class uses only what both have.
+    A workspace with a clone of lifecycle_py has its own LifecycleTalker. So this class uses only members that both classes have.
     """
 
     def on_activate(self, state: State) -> TransitionCallbackReturn:

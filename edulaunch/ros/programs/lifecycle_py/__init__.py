@@ -1,1 +1,1 @@
-"""lifecycle_py: A node with a lifecycle."""
+"""lifecycle_py: A lifecycle node that publishes."""

@@ -20,7 +20,7 @@ class LifecycleTalker(LifecycleNode):
         self._timer: Timer | None = None
 
     def publish(self) -> None:
-        """Publish the next number; an inactive publisher sends nothing."""
+        """Publish the next number. An inactive publisher sends nothing."""
         message = String(data=f'Lifecycle HelloWorld #{self._count}')
         self._count += 1
         if self._pub is None or not self._pub.is_activated:

@@ -1,1 +1,1 @@
-"""teleop_twist_keyboard: Drives a robot with the keys of a terminal."""
+"""teleop_twist_keyboard: A program that drives a robot with the keys of a terminal."""

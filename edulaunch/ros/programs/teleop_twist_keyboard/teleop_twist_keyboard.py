@@ -1,4 +1,4 @@
-"""The program teleop_twist_keyboard: each key is a velocity command on cmd_vel."""
+"""The program teleop_twist_keyboard: it publishes a velocity command on cmd_vel for each key."""
 
 from __future__ import annotations
 
@@ -69,7 +69,8 @@ LINES_BEFORE_HELP = 15
 class Teleop:
     """The speeds (m/s and rad/s) and the direction that the keys have set.
 
-    Parameters: `stamped` (false) sends TwistStamped, with the frame `frame_id` ('').
+    If the parameter `stamped` (default: false) is true, the node publishes TwistStamped. The parameter `frame_id` (default: '')
+    is the frame of its header.
     """
 
     def __init__(self) -> None:
@@ -134,7 +135,7 @@ class Teleop:
 
 
 def _key(before: Any) -> str:
-    """Return one key, as soon as it is pressed."""
+    """Wait for a key, and return it."""
     tty.setraw(sys.stdin.fileno())
     key = sys.stdin.read(1)
     termios.tcsetattr(sys.stdin, termios.TCSADRAIN, before)

@@ -20,7 +20,7 @@ PATIENCE_S = 10.0
 
 
 class FibonacciActionServer(CppNode):
-    """Serves `fibonacci`, and executes each goal in a separate thread."""
+    """Serves the action `fibonacci`, and executes each goal in a separate thread."""
 
     def __init__(self) -> None:
         super().__init__('fibonacci_action_server')
@@ -61,7 +61,7 @@ class FibonacciActionServer(CppNode):
 
 
 class FibonacciActionClient(CppNode):
-    """Sends its goal half a second after the start."""
+    """Sends a goal half a second after the start of the program."""
 
     def __init__(self) -> None:
         super().__init__('fibonacci_action_client')

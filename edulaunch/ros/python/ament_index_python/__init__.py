@@ -1,4 +1,4 @@
-"""Find packages and their files, with the interface of ROS 2's ament_index_python, over edulaunch's index."""
+"""Find packages and their files, with the interface of ROS 2's ament_index_python. The data come from edulaunch's index."""
 
 from __future__ import annotations
 

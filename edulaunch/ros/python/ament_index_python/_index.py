@@ -1,4 +1,4 @@
-"""The index for a program's AMENT_PREFIX_PATH."""
+"""The index that belongs to a program's AMENT_PREFIX_PATH."""
 
 from __future__ import annotations
 
@@ -12,14 +12,16 @@ from .constants import AMENT_PREFIX_PATH_ENV_VAR
 
 
 def own_path() -> str | None:
-    """Return the running program's AMENT_PREFIX_PATH; None if it is unchanged since sourcing."""
+    """Return the running program's AMENT_PREFIX_PATH, or None if the program has not changed it since the workspace was
+    sourced.
+    """
     process = current_process()
     path = process.env.get(AMENT_PREFIX_PATH_ENV_VAR, '')
     return None if path == process.sourced_path else path
 
 
 def index_in_force() -> Index:
-    """Return the simulation's index, or an index of only the prefixes that the program has put into the variable."""
+    """Return the simulation's index. If the program has changed AMENT_PREFIX_PATH, return an index of only the prefixes in it."""
     path, sourced = own_path(), current_process().index
     return sourced if path is None else _index_of(path, sourced)
 

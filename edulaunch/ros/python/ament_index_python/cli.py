@@ -15,9 +15,9 @@ def resource_type_completer(prefix: str, **_: Any) -> Iterable[str]:
 
 
 def resource_name_completer(prefix: str, parsed_args: Any, **_: Any) -> Iterable[str]:
-    """Return the resources with this prefix and the type in the command line; none without a type.
+    """Return the resources with this prefix and with the type in the command line; none without a type.
 
-    :param parsed_args: the arguments parsed so far, with `resource_type`.
+    :param parsed_args: the arguments that are already parsed, with `resource_type`.
     """
     resource_type = getattr(parsed_args, 'resource_type', None)
     return (name for name in sorted(get_resources(resource_type)) if name.startswith(prefix)) if resource_type else []
@@ -26,7 +26,7 @@ def resource_name_completer(prefix: str, parsed_args: Any, **_: Any) -> Iterable
 def main(argv: list[str] | None = None) -> str | None:
     """Run the command.
 
-    :returns: None, or the error to exit with.
+    :returns: None, or the error message with which the program exits.
     """
     import argparse
 

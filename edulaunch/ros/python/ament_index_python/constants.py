@@ -1,4 +1,4 @@
-"""Names of files and folders in the ament index."""
+"""The names of files and folders in the ament index."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Find packages by name."""
+"""Functions that find packages by name."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class PackageNotFoundError(KeyError):
 def get_package_prefix(package_name: str) -> str:
     """Return the install prefix of a package.
 
-    :raises ValueError: when this cannot be a package name.
+    :raises ValueError: when `package_name` is not a valid package name.
     :raises PackageNotFoundError: when there is no such package.
     """
     if not _NAME.fullmatch(package_name):
@@ -38,18 +38,18 @@ def get_package_prefix(package_name: str) -> str:
 
 
 def get_package_share_directory(package_name: str, print_warning: bool = True) -> str:
-    """Return `<prefix>/share/<package>`. Only log a warning if that folder does not exist.
+    """Return `<prefix>/share/<package>`. If that folder does not exist, log a warning.
 
-    :raises ValueError: when this cannot be a package name.
+    :raises ValueError: when `package_name` is not a valid package name.
     :raises PackageNotFoundError: when there is no such package.
     """
     return _share(package_name, 'directory' if print_warning else None)
 
 
 def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
-    """Return :func:`get_package_share_directory` as a `pathlib.Path` of the calling program.
+    """Return the result of :func:`get_package_share_directory` as a `pathlib.Path`.
 
-    A program can have its own copy of `pathlib`, so the class is taken from there.
+    A program can have its own copy of `pathlib`. The class of the returned path comes from this copy.
     """
     import pathlib  # imported here, because it takes 4 ms
 
@@ -59,13 +59,13 @@ def get_package_share_path(package_name: str, print_warning: bool = True) -> Pat
 
 
 def get_packages_with_prefixes() -> dict[str, str]:
-    """Return all packages: name -> prefix."""
+    """Return the install prefix of each package, by package name."""
     get_search_paths()
     return index_in_force().packages()
 
 
 def _share(package_name: str, called: str | None) -> str:
-    """Return the share folder. If it is missing and `called` is its name for the user, log a warning."""
+    """Return the share folder. If it is missing and `called` (the name of the public function) is given, log a warning."""
     path = os.path.join(get_package_prefix(package_name), 'share', package_name)
     if called is not None and not os.path.exists(path) and _left_out_by_launch(package_name) is None:
         warnings.warn(f'Share {called} for {package_name} ({path}) does not exist.', stacklevel=3)
@@ -73,8 +73,9 @@ def _share(package_name: str, called: str | None) -> str:
 
 
 def _left_out_by_launch(package_name: str) -> str | None:
-    """Return the share folder of a well-known package that is missing, or None. A launch file continues without such a package,
-    but a program gets the error.
+    """Return the share folder of a well-known package that is not installed, or None.
+
+    A launch file continues without such a package, but a program gets the error.
     """
     process = current_process()
     if 'launch.process_counter' not in process.state:

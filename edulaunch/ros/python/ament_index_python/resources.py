@@ -12,15 +12,15 @@ from .search_paths import get_search_paths
 
 
 class InvalidResourceTypeNameError(ValueError):
-    """A resource type with a path separator in its name."""
+    """The name of a resource type contains a path separator."""
 
 
 class InvalidResourceNameError(ValueError):
-    """A resource with a path separator in its name."""
+    """The name of a resource contains a path separator."""
 
 
 def name_is_invalid(resource_name: str) -> bool:
-    """Return whether a name contains a path separator, with which it could leave its folder."""
+    """Return whether a name contains a path separator, which could lead out of the index folder."""
     return '/' in resource_name or '\\' in resource_name
 
 
@@ -28,7 +28,7 @@ def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
     """Return the content of a resource file, and the prefix that contains it.
 
     :raises LookupError: when the resource does not exist.
-    :raises InvalidResourceTypeNameError, InvalidResourceNameError: for names with / or a backslash.
+    :raises InvalidResourceTypeNameError, InvalidResourceNameError: for a name that contains a slash or a backslash.
     """
     _check(resource_type, resource_name)
     for prefix in _prefixes():
@@ -40,7 +40,7 @@ def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
 
 
 def has_resource(resource_type: str, resource_name: str) -> str | Literal[False]:
-    """Return the prefix that has the resource, or False."""
+    """Return the first prefix that contains the resource, or False."""
     _check(resource_type, resource_name)
     relative = os.path.join(RESOURCE_INDEX_SUBFOLDER, resource_type, resource_name)
     return next((prefix for prefix in _prefixes() if os.path.isfile(os.path.join(prefix, relative))), False)
@@ -60,7 +60,7 @@ def get_resources(resource_type: str) -> dict[str, str]:
 
 
 def get_resource_types() -> set[str]:
-    """Return the names of all types of resources."""
+    """Return the names of all resource types."""
     folders = [os.path.join(prefix, RESOURCE_INDEX_SUBFOLDER) for prefix in _prefixes()]
     return {entry.name for folder in folders for entry in _entries(folder) if entry.is_dir() and not entry.name.startswith('.')}
 
@@ -75,7 +75,7 @@ def _check(resource_type: str, resource_name: str | None) -> None:
 
 
 def _prefixes() -> list[str]:
-    """Return the search path, with the marker files of all source packages in place."""
+    """Return the search path. The marker files of all source packages exist when the function returns."""
     index = index_in_force()
     for package in index.packages():
         index.prefix(package)

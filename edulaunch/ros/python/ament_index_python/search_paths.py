@@ -1,4 +1,4 @@
-"""The prefixes in which packages are searched."""
+"""The prefixes in which edulaunch searches for packages."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from .constants import AMENT_PREFIX_PATH_ENV_VAR
 
 
 def get_search_paths() -> list[str]:
-    """Return the prefixes that are searched, overlays first and the built-in underlay last.
+    """Return the prefixes of the search, overlays first and the built-in underlay last.
 
-    In ROS these come from AMENT_PREFIX_PATH alone. Here a simulation has its own list (workspaces and prefixes of the session),
-    until the program changes the variable.
+    In ROS, these come from AMENT_PREFIX_PATH alone. Here, a simulation has its own list (the workspaces and prefixes of the
+    session) until the program changes the variable.
 
     :raises EnvironmentError: when the variable is empty.
     """

@@ -46,7 +46,7 @@ NodeLikeListener = partial(Listener, 'node_like_listener')
 
 
 class Server(CppNode):
-    """Serves `add_two_ints`."""
+    """Serves the service `add_two_ints`."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__('Server', **options)
@@ -59,7 +59,7 @@ class Server(CppNode):
 
 
 class Client(CppNode):
-    """Calls `add_two_ints` with 2 + 3 every two seconds."""
+    """Sends 2 + 3 to `add_two_ints` every two seconds."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__('Client', **options)
@@ -85,7 +85,7 @@ LIBRARIES: dict[str, Callable[..., Any]] = {
 
 
 def _spin(makers: list[Callable[..., Any]]) -> None:
-    """Make the nodes in this order and let one executor spin them."""
+    """Create the nodes in this order, and spin all of them with one executor."""
     executor = SingleThreadedExecutor()
     for maker in makers:
         executor.add_node(maker())

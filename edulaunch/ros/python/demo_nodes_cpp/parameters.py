@@ -13,7 +13,7 @@ TYPE_NAMES = {int: 'integer', str: 'string', float: 'double', bool: 'bool'}
 
 
 def make_node(node_name: str) -> CppNode:
-    """Return the node with its parameters set; log each rejected one as an error."""
+    """Return the node with its parameters set. Log an error for each rejected parameter."""
     node = CppNode(node_name)
     for name, value in DEFAULTS.items():
         node.declare_parameter(name, value)
@@ -24,7 +24,7 @@ def make_node(node_name: str) -> CppNode:
 
 
 def _list() -> None:
-    """Log a list of the parameters, and end."""
+    """Log a list of the parameters. The program then ends."""
     node = make_node('list_parameters')
     log = node.get_logger()
     log.info('Listing parameters...')
@@ -34,7 +34,7 @@ def _list() -> None:
 
 
 def _set_and_get() -> None:
-    """Read the parameters, log them, and end."""
+    """Read the parameters and log them. The program then ends."""
     node = make_node('set_and_get_parameters')
     lines = [_described(name, node.get_parameter(name).value) for name in VALUES]
     node.get_logger().info(''.join(lines))
@@ -50,7 +50,7 @@ def _described(name: str, value: Any) -> str:
 
 
 class ParameterBlackboard(CppNode):
-    """Accepts undeclared parameters, and declares those of the command line."""
+    """Accepts undeclared parameters, and declares the parameters of the command line."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__(

@@ -20,7 +20,7 @@ STATES = {
 
 
 class AddTwoIntsServer(CppNode):
-    """Serves `add_two_ints`."""
+    """Serves the service `add_two_ints`."""
 
     def __init__(self, node_name: str = 'add_two_ints_server', **options: Any) -> None:
         super().__init__(node_name, **options)
@@ -33,7 +33,7 @@ class AddTwoIntsServer(CppNode):
 
 
 def ask() -> int:
-    """Send one request. Return the exit code: 0, or 1 without a reply."""
+    """Send one request, and return the exit code: 0, or 1 if no reply arrives."""
     node = CppNode('add_two_ints_client')
     client = node.create_client(AddTwoInts, 'add_two_ints')
     while not client.wait_for_service(timeout_sec=1.0):
@@ -52,7 +52,7 @@ def ask() -> int:
 
 
 def follow_parameter(node: CppNode, name: str, end: Any) -> None:
-    """Declare the parameter, and configure the service or client `end` whenever it is set."""
+    """Declare the parameter, and configure the service or client `end` whenever the parameter is set."""
 
     def check(parameters: list[Parameter]) -> SetParametersResult:
         for parameter in parameters:
@@ -73,7 +73,7 @@ def follow_parameter(node: CppNode, name: str, end: Any) -> None:
 
 
 class IntrospectionService(AddTwoIntsServer):
-    """Serves `add_two_ints`, and publishes its requests as its parameter specifies."""
+    """Serves `add_two_ints`, and publishes service events as its parameter specifies."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__('introspection_service', **options)
@@ -81,7 +81,7 @@ class IntrospectionService(AddTwoIntsServer):
 
 
 class IntrospectionClient(CppNode):
-    """Requests 2 + 3 twice a second, one request at a time, and publishes them as its parameter specifies."""
+    """Requests 2 + 3 twice a second, one request at a time, and publishes service events as its parameter specifies."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__('introspection_client', **options)

@@ -9,9 +9,9 @@ from rclcpp_like import CppNode, spinning
 
 
 class TwoTimers(CppNode):
-    """The node of both demos of one-shot timers.
+    """The node of both programs.
 
-    :param reuse: reset the cancelled timer (True), or make a new one in its place (False).
+    :param reuse: whether to reset the cancelled timer (True), or to create a new timer in its place (False).
     """
 
     def __init__(self, node_name: str, *, reuse: bool, **options: Any) -> None:

@@ -1,4 +1,4 @@
-"""The programs talker, listener and listener_best_effort, which use `chatter`."""
+"""The programs talker, listener and listener_best_effort, which use the topic `chatter`."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from std_msgs.msg import String
 
 
 class Talker(CppNode):
-    """Publishes numbers from 1."""
+    """Publishes greetings that are numbered from 1."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__('talker', **options)
@@ -37,7 +37,7 @@ class Listener(CppNode):
 
 
 class BestEffortListener(Listener):
-    """Works like the listener, but accepts that messages get lost."""
+    """Works like the listener, but with the reliability best effort."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__(qos_profile_sensor_data, **options)

@@ -1,4 +1,4 @@
-"""The program use_logger_service: a node sets the log level of another node with a service."""
+"""The program use_logger_service, in which one node sets the log level of another node with a service."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class LoggerServiceNode(Node):
 
 
 def work() -> None:
-    """Log at four levels, and request the level of the logger at the end."""
+    """Set the level of a logger several times, log with each level, and request the last level."""
     node, other = Node('TestNode'), LoggerServiceNode()
     log, name = node.get_logger(), other.get_name()
     executor = SingleThreadedExecutor()

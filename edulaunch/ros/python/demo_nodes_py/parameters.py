@@ -59,8 +59,9 @@ def _say_results(node: Node, names: list[str], future: Any) -> None:
 
 
 class SetParametersCallback(Node):
-    """Shows the three callbacks of a parameter change: the first also sets param2 to 4.0, the second refuses negative values, and
-    the third stores both.
+    """Shows the three callbacks of a parameter change.
+
+    The first callback also sets param2 to 4.0. The second rejects negative values, and the third stores both values.
     """
 
     def __init__(self) -> None:
@@ -94,5 +95,5 @@ def async_param_client() -> None:
 
 
 def set_parameters_callback() -> None:
-    """Run the node that shows the three callbacks for a new value."""
+    """Run the node that shows the three callbacks of a parameter change."""
     spin(SetParametersCallback)

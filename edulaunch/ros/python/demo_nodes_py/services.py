@@ -13,7 +13,7 @@ from edulaunch.ros.running import run, spin
 
 
 class AddTwoIntsServer(Node):
-    """Serves `add_two_ints`."""
+    """Serves the service `add_two_ints`."""
 
     def __init__(self) -> None:
         super().__init__('add_two_ints_server')
@@ -26,7 +26,7 @@ class AddTwoIntsServer(Node):
 
 
 def _client() -> tuple[Node, Client]:
-    """Return a node with a client that has found its server."""
+    """Return a node and its client, when the client has found a server."""
     node = rclpy.create_node('add_two_ints_client')
     client = node.create_client(AddTwoInts, 'add_two_ints')
     while not client.wait_for_service(timeout_sec=1.0):
@@ -58,7 +58,7 @@ def _ask_async() -> None:
 
 
 def add_two_ints_server() -> None:
-    """Run the program that adds two numbers."""
+    """Run the program whose service adds two numbers."""
     spin(AddTwoIntsServer)
 
 

@@ -1,5 +1,6 @@
-"""Publishers and subscribers of `chatter`: talker, listener, their variants with any quality of service, and
-listener_serialized.
+"""Publishers and subscribers of `chatter`.
+
+These are talker and listener, their variants talker_qos and listener_qos for any quality of service, and listener_serialized.
 """
 
 from __future__ import annotations
@@ -96,10 +97,10 @@ def listener_serialized() -> None:
 
 
 def talker_qos() -> None:
-    """Publish a number of messages like talker, as best effort unless --reliable is given."""
+    """Publish a fixed number of messages like talker. The reliability is best effort unless --reliable is given."""
     _run_with_quality('publish', 'talker', Talker)
 
 
 def listener_qos() -> None:
-    """Log a number of messages like listener, as best effort unless --reliable is given."""
+    """Log a fixed number of messages like listener. The reliability is best effort unless --reliable is given."""
     _run_with_quality('listen', 'listener', Listener)

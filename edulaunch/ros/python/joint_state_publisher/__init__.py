@@ -1,1 +1,1 @@
-"""joint_state_publisher: Positions for all joints of a robot, as long as nothing else knows them."""
+"""joint_state_publisher: Positions for all joints of a robot, while no other program provides them."""

@@ -1,4 +1,4 @@
-"""The program joint_state_publisher: it publishes a position for each joint of the robot description."""
+"""The program joint_state_publisher, which publishes a position for each joint of the robot description."""
 
 from __future__ import annotations
 
@@ -28,10 +28,12 @@ DEFAULTS: dict[str, Any] = {
 
 
 class JointStatePublisher(Node):
-    """Publishes /joint_states at `rate` (Hz). The topics of `source_list` and the parameters `zeros.JOINT` set the joints. Other
-    free joints are at 0, or in the middle of their limits if these exclude 0. A joint that mimics another one follows it.
+    """Publishes /joint_states at `rate` (Hz). The topics of `source_list` and the parameters `zeros.JOINT` set the positions.
 
-    :param description: URDF text; without one it is awaited on the topic robot_description.
+    Other free joints are at 0, or in the middle of their limits if the limits exclude 0. A joint that mimics another joint
+    follows that joint.
+
+    :param description: the URDF string. If it is empty, the node waits for the topic robot_description.
     """
 
     def __init__(self, description: str = '') -> None:
@@ -70,7 +72,7 @@ class JointStatePublisher(Node):
         self._positions = {joint.name: self._given(f'zeros.{joint.name}', _middle(*self._limits[joint.name])) for joint in joints}
 
     def _mimic(self, joint: Joint) -> Mimic | None:
-        """Return the joint that a joint follows, from the parameters or from its tag."""
+        """Return which joint a joint follows and how, from the parameters or from the `mimic` tag."""
         name = f'dependent_joints.{joint.name}'
         parent = self._given(f'{name}.parent', None)
         if parent is not None:

@@ -9,7 +9,7 @@ from edulaunch.ros.running import run
 
 
 def work() -> None:
-    """Report that there are no sliders, and publish the current positions of the joints."""
+    """Log that there are no sliders, and publish the current positions of the joints."""
     node = JointStatePublisher()
     text = 'edulaunch opens no window with sliders: the joints rest, unless zeros.JOINT or the topics of source_list move them'
     node.get_logger().info(text)

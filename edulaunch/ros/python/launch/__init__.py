@@ -1,8 +1,8 @@
 """ROS 2 launch: describe a system of programs, then start and watch it.
 
-The names, arguments, defaults, messages and rules are those of launch in ROS 2 Jazzy. Programs are started in
-a simulation (`_engine.py` is the only place that knows it). Read `architecture.rst` of upstream's launch for
-the ideas; each class here is at the relative path it has there.
+The names, arguments, defaults, messages and rules are those of launch in ROS 2 Jazzy. The programs are started in
+a simulation. Only `_engine.py` uses the simulation. The file `architecture.rst` of upstream's launch explains
+the ideas. Each class here has the same relative path as in upstream's launch.
 """
 
 from typing import TYPE_CHECKING

@@ -1,4 +1,4 @@
-"""The reaction of launch to a well-known package of ROS 2 that is missing: it reports that, and continues without it."""
+"""How launch handles a missing well-known package of ROS 2: it reports the missing package and continues without it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ._engine import absent_package, running_process
 
 
 def is_left_out(path: str) -> bool:
-    """Return whether a launch file to be included belongs to such a package; if so, report it."""
+    """Return whether an included launch file belongs to a missing well-known package. If so, log an error."""
     known = absent_file(path)
     if known:
         sentence = f'the package {known["package"]!r} ({known["belongs_to"]}) is not here'
@@ -19,7 +19,7 @@ def is_left_out(path: str) -> bool:
 
 
 def absent_file(path: str) -> dict[str, Any]:
-    """Return the facts about a missing file; empty if it would not belong to a well-known package that is missing."""
+    """Return the facts about a missing file of a missing well-known package. Return an empty dictionary for any other file."""
     share = _share()
     package = path[len(share) :].partition(os.sep)[0] if path.startswith(share) else ''
     kind = absent_package(package)
@@ -27,19 +27,20 @@ def absent_file(path: str) -> dict[str, Any]:
 
 
 def _share() -> str:
-    """Return the folder that would have the share folders of such packages, with a separator at its end."""
+    """Return the folder that would contain the share folders of missing well-known packages, with a separator at its end."""
     return os.path.join(running_process().index.absent_prefix, 'share', '')
 
 
 def absent_program(name: str) -> str | None:
-    """Return the path that a program of such a package would have."""
+    """Return the path that a program of a missing well-known package would have. Return None for any other name."""
     prefix = running_process().index.absent_prefix
     return os.path.join(prefix, 'lib', name, name) if absent_package(name) is not None else None
 
 
 def is_empty_output(argv: Sequence[str]) -> bool:
-    """Return whether a command cannot run because its program is in such a package, so that its output is empty; if so, report
-    it.
+    """Return whether the program of a command belongs to a missing well-known package. The output of the command is then empty.
+
+    If so, log an error.
     """
     name = os.path.basename(argv[0]) if argv else ''
     from osrf_pycommon.process_utils import which

@@ -1,8 +1,8 @@
-"""The static search for launch arguments, and the files that are loaded only to look inside.
+"""The static search for launch arguments, and the files that are loaded only for this search.
 
-Upstream searches everything below a file when it is included, and again at each level, which is quadratic in the depth. Here each
-file is examined once within one visit, in which includes of any depth are executed one after the other. A launched file is always
-loaded again.
+Upstream searches everything below a file when it is included, and again at each level, so the time is quadratic in the depth.
+Here each file is searched once within one visit, which executes includes of any depth one after the other. A file that is
+launched is always loaded again.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class Look:
     """The results of files that were searched without being launched.
 
     :ivar descriptions: launch descriptions by type of source and location; None for a file that cannot be loaded.
-    :ivar findings: the findings in a description and below it, by `id()` of the description; None before the search.
+    :ivar findings: the arguments found in a description and below it, by `id()` of the description; None before the search.
     """
 
     def __init__(self) -> None:
@@ -38,7 +38,7 @@ class Look:
 
 @contextmanager
 def looking() -> Iterator[Look]:
-    """Search each file only once inside this context. (A nested context uses the outer one.)"""
+    """Search each file only once inside this context. A nested context uses the outer one."""
     state = running_process().state
     if _KEY in state:
         yield state[_KEY]
@@ -51,8 +51,9 @@ def looking() -> Iterator[Look]:
 
 
 def load_once(source: object, location: str, load: Callable[[], T]) -> T | None:
-    """Return the result of `load()`, or None if it raises an exception. The look stores the result by source type and
-    location.
+    """Return the result of `load()`, or None if `load` raises an exception.
+
+    The result is stored by source type and location, and later calls return the stored result.
     """
     with looking() as look:
         key = type(source), location
@@ -67,7 +68,7 @@ def load_once(source: object, location: str, load: Callable[[], T]) -> T | None:
 
 
 def found_arguments(entities: Iterable[LaunchDescriptionEntity], conditional: bool) -> FoundArguments:
-    """Return the first declaration of each name in the entities and below them.
+    """Return the first declaration of each launch argument in the entities and in everything below them.
 
     :param conditional: whether the entities themselves are visited only under a condition.
     """
@@ -90,7 +91,7 @@ def _findings(entities: Iterable[LaunchDescriptionEntity], conditional: bool, lo
     """Return all arguments below the entities, up to the first `ResetLaunchConfigurations`.
 
     As in upstream, only arguments directly in a conditional branch count as conditional. The arguments of a file that is included
-    under a condition do not, and are checked even when the condition is false.
+    under a condition do not count as conditional, and are checked even when the condition is false.
     """
     findings: list[Finding] = []
     for entity in entities:

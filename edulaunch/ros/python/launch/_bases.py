@@ -1,4 +1,4 @@
-"""Base classes of the classes of launch."""
+"""Base classes of launch's classes."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from edulaunch.ros.read_only import ReadOnly as ReadOnly
 
 
 class StableRepr:
-    """Python's default `repr` without the address.
+    """Python's default `repr` with `0x` in place of the address.
 
-    Some of launch's error messages contain the `repr` of substitutions and actions. An address would make two equal runs print
-    different messages, so only its `0x` remains.
+    Some error messages of launch contain the `repr` of substitutions and actions. With an address, two equal runs would print
+    different messages.
     """
 
     def __repr__(self) -> str:
@@ -25,13 +25,13 @@ Parse = Callable[..., tuple[type, dict[str, Any]]]
 
 
 class ParsedByFrontend:
-    """A descriptor for `parse`. It returns the class on which `parse` was called, with the arguments for the nearest known base
-    class.
+    """A descriptor for the method `parse`. It returns the class on which `parse` was called, and the arguments for the nearest
+    class that the frontend has a parser for.
 
     So `super().parse(entity, parser)` in a student's subclass returns the keyword arguments of the base class.
 
     :param kind: 'action' or 'substitution'.
-    :param otherwise: the function for classes that the frontend does not know. Without it, they have no `parse`.
+    :param otherwise: the function for classes that the frontend has no parser for. Without it, these classes have no `parse`.
     """
 
     def __init__(self, kind: str, otherwise: Parse | None = None) -> None:

@@ -1,7 +1,7 @@
-"""A launch in a plain script, beside other running code: real threads, or other tasks of an asyncio loop.
+"""Runs a launch in a plain script next to other running code: real threads, or other tasks of an asyncio loop.
 
-Alone, a launch runs simulated time as fast as possible. Other code in real time may call in, such as a `threading.Timer` that
-shuts the launch down. Beside such code, simulated time follows real time, a slice at a time.
+Without such code, simulated time runs as fast as possible. Other code in real time may call the launch service, such as a
+`threading.Timer` that shuts the launch down. With such code, simulated time follows real time in slices.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ SLICE_S = 0.01
 
 
 class StartedThreads:
-    """Checks whether threads are running that the script has started since this object was created."""
+    """Checks whether the script has started threads since this object was created, and whether they are running."""
 
     def __init__(self) -> None:
         self._before = {thread.ident for thread in threading.enumerate()} if is_plain_script() else None
 
     def has_come(self) -> bool:
-        """Return whether such a thread is running."""
+        """Return whether a thread is running that the script has started since this object was created."""
         before = self._before
         if before is None:
             return False
@@ -42,7 +42,7 @@ class StartedThreads:
 
 
 def run_beside_threads(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], threads: StartedThreads) -> int:
-    """Run the loop until the task is done.
+    """Run the loop until the task is done, and return the result of the task.
 
     :raises SimulationError: when no code can end the wait of the task.
     """
@@ -53,9 +53,10 @@ def run_beside_threads(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int],
 
 
 async def run_beside_tasks(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], threads: StartedThreads) -> int:
-    """Run a simulated loop until its task is done, while the loop that awaits this coroutine runs its other tasks.
+    """Run a simulated loop until its task is done, and return the result of the task.
 
-    In a notebook, the simulation counts as alone, because the other tasks of the kernel are not the student's.
+    Meanwhile, the loop that awaits this coroutine runs its other tasks. In a notebook, the simulation counts as alone, because
+    the other tasks of the kernel are not the student's.
 
     :raises SimulationError: when no code can end the wait of the task.
     """
@@ -84,7 +85,7 @@ def _is_notebook() -> bool:
 
 
 def _has_run_alone(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], has_others: Callable[[], bool]) -> bool:
-    """Run to the end without a break if no other code runs; otherwise, return False."""
+    """Run the task to its end if no other code runs, and return whether this was possible."""
     if has_others():
         return False
     try:
@@ -101,7 +102,7 @@ def _has_run_alone(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], has
 
 
 def _run_slice(loop: asyncio.AbstractEventLoop) -> float:
-    """Run the loop for a slice of simulated time; return the remaining seconds of real time in the slice."""
+    """Run the loop for a slice of simulated time. Return the remaining real time of the slice in seconds."""
     began = time.monotonic()
     end = loop.call_later(SLICE_S, loop.stop)
     try:

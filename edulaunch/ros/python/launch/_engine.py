@@ -1,4 +1,4 @@
-"""The connection of launch to the engine: the only module of launch that uses edulaunch's processes.
+"""The connection of launch to the engine. No other module of launch uses edulaunch's processes.
 
 All data belongs to the running process, so that two simulations in one interpreter are separate.
 """
@@ -20,14 +20,14 @@ T = TypeVar('T')
 
 
 class OfProcess(Protocol):
-    """The data of a launch context about the process that runs it."""
+    """The part of a launch context that belongs to the process that runs the launch."""
 
     process_state: dict[str, Any]
     process_counter: list[int]
 
 
 def running_process() -> Process:
-    """Return the process that runs launch: the `ros2 launch` of a simulation, or the process that represents a plain script."""
+    """Return the process that runs launch: a simulated `ros2 launch`, or the process that represents a plain script."""
     return _current_process()()
 
 
@@ -40,24 +40,27 @@ def _current_process() -> Callable[[], Process]:
 
 
 def is_plain_script() -> bool:
-    """Return whether the running code belongs to a plain script or notebook cell, not to a simulated program."""
+    """Return whether the running code belongs to a plain script or a notebook cell, and not to a simulated program."""
     from edulaunch.engine.sim.task import AmbientTask, current_task
 
     return isinstance(current_task(), AmbientTask)
 
 
 def environment() -> MutableMapping[str, str]:
-    """Return the environment variables of the running process, as a mapping that can be changed. Upstream uses `os.environ`."""
+    """Return the environment variables of the running process as a mutable mapping. Upstream uses `os.environ`."""
     return running_process().env
 
 
 def inside(path: str | os.PathLike[str]) -> str:
-    """Return the path as the running process understands it, because each terminal of a machine has its own folder."""
+    """Return the path as the running process resolves it, because each terminal of a machine has its own folder."""
     return running_process().path(os.fspath(path))
 
 
 def process_state(key: str, make: Callable[[], T]) -> T:
-    """Return a value that would be a global of launch's process; it is created on first use in each process."""
+    """Return the value stored under `key` in the running process. The first call in each process creates it with `make`.
+
+    Upstream stores such values in globals.
+    """
     state = running_process().state
     if key not in state:
         state[key] = make()
@@ -66,8 +69,9 @@ def process_state(key: str, make: Callable[[], T]) -> T:
 
 
 def state_of(context: OfProcess) -> dict[str, Any]:
-    """Return the state of the process that runs this context. Contexts that tests create have none, so the running process
-    counts.
+    """Return the state of the process that runs this context.
+
+    A context that a test creates has no such state. In that case, return the state of the running process.
     """
     try:
         return context.process_state
@@ -76,7 +80,9 @@ def state_of(context: OfProcess) -> dict[str, Any]:
 
 
 def process_counter(context: OfProcess) -> list[int]:
-    """Return a list whose only item is the number of the last numbered process. All contexts of a process share it."""
+    """Return a list whose only item is the number of the process that was numbered last. All contexts of a process share the
+    list.
+    """
     try:
         return context.process_counter
     except AttributeError:
@@ -101,32 +107,32 @@ def load_module(path: str, module_name: str) -> ModuleType:
 
 
 def import_for_expression(name: str) -> ModuleType:
-    """Return a module for a Python expression in a launch file. If the simulation has its own module, such as `time` or `random`,
-    return that one.
+    """Return a module for a Python expression in a launch file. The simulation's own `time`, `random` and similar modules come
+    first.
     """
     return running_process().loader.import_(name, fromlist=('*',))
 
 
 def assumptions() -> Any:
-    """Return what a dry run with missing packages pretends (`edulaunch.advice.plan.assumptions.Assumptions`), else None."""
+    """Return what a dry run with missing packages assumes (`edulaunch.advice.plan.assumptions.Assumptions`), otherwise None."""
     return running_process().state.get('launch.assumptions')
 
 
 def absent_package(package: str) -> str | None:
-    """Return what a missing well-known package belongs to ('Gazebo'), if launch should continue without it; otherwise None.
+    """Return the name of the project that a missing well-known package belongs to, such as 'Gazebo'.
 
-    A dry run does not continue, because it should find what is missing.
+    Return None for any other package. In a dry run, always return None, because a dry run must report what is missing.
     """
     process = running_process()
     return None if 'launch.assumptions' in process.state else process.index.absent(package)
 
 
 def run_command(argv: Sequence[str], *, stderr_to_stdout: bool) -> tuple[int, str, str]:
-    """Run a command to its end; returns its exit code, standard output and standard error.
+    """Run a command until it ends. Return its exit code, standard output and standard error.
 
-    A dry run with missing packages may replace the output; see :func:`assumptions`. A command that the simulation knows (`ros2
-    ...`) runs in it, while launch waits in simulated time. Any other command is a real program. It takes no simulated time, so
-    that every run is the same.
+    A dry run with missing packages may replace the output; see :func:`assumptions`. A command that the simulation has (`ros2
+    ...`) runs in the simulation, while launch waits in simulated time. Any other command is a real program. It takes no simulated
+    time, so that every run is the same.
 
     :raises FileNotFoundError: when there is no such command.
     """

@@ -1,4 +1,4 @@
-"""The queue of events that wait to be handled."""
+"""The queue of events that launch has not handled yet."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 class EventQueue(asyncio.Queue):  # type: ignore[type-arg]
     """An asyncio queue that calls a function when an event is added.
 
-    :ivar on_put: called without arguments after each put, unless None.
+    :ivar on_put: the function, called without arguments after each put. None means no call.
     """
 
     on_put: Callable[[], object] | None = None

@@ -1,6 +1,6 @@
-"""An error of a launch file as plain data: its place in the student's file, and facts beyond its message.
+"""An error of a launch file as plain data: its place in the student's file, and facts that its message does not contain.
 
-The errors themselves keep the messages of ROS and Python. `edulaunch.advice` adds advice where a person reads them.
+The errors keep the messages of ROS and Python. `edulaunch.advice` adds advice to the messages.
 """
 
 from __future__ import annotations
@@ -28,9 +28,10 @@ CALL_LINES = 8
 
 
 def note_failure(error: BaseException, message: str) -> None:
-    """Record that an error ended the launch, and add advice to `message` for its readers.
+    """Record that an error ended the launch, so that readers of `message` also see advice.
 
-    The launch process's `state['launch.exceptions']` collects them; `state['launch.on_error']` can replace the report.
+    `state['launch.exceptions']` of the launch process collects these errors. A function in `state['launch.on_error']` can replace
+    this report.
     """
     process = running_process()
     process.state.setdefault('launch.exceptions', []).append(error)
@@ -44,7 +45,7 @@ def note_failure(error: BaseException, message: str) -> None:
 def failure_data(error: BaseException, index: Index | None = None) -> dict[str, Any]:
     """Return `type`, `message`, `place` (in the student's own file) and `facts` of an error.
 
-    :param index: knows the student's own files (default: that of the running process).
+    :param index: the index that finds the student's own files. By default, this is the index of the running process.
     """
     cause, place = root_cause(error), launch_origin(error)
     if place is not None:
@@ -53,7 +54,10 @@ def failure_data(error: BaseException, index: Index | None = None) -> dict[str, 
 
 
 def launch_facts(error: BaseException) -> dict[str, Any]:
-    """Return the facts that the error carries, or that the frames of its traceback contain, and the action that raised it."""
+    """Return the facts attached to the error, or else those found in the frames of its traceback.
+
+    The result also contains the name of the action's class that raised the error, if it is known.
+    """
     cause = root_cause(error)
     action = getattr(error, 'edulaunch_entity', None)
     known = facts_of(cause)
@@ -63,7 +67,10 @@ def launch_facts(error: BaseException) -> dict[str, Any]:
 
 
 def launch_origin(error: BaseException) -> Origin | None:
-    """Return the place in a student's file: the innermost line that was running there, or the line of the action."""
+    """Return the place in a student's file: the innermost line that was running there, or the line of the action.
+
+    Return None if the error has no place in a student's file.
+    """
     from edulaunch.engine.processes import Origin
 
     cause = root_cause(error)
@@ -80,14 +87,14 @@ def launch_origin(error: BaseException) -> Origin | None:
 
 
 def root_cause(error: BaseException) -> BaseException:
-    """Return the first loader's error if no loader could load the file, otherwise the error itself."""
+    """Return the error of the first loader if no loader could load the file. Otherwise, return the error itself."""
     while isinstance(error, InvalidLaunchFileError) and error.likely_errors:
         error = error.likely_errors[0]
     return error
 
 
 def frames_of(error: BaseException) -> Iterator[tuple[FrameType, int]]:
-    """Yield the frames of the traceback, outermost first, with the line that ran in each."""
+    """Yield each frame of the traceback, outermost first, with the line that was running in the frame."""
     trace = error.__traceback__
     while trace is not None:
         yield trace.tb_frame, trace.tb_lineno
@@ -139,7 +146,10 @@ def _about_file(path: str) -> dict[str, Any]:
 
 
 def _below(folder: str, name: str) -> str | None:
-    """Return the path of the only file of that name in a folder of a package's share folder, seen from it; otherwise None."""
+    """Return the path of the only file of that name below a folder of a package's share folder, or None.
+
+    The path is relative to the folder.
+    """
     if not os.path.isfile(os.path.join(folder, 'package.xml')):
         return None
     inside = [one for one in sorted(os.listdir(folder)) if os.path.isfile(os.path.join(folder, one, name))]
@@ -147,7 +157,7 @@ def _below(folder: str, name: str) -> str | None:
 
 
 def _class_that_was_made(error: BaseException) -> dict[str, Any]:
-    """Return the class whose constructor passes on an unknown argument, and the arguments that exist."""
+    """Return the class whose constructor passes on an unknown argument, and the arguments that the class accepts."""
     made = next((frame.f_locals.get('self') for frame, _ in frames_of(error) if frame.f_code.co_name == '__init__'), None)
     if made is None:
         return {}

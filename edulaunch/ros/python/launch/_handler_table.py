@@ -1,4 +1,4 @@
-"""The event handlers of a launch, in a table that asks only handlers which can match."""
+"""The event handlers of a launch, in a table that calls the matchers of only those handlers that can match."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ class Handler(Protocol):
         """Return whether the handler accepts the event."""
 
     def handle(self, event: Event, context: Any) -> Any:
-        """Handle the event; return entities to visit, or None."""
+        """Handle the event. Return the entities to visit, or None."""
 
     def describe(self) -> Any:
-        """Return the handler in words, and its entities."""
+        """Return a description of the handler, and its entities."""
 
 
 Ranked = dict[int, Handler]
 
 
 class HandlerTable:
-    """Registered handlers, each with a rank. The handler with the lowest rank is asked first."""
+    """Registered handlers, each with a rank. The handler with the lowest rank is tried first."""
 
     def __init__(self) -> None:
         self._groups: dict[int, Ranked] = {0: {}}
@@ -35,11 +35,11 @@ class HandlerTable:
         self._last = 0
 
     def as_deque(self) -> deque[Handler]:
-        """Return all handlers in the order in which they are asked, as upstream does them."""
+        """Return all handlers in the order in which they are tried, in a deque as in upstream."""
         return deque(_in_order(*self._groups.values()))
 
     def add(self, handler: Handler, *, append: bool) -> None:
-        """Add a handler before or after all others."""
+        """Add a handler after all others with `append`, and otherwise before all others."""
         if append:
             self._last += 1
         else:
@@ -47,9 +47,9 @@ class HandlerTable:
         self._groups.setdefault(_key(handler), {})[self._last if append else self._first] = handler
 
     def remove(self, handler: Handler) -> None:
-        """Remove the handler (once, if it was added more than once).
+        """Remove a handler. If the handler was added more than once, remove only the entry that is tried first.
 
-        :raises ValueError: when it is not registered.
+        :raises ValueError: when the handler is not registered.
         """
         key = _key(handler)
         group = self._groups.get(key, {})
@@ -61,7 +61,7 @@ class HandlerTable:
             del self._groups[key]
 
     def candidates(self, event: Event) -> list[Handler]:
-        """Return the handlers that could accept the event, in the order in which they are asked."""
+        """Return the handlers that could accept the event, in the order in which they are tried."""
         return _in_order(*self._groups_for(event))
 
     def matches(self, event: Event) -> bool:

@@ -1,4 +1,4 @@
-"""Launch files that include themselves."""
+"""Detects launch files that include themselves without end."""
 
 from __future__ import annotations
 
@@ -17,8 +17,9 @@ DEEPEST = 50
 class Include(NamedTuple):
     """A launch file that is being visited.
 
-    :ivar origin: the place of the action that includes it.
-    :ivar configurations: as they were before its arguments were set.
+    :ivar file: the path of the launch file.
+    :ivar origin: the place of the action that includes the file; None if it is unknown.
+    :ivar configurations: the launch configurations before the arguments of the include were set.
     """
 
     file: str
@@ -27,14 +28,14 @@ class Include(NamedTuple):
 
 
 def enter_include(open_includes: list[Include] | None, entered: Include) -> None:
-    """Record that a file is visited until the walk leaves the action that includes it.
+    """Add a file to the files that are being visited.
 
-    A file may include itself if this ends, for example under a condition with an argument that counts down.
+    A file may include itself if the recursion ends, for example through a condition on an argument that counts down.
 
-    :param open_includes: the files that are visited now, the outermost first. None outside a walk, because the end of a file is
-        unknown there.
-    :raises RecursionError: when the file would include itself without end, because nothing has changed since it was included. The
-        message names the files of the ring.
+    :param open_includes: the files that are being visited, the outermost first. None outside of a walk, where the end of a visit
+        is unknown. The call then has no effect.
+    :raises RecursionError: when the file would include itself without end, because no launch configuration has changed since its
+        last include, or because the depth exceeds the limit. The message names the files of the cycle.
     """
     if open_includes is None:
         return
@@ -53,7 +54,9 @@ def _ring_error(ring: list[Include]) -> RecursionError:
             for step, inner in zip(steps, ring[1:], strict=True)
         )
     )
-    return with_facts(error, 'launch.include-ring', ring=[_shown(include) for include in ring])
+    names = [_shown(include) for include in ring]
+    itself = names[0] if len(set(names)) == 1 else None
+    return with_facts(error, 'launch.include-ring', ring=names, itself=itself)
 
 
 def _shown(include: Include) -> str:

@@ -1,8 +1,8 @@
-"""Names of a package that are imported at first use (PEP 562).
+"""Names of a package that are imported on first use (PEP 562).
 
 A launch file uses a few of launch's ninety classes, each of which has its own module as in ROS 2. Importing all of them takes 30
 ms. So the `__init__` of a package with many modules lists them twice. Editors and type checkers read plain imports below
-`TYPE_CHECKING`, and :func:`late_names` reads a table. A test checks that both are equal.
+`TYPE_CHECKING`, and :func:`late_names` reads a table. A test checks that both lists are equal.
 """
 
 from __future__ import annotations
@@ -22,17 +22,17 @@ def late_names(
     eager: Iterable[str] = (),
     absent: Mapping[str, str] | None = None,
 ) -> tuple[list[str], Callable[[str], Any], Callable[[], list[str]]]:
-    """Make the `__all__`, `__getattr__` and `__dir__` of a package.
+    """Create the `__all__`, `__getattr__` and `__dir__` of a package.
 
-    As in ROS 2, the modules of the package are attributes without an import, too (`launch.actions.timer_action.TimerAction`).
+    As in ROS 2, the modules of the package are also attributes without an import (`launch.actions.timer_action.TimerAction`).
 
-    :param package: name of the package.
-    :param names: what it exports, each with the module of the package that defines it.
-    :param modules: modules of the package that it also exports.
-    :param attributes: modules that are only attributes.
-    :param eager: what the package has imported already. A function that has the name of its module must be among them: the import
-        of the module would put the module in its place.
-    :param absent: names of ROS 2 that edulaunch lacks, each with its replacement; importing one raises ImportError.
+    :param package: the name of the package.
+    :param names: the exported names, each with the module of the package that defines it.
+    :param modules: the modules of the package that are exported as well.
+    :param attributes: the modules that are attributes, but are not exported.
+    :param eager: the objects that the package has already imported. They must include each function that has the same name as
+        its module. Otherwise, importing the module would replace the function by the module.
+    :param absent: names of ROS 2 that edulaunch does not have, each with its replacement; importing one raises ImportError.
     """
     exported = [*modules, *eager, *names]
     known = {*modules, *attributes, *names.values()}

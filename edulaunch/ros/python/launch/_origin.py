@@ -1,7 +1,7 @@
-"""Find the launch file and the line that created an action.
+"""Finds the launch file and the line that created an action.
 
-ROS 2 has no such record; errors, `edulaunch doctor` and grades use it. It must take very little time, because every action needs
-it. Two numbers are stored, and converted to a readable form on request.
+ROS 2 does not record this place. Errors, `edulaunch doctor` and grades use it. Every action needs its place, so finding it must
+take very little time. The search stores two numbers, and converts them to a readable form on request.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ Place = tuple[str, int] | tuple[CodeType, int]
 
 
 class Inherited(tuple):  # type: ignore[type-arg]
-    """The place of an action that launch itself created while it visited another one, which is the place of that other action."""
+    """The place of an action that launch itself created while it visited another action. It is the place of that other action."""
 
 
 MAKERS: dict[int, CodeType] = {}
@@ -35,10 +35,10 @@ _TABLES: dict[int, tuple[CodeType, list[int], list[int]]] = {}
 
 
 def caller_outside_launch(made: object) -> Place | None:
-    """Return the place in the innermost running code that is neither ours nor the constructor of `made` itself.
+    """Return the place in the innermost running code that is neither edulaunch's nor the constructor of `made`.
 
-    An action that one of our actions creates during its visit has the origin of that action. The calls of a function of the same
-    file that creates the action are stored in `made`.
+    An action that another action of edulaunch creates during its visit has the place of that other action. Return None if there
+    is no such place. If functions of the same file led to the call, they are stored in `made`.
     """
     frame: FrameType | None = sys._getframe(2)
     while frame is not None:
@@ -57,7 +57,9 @@ def caller_outside_launch(made: object) -> Place | None:
 
 
 def _calls_around(frame: FrameType) -> list[tuple[str, Place]]:
-    """Return the functions around a frame that their own file calls, each with the place of its call, the innermost first."""
+    """Return the functions around a frame that are called from their own file, each with the place of its call. The innermost is
+    first.
+    """
     found: list[tuple[str, Place]] = []
     file, outer = frame.f_code.co_filename, frame.f_back
     while outer is not None and outer.f_code.co_filename == file and len(found) < _MOST_CALLS:
@@ -68,12 +70,12 @@ def _calls_around(frame: FrameType) -> list[tuple[str, Place]]:
 
 
 def _makes(code: CodeType, frame: FrameType, made: object) -> bool:
-    """Return whether the frame runs a constructor, such as that of a student's subclass, of exactly this object."""
+    """Return whether the frame runs a constructor of exactly this object, such as that of a student's subclass."""
     return bool(code.co_argcount) and frame.f_locals.get(code.co_varnames[0]) is made
 
 
 def origin_of(place: Place | None) -> Origin | None:
-    """Return the engine's `Origin` for a place."""
+    """Return the engine's `Origin` for a place, or None if there is no place."""
     if place is None:
         return None
     from edulaunch.engine.processes import Origin
@@ -99,7 +101,10 @@ def _line_table(code: CodeType) -> tuple[CodeType, list[int], list[int]]:
 
 
 def note_origin(error: BaseException, entity: Any) -> None:
-    """Store on `error` (as `edulaunch_origin` and `edulaunch_entity`) the innermost action that raised it."""
+    """Store the origin and the class name of the innermost action that raised `error` on `error` itself.
+
+    The attributes are `edulaunch_origin` and `edulaunch_entity`.
+    """
     if not hasattr(error, 'edulaunch_origin'):
         error.edulaunch_origin = entity.origin  # type: ignore[attr-defined]
         error.edulaunch_entity = type(entity).__name__  # type: ignore[attr-defined]

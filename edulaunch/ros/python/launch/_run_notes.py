@@ -1,4 +1,4 @@
-"""Notes on a launch for the recording, in the state of the process that runs launch."""
+"""Records of a launch for the recording of the run. They are stored in the state of the process that runs launch."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Declared(Protocol):
-    """The part of a `DeclareLaunchArgument` that these notes need."""
+    """The part of a `DeclareLaunchArgument` that this module needs."""
 
     @property
     def name(self) -> str:
@@ -34,17 +34,14 @@ def note_include(path: str) -> None:
 
 
 def note_undeclared(names: Iterable[str], declared: Iterable[str], file: str, origin: Origin | None) -> None:
-    """Record arguments that an included file does not declare. ROS 2 sets them without a message.
-
-    They are stored in `launch.undeclared`.
-    """
+    """Add the arguments that an included file does not declare to `launch.undeclared`. ROS 2 sets them without a message."""
     known = list(declared)
     rows: list[tuple[str, list[str], str, Origin | None]] = process_state('launch.undeclared', list)
     rows += [(name, known, file, origin) for name in names if name not in known]
 
 
 def names_read() -> dict[str, bool]:
-    """Return the names of launch configurations that substitutions have read (`launch.read`), in order."""
+    """Return the names of launch configurations that substitutions have read (`launch.read`), in the order of the first read."""
     return process_state('launch.read', dict)
 
 
@@ -58,7 +55,7 @@ def note_wrong_return(function: Any) -> None:
 
 
 def tell_wrong_return(error: Any) -> None:
-    """Attach the place of the last stored function to the error."""
+    """Attach the file and line of the last stored function to the error."""
     remembered: list[Any] = process_state(_KEY, list)
     for function in remembered:
         code = function.__code__

@@ -31,7 +31,7 @@ class Action(LaunchDescriptionEntity):
 
     Creating an action has no effect. :meth:`visit` executes it if its condition is true.
 
-    :param condition: without one the action is always executed.
+    :param condition: the condition for executing the action. Without one, the action is always executed.
     """
 
     def __init__(self, *, condition: Condition | None = None) -> None:
@@ -48,20 +48,24 @@ class Action(LaunchDescriptionEntity):
 
     @property
     def calls(self) -> list[tuple[str, Origin]]:
-        """The functions of the launch file that created this action, each with the line that calls it, the innermost first.
+        """The functions of the launch file through which this action was created, each with the line that calls it. The
+        innermost is first.
 
-        The list is empty if the function that launch itself calls created it. (edulaunch only.)
+        The list is empty if a function that launch itself calls created the action, such as `generate_launch_description`.
+        (edulaunch only.)
         """
         places: Any = self.__dict__.get('_Action__calls', ())
         return [(name, found) for name, place in places if (found := origin_of(place)) is not None]
 
     @property
     def is_made_by_launch(self) -> bool:
-        """Whether launch itself created this action while it visited another one, which gives it its origin. (edulaunch only.)"""
+        """Whether launch itself created this action while it visited another action, from which it takes its origin. (edulaunch
+        only.)
+        """
         return type(self.__dict__.get('_Action__origin')) is Inherited
 
     def set_origin(self, file: str, line: int) -> None:
-        """Set the file and line of an action that the parser of a frontend created."""
+        """Set the file and line of an action that the parser of a launch file created."""
         self.__origin = (file, line)
 
     parse = ParsedByFrontend('action', _only_a_condition)
@@ -70,26 +74,29 @@ class Action(LaunchDescriptionEntity):
     condition: ReadOnly[Condition | None] = ReadOnly('The condition, or None.')
 
     def describe(self) -> str:
-        """Return Python's `repr`, for people who read a plan or an error."""
+        """Return Python's `repr`, which plans and error messages show."""
         return repr(self)
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the entities to which this action leads, if they are known without executing it. Subclasses override it."""
+        """Return the entities that launch visits because of this action, if they are known without executing it.
+
+        Subclasses override this method.
+        """
         return []
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return :meth:`get_sub_entities` if there is no condition."""
+        """Return the result of :meth:`get_sub_entities` if the action has no condition, and otherwise an empty list."""
         return self.get_sub_entities() if self.__condition is None else []
 
     def describe_conditional_sub_entities(self) -> ConditionalEntities:
-        """Return :meth:`get_sub_entities` if there is a condition."""
+        """Return the result of :meth:`get_sub_entities` with a description of the condition, if the action has one."""
         if self.__condition is None:
             return []
         return [(f'Conditionally included by {self.describe()}', self.get_sub_entities())]
 
     def visit(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
-        """Execute the action if its condition holds. Afterwards, emit an ExecutionComplete event if a handler is registered for
-        it.
+        """Execute the action if its condition is true. Afterwards, emit an ExecutionComplete event if a handler is registered for
+        this event.
 
         If the action raises an exception, add the action's file and line to the exception for the error message.
         """

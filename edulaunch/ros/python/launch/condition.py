@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 class Condition(StableRepr):
     """Decides at launch time whether an action is executed.
 
-    :param predicate: called with the launch context; without one the condition is false.
+    :param predicate: a function that is called with the launch context. Without a predicate, the condition is false.
     """
 
     def __init__(self, *, predicate: Callable[[LaunchContext], bool] | None = None) -> None:
@@ -22,11 +22,11 @@ class Condition(StableRepr):
 
     @property
     def in_words(self) -> str:
-        """A description of the condition for a plan. (edulaunch only.)"""
+        """A readable form of the condition for a plan. (edulaunch only.)"""
         return f'if {type(self).__name__} says so'
 
     def describe(self) -> str:
-        """Return a description for people, which is the `repr` here."""
+        """Return a description of the condition, which is the `repr` in this base class."""
         return repr(self)
 
     def evaluate(self, context: LaunchContext) -> bool:

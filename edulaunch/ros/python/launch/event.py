@@ -6,6 +6,6 @@ from ._bases import StableRepr
 
 
 class Event(StableRepr):
-    """An event of a running launch: something has happened or was requested."""
+    """An event of a running launch: something has happened, or something was requested."""
 
     name = 'launch.Event'

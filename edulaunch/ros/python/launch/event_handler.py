@@ -18,8 +18,8 @@ Matcher = Callable[[Event], bool]
 class BaseEventHandler(StableRepr):
     """A handler whose matcher decides which events it handles.
 
-    :param matcher: called with each event.
-    :param handle_once: forget this handler after the first event.
+    :param matcher: a function that is called with each event, and returns whether the handler handles it.
+    :param handle_once: whether to unregister this handler after the first event that it handles.
     """
 
     only_action: Any = None
@@ -35,12 +35,12 @@ class BaseEventHandler(StableRepr):
 
     @property
     def handler_description(self) -> str:
-        """A description of the handler's action."""
+        """A description of what the handler does."""
         return '<callable>'
 
     @property
     def matcher_description(self) -> str:
-        """A description of the handled events."""
+        """A description of the events that the handler handles."""
         return f'{self.__matcher}'
 
     def matches(self, event: Event) -> bool:
@@ -48,7 +48,7 @@ class BaseEventHandler(StableRepr):
         return self.__matcher(event)
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
-        """Return a description of the handler, and the entities to which it leads as far as they are known."""
+        """Return a description of the handler, and the entities that it visits, as far as they are known."""
         text = (
             f"{type(self).__name__}(matcher='{self.matcher_description}', "
             f"handler='{self.handler_description}', handle_once={self.__handle_once})"
@@ -66,22 +66,22 @@ class BaseEventHandler(StableRepr):
 class EventHandler(BaseEventHandler):
     """A handler that visits entities when an event matches.
 
-    :param entities: an entity or several.
+    :param entities: one entity or several entities.
     """
 
     def __init__(self, *, matcher: Matcher, entities: SomeEntitiesType | None = None, handle_once: bool = False) -> None:
         super().__init__(matcher=matcher, handle_once=handle_once)
         self.__entities = entities
 
-    entities: ReadOnly[SomeEntitiesType | None] = ReadOnly('What is visited.')
+    entities: ReadOnly[SomeEntitiesType | None] = ReadOnly('The entities to visit.')
 
     @property
     def handler_description(self) -> str:
-        """A description of the handler's action."""
+        """A description of what the handler does."""
         return '<entities>'
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
-        """Return a description of the handler, and its entities."""
+        """Return a description of the handler, and the entities that it visits."""
         text = super().describe()[0]
         if self.__entities is None:
             return text, []

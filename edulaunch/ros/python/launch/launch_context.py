@@ -26,13 +26,13 @@ class Performed(Protocol):
     """The part of a substitution that a context needs."""
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the text."""
+        """Return the string that the substitution evaluates to."""
 
 
 class LocalsView:
     """Gives access to a dictionary through attributes.
 
-    :raises AttributeError: for an unknown name, with a list of the known ones, and on every attempt to set one.
+    :raises AttributeError: for an unknown name, with a list of the known names, and on every attempt to set an attribute.
     """
 
     def __init__(self, values: dict[str, Any]) -> None:
@@ -52,7 +52,7 @@ class LaunchContext:
     """The launch configurations, locals, environment, event handlers and waiting events of one launch.
 
     :param argv: the command line arguments, for code that reads `argv`.
-    :param noninteractive: no terminal is attached, so launch must pass Ctrl-C on to the processes.
+    :param noninteractive: whether no terminal is attached. If so, launch must pass Ctrl-C on to the processes.
     """
 
     def __init__(self, *, argv: Iterable[str] | None = None, noninteractive: bool = False) -> None:
@@ -88,19 +88,19 @@ class LaunchContext:
 
     noninteractive: ReadOnly[bool] = ReadOnly('Whether no terminal is attached.')
 
-    is_shutdown: ReadOnly[bool] = ReadOnly('Whether the launch is ending: nothing new is started any more.')
+    is_shutdown: ReadOnly[bool] = ReadOnly('Whether the launch is ending and starts nothing new.')
 
     def _set_is_shutdown(self, state: bool) -> None:
         self.__is_shutdown = state
 
-    asyncio_loop: ReadOnly[Any] = ReadOnly('The loop that launch runs on, None while it does not run.')
+    asyncio_loop: ReadOnly[Any] = ReadOnly('The loop that runs launch; None while launch is not running.')
 
     def _set_asyncio_loop(self, loop: asyncio.AbstractEventLoop | None) -> None:
         self.__asyncio_loop = loop
 
     # -- values
 
-    launch_configurations: ReadOnly[dict[str, Any]] = ReadOnly('Name -> value of all launch configurations, live.')
+    launch_configurations: ReadOnly[dict[str, Any]] = ReadOnly('The current launch configurations, by name.')
 
     def _push_launch_configurations(self) -> None:
         self.__launch_configurations_stack.append(dict(self.__launch_configurations))
@@ -110,7 +110,7 @@ class LaunchContext:
             raise RuntimeError('launch_configurations stack unexpectedly empty')
         self.__launch_configurations = self.__launch_configurations_stack.pop()
 
-    environment: ReadOnly[MutableMapping[str, str]] = ReadOnly("The environment variables of launch's process, live.")
+    environment: ReadOnly[MutableMapping[str, str]] = ReadOnly("The current environment variables of launch's process.")
 
     def _push_environment(self) -> None:
         self.__environment_stack.append(dict(self.__environment))
@@ -130,7 +130,7 @@ class LaunchContext:
 
     @property
     def locals(self) -> LocalsView:
-        """The locals, and the globals that they do not hide, as read-only attributes."""
+        """The locals, and the globals that no local overrides, as read-only attributes."""
         return LocalsView(self.get_locals_as_dict())
 
     def get_locals_as_dict(self) -> dict[str, Any]:
@@ -138,15 +138,15 @@ class LaunchContext:
         return {**self.__globals, **self.__locals}
 
     def local(self, name: str) -> Any:
-        """Return one local or global, or None for an unknown name."""
+        """Return the value of one local or global, or None for an unknown name."""
         return self.__locals[name] if name in self.__locals else self.__globals.get(name)
 
     def extend_globals(self, extensions: dict[str, Any]) -> None:
-        """Add globals. No pop removes them."""
+        """Add globals. Popping locals does not remove them."""
         self.__globals.update(extensions)
 
     def extend_locals(self, extensions: dict[str, Any]) -> None:
-        """Add locals. The end of the running event handler removes them."""
+        """Add locals. They are removed when the running event handler ends."""
         self.__locals.update(extensions)
 
     def _push_locals(self) -> None:
@@ -184,7 +184,7 @@ class LaunchContext:
         self.__completion_futures.append(completion_future)
 
     def register_event_handler(self, event_handler: Handler, append: bool = False) -> None:
-        """Register a handler for later events before all other handlers, or after them with `append`."""
+        """Register a handler for later events: after all other handlers with `append`, and otherwise before them."""
         self.__handlers.add(event_handler, append=append)
         if self.observer is not None:
             self.observer.registered(event_handler)
@@ -192,14 +192,14 @@ class LaunchContext:
     def unregister_event_handler(self, event_handler: Handler) -> None:
         """Unregister a handler.
 
-        :raises ValueError: when it is not registered.
+        :raises ValueError: when the handler is not registered.
         """
         self.__handlers.remove(event_handler)
         if self.observer is not None:
             self.observer.unregistered(event_handler)
 
     def handlers_that_match(self, event: Event) -> list[Handler]:
-        """Return the registered handlers for the event, in the order in which they are asked."""
+        """Return the registered handlers that could match the event, in the order in which they are tried."""
         return self.__handlers.candidates(event)
 
     def would_handle_event(self, event: Event) -> bool:
@@ -207,12 +207,12 @@ class LaunchContext:
         return self.__handlers.matches(event)
 
     def emit_event_sync(self, event: Event) -> None:
-        """Put an event into the queue."""
+        """Append an event to the queue."""
         self.__log_emission('synchronously', event)
         self._event_queue.put_nowait(event)
 
     async def emit_event(self, event: Event) -> None:
-        """Put an event into the queue."""
+        """Append an event to the queue."""
         self.__log_emission('asynchronously', event)
         await self._event_queue.put(event)
 

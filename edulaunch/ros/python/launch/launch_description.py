@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def __getattr__(name: str) -> Any:
-    """Return a class that the real module imports, because launch files also import it from here."""
+    """Return a class that upstream's module imports, because launch files also import the class from this module."""
     if name not in ('Action', 'DeclareLaunchArgument', 'LaunchContext'):
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
     from .action import Action
@@ -27,10 +27,10 @@ def __getattr__(name: str) -> Any:
 
 
 class LaunchDescription(LaunchDescriptionEntity):
-    """What a launch file describes. Visiting it visits its entities in order.
+    """The content of a launch file. Visiting a description visits its entities in order.
 
-    :param initial_entities: actions and other entities; more can be added.
-    :param deprecated_reason: when given, a visit logs a warning.
+    :param initial_entities: actions and other entities. More can be added later.
+    :param deprecated_reason: the reason why the description is deprecated. If given, a visit logs a warning.
     """
 
     def __init__(
@@ -39,14 +39,14 @@ class LaunchDescription(LaunchDescriptionEntity):
         self.__entities = list(initial_entities) if initial_entities is not None else []
         self.__deprecated_reason = deprecated_reason
 
-    entities: ReadOnly[list[LaunchDescriptionEntity]] = ReadOnly('The entities, live.')
+    entities: ReadOnly[list[LaunchDescriptionEntity]] = ReadOnly('The list of entities, which can be changed.')
 
     @property
     def deprecated(self) -> bool:
         """Whether the description is deprecated."""
         return self.__deprecated_reason is not None
 
-    deprecated_reason: ReadOnly[str | None] = ReadOnly('The reason not to use it any more, or None.')
+    deprecated_reason: ReadOnly[str | None] = ReadOnly('The reason why the description is deprecated, or None.')
 
     def add_entity(self, entity: LaunchDescriptionEntity) -> None:
         """Append an entity."""
@@ -57,7 +57,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         self.add_entity(action)
 
     def describe(self) -> str:
-        """Return Python's `repr`, for people who read a plan or an error."""
+        """Return Python's `repr`, which plans and error messages show."""
         return repr(self)
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
@@ -75,8 +75,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         return self.__entities
 
     def get_launch_arguments(self, conditional_inclusion: bool = False) -> list[DeclareLaunchArgument]:
-        """Return the launch arguments declared here and in included files, as far as they can be found without
-        launching.
+        """Return the launch arguments declared here and in included files, as far as they can be found without launching.
 
         :param conditional_inclusion: whether this description itself is included only under a condition.
         """
@@ -86,7 +85,8 @@ class LaunchDescription(LaunchDescriptionEntity):
     def get_launch_arguments_with_include_launch_description_actions(self, conditional_inclusion: bool = False) -> FoundArguments:
         """Return the arguments of :meth:`get_launch_arguments`, each with the include actions that lead to it (or None).
 
-        The first declaration of a name counts. Files whose path is not known before launching, or which cannot be loaded, are
-        skipped. Arguments after a `ResetLaunchConfigurations` or inside an `OpaqueFunction` are not found.
+        If a name is declared more than once, the first declaration counts. Files are skipped if their path is not known before
+        launching, or if they cannot be loaded. Arguments after a `ResetLaunchConfigurations` or inside an `OpaqueFunction` are
+        not found.
         """
         return found_arguments(self.__entities, conditional_inclusion)

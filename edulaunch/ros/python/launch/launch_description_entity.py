@@ -25,19 +25,19 @@ class LaunchDescriptionEntity(StableRepr):
     """
 
     def describe(self) -> str:
-        """Return a description for people. Subclasses implement it."""
+        """Return a description of the entity. Subclasses implement this method."""
         raise NotImplementedError('LaunchDescriptionEntity.describe must be overridden')
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the entities to which a visit always leads, as far as they are known without visiting."""
+        """Return the entities to which a visit always leads, as far as they are known without a visit."""
         return []
 
     def describe_conditional_sub_entities(self) -> ConditionalEntities:
-        """Return the entities to which a visit may lead, each group with a description of the condition."""
+        """Return the entities to which a visit may lead, in groups. Each group has a description of its condition."""
         return []
 
     def visit(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
-        """Do the work of the entity; return the entities to visit next, or None."""
+        """Execute the entity. Return the entities to visit next, or None."""
         return None
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:

@@ -1,4 +1,4 @@
-"""The base class of launch descriptions that come from files."""
+"""The base class for sources of launch descriptions."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ class LaunchDescriptionSource:
     """A launch description, or a launch file from which to load it.
 
     :param launch_description: the description, if it is already known.
-    :param location: path of the file, as strings or substitutions. Relative paths start at the working directory.
-    :param method: how it is loaded, in words.
+    :param location: path of the file, as strings or substitutions. A relative path starts at the working directory.
+    :param method: a phrase that describes how the file is loaded.
     """
 
     def __init__(
@@ -48,13 +48,13 @@ class LaunchDescriptionSource:
             return ' + '.join(part.describe() for part in self.__location)
         return self.__expanded_location
 
-    method: ReadOnly[str] = ReadOnly('How it is loaded, in words.')
+    method: ReadOnly[str] = ReadOnly('A phrase that describes how the file is loaded.')
 
     def get_launch_description(self, context: LaunchContext) -> LaunchDescription:
-        """Return the description. The first call loads it.
+        """Return the description. The first call loads the file.
 
-        :raises RuntimeError: without a description, and without a way to load it.
-        :raises Exception: whatever loading it raises.
+        :raises RuntimeError: when there is neither a description nor a way to load one.
+        :raises Exception: any exception that is raised while the file is loaded.
         """
         if self.__expanded_location is None:
             self.__expanded_location = perform_substitutions(context, self.__location)
@@ -63,7 +63,8 @@ class LaunchDescriptionSource:
         return self.__launch_description
 
     def try_get_launch_description_without_context(self) -> LaunchDescription | None:
-        """Return the description if its path is known without a running launch and it can be loaded, and otherwise None.
+        """Return the description if its path is known without a running launch and the file can be loaded. Otherwise, return
+        None.
 
         As in upstream, this executes the file, but only once within one visit.
         """
@@ -73,7 +74,7 @@ class LaunchDescriptionSource:
         return None if location is None else load_once(self, location, lambda: self._get_launch_description(location))
 
     def __static_location(self) -> str | None:
-        """Return the path as far as it is known without a running launch."""
+        """Return the path if it is known without a running launch."""
         parts = self.__location
         if len(parts) == 1 and type(parts[0]) is TextSubstitution:
             return parts[0].text
@@ -83,7 +84,7 @@ class LaunchDescriptionSource:
             return None
 
     def _get_launch_description(self, location: str) -> LaunchDescription:
-        """Load the file. Subclasses override it.
+        """Load the file. Subclasses override this method.
 
         :raises RuntimeError: always in this base class.
         """

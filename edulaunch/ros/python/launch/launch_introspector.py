@@ -23,7 +23,7 @@ class LaunchIntrospector:
 
 
 def format_entities(entities: Iterable[Any]) -> list[list[str]]:
-    """Return the lines of each entity; the first line describes it, and the others are below it."""
+    """Return the lines for each entity. The first line describes the entity, and the lines below it describe its sub-entities."""
     return [[_describe_action(entity), *_lines_below(entity)] for entity in entities]
 
 

@@ -41,7 +41,7 @@ DEBUG = 10
 
 
 class Done(Coroutine[Any, Any, None]):
-    """A coroutine with nothing left to do. Unlike a coroutine of an `async def`, it can be discarded without a warning."""
+    """A coroutine that has already finished. Unlike a coroutine of an `async def`, it can be discarded without a warning."""
 
     def send(self, value: Any) -> Any:
         """End immediately."""
@@ -52,7 +52,7 @@ class Done(Coroutine[Any, Any, None]):
         raise typ if val is None else val
 
     def close(self) -> None:
-        """Do nothing, because nothing is open."""
+        """Do nothing, because there is nothing to close."""
 
     def __await__(self) -> Generator[Any, None, None]:
         return
@@ -63,11 +63,11 @@ class LaunchService:
     """Visits launch descriptions, and handles events until nothing is left to do.
 
     The service uses the time of the running simulation. In a simulated process, :meth:`run` blocks only that process. In a plain
-    script, it runs its own simulation. In a notebook, both `run()` and `await run_async()` work.
+    script, the service runs its own simulation. In a notebook, both `run()` and `await run_async()` work.
 
-    :param argv: for `context.argv`.
-    :param noninteractive: no terminal is attached, so launch must pass Ctrl-C on to the processes.
-    :param debug: log at level DEBUG.
+    :param argv: the command line arguments, for `context.argv`.
+    :param noninteractive: whether no terminal is attached. If so, launch must pass Ctrl-C on to the processes.
+    :param debug: whether to log at level DEBUG.
     """
 
     def __init__(self, *, argv: Iterable[str] | None = None, noninteractive: bool = False, debug: bool = False) -> None:
@@ -91,9 +91,11 @@ class LaunchService:
 
     context: ReadOnly[LaunchContext] = ReadOnly('The launch context.')
 
-    event_loop: ReadOnly[asyncio.AbstractEventLoop | None] = ReadOnly('The loop while the service runs, else None.', '__loop')
+    event_loop: ReadOnly[asyncio.AbstractEventLoop | None] = ReadOnly(
+        'The loop while the service runs; otherwise None.', '__loop'
+    )
 
-    task: ReadOnly[asyncio.Task[Any] | None] = ReadOnly('The task that runs the service, else None.')
+    task: ReadOnly[asyncio.Task[Any] | None] = ReadOnly('The task that runs the service, or None.')
 
     # -- called by other threads and by users
 
@@ -109,7 +111,7 @@ class LaunchService:
             self.__loop.call_soon_threadsafe(self.__context.emit_event_sync, event)
 
     def shutdown(self, force_sync: bool = False) -> Awaitable[None] | None:
-        """Request the end of the service, or do nothing if it is not running. Any thread may call this method.
+        """Request the end of the service. If the service is not running, do nothing. Any thread may call this method.
 
         :returns: a coroutine, when called in the thread that runs the service without `force_sync`; otherwise None.
         """
@@ -125,8 +127,8 @@ class LaunchService:
     def run(self, *, shutdown_when_idle: bool = True) -> int:
         """Run until the launch has ended. Return 0, or 1 if an exception was caught or the run was cancelled.
 
-        :param shutdown_when_idle: end when no process, timer or event is left.
-        :raises RuntimeError: when it runs already, or not in the main thread.
+        :param shutdown_when_idle: whether to end when no process, timer or event is left.
+        :raises RuntimeError: when the service is already running, or in a thread that is not the main thread.
         """
         _check_thread()
         loop = new_event_loop()
@@ -145,7 +147,9 @@ class LaunchService:
             loop.close()
 
     async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
-        """Do the same as :meth:`run`. On a loop without simulated time, such as a notebook's, this call runs the simulation."""
+        """Run like :meth:`run`, as a coroutine. On a loop without simulated time, such as a notebook's, this call runs the
+        simulation.
+        """
         import asyncio
 
         from edulaunch.engine.sim.aio import SimulatedEventLoop
@@ -331,7 +335,9 @@ class LaunchService:
 
 
 def _check_thread() -> None:
-    """Check the thread: the main thread is the real one of a plain script, or the first task of a simulated process."""
+    """Raise an error outside the main thread. This is the real main thread of a plain script, or the first task of a
+    simulated process.
+    """
     task = running_process().lifecycle.task
     in_main = threading.current_thread() is threading.main_thread() or not isinstance(task, AmbientTask)
     if not in_main or current_task() is not task:

@@ -24,7 +24,7 @@ class Substitution(StableRepr):
     """
 
     def describe(self) -> str:
-        """Return a description for people, without evaluating anything."""
+        """Return a description of the substitution, without evaluating anything."""
         return repr(self)
 
     def perform(self, context: LaunchContext) -> str:

@@ -1,7 +1,7 @@
 """ROS 2 launch_pytest: tests of a running launch description in plain pytest.
 
-A fixture describes what to launch (`@launch_pytest.fixture`), and tests name it: `@pytest.mark.launch(fixture=...)`. Names and
-rules are those of launch_pytest in ROS 2 Jazzy; time is simulated.
+A fixture describes what to launch (`@launch_pytest.fixture`), and tests name the fixture: `@pytest.mark.launch(fixture=...)`.
+The names and rules are those of launch_pytest in ROS 2 Jazzy, but time is simulated.
 """
 
 from typing import TYPE_CHECKING

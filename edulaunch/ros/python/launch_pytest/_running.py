@@ -1,4 +1,4 @@
-"""Run launches up to their `ReadyToTest`, and the parts of tests, in simulated time; report a wait that never ends."""
+"""Runs launches up to their `ReadyToTest`, and the parts of tests, in simulated time. Reports a wait that never ends."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ TEST_HANGS = 'the test did not come to its end'
 
 
 def run_until_complete(loop: asyncio.AbstractEventLoop, awaitable: Awaitable[Any], problem: str) -> Any:
-    """Run the loop until an awaitable is done, and return its result.
+    """Run the loop until an awaitable is done, and return the result of the awaitable.
 
-    :param problem: the message of the failure when it is not done after ten minutes of simulated time.
-    :raises: the exception of the awaitable, or pytest's failure when it is not done in time.
+    :param problem: the message of the failure if the awaitable is not done after ten minutes of simulated time.
+    :raises: the exception of the awaitable, or pytest's failure if the awaitable is not done in time.
     """
     __tracebackhide__ = True
     future = asyncio.ensure_future(awaitable, loop=loop)
@@ -49,7 +49,9 @@ def run_until_complete(loop: asyncio.AbstractEventLoop, awaitable: Awaitable[Any
 
 
 async def _settled(future: asyncio.Future[Any]) -> None:
-    """Wait for a future without raising its exception. An exception that is not an `Exception` would end asyncio's loop."""
+    """Wait for a future without raising its exception, because an exception that is not an `Exception` would end asyncio's
+    loop.
+    """
     await asyncio.wait([future])
 
 
@@ -59,9 +61,9 @@ def _resolve(future: asyncio.Future[None]) -> None:
 
 
 def run_beside(loop: asyncio.AbstractEventLoop, body: Callable[[], Any]) -> Any:
-    """Run blocking code beside the loop, as upstream does in a thread; return its result.
+    """Run blocking code concurrently with the loop, as upstream does in a thread. Return the result of the code.
 
-    :raises: what the code raises.
+    :raises: any exception that the code raises.
     """
     __tracebackhide__ = True
     process = current_process()
@@ -81,7 +83,7 @@ def run_beside(loop: asyncio.AbstractEventLoop, body: Callable[[], Any]) -> Any:
 
 
 def advance(loop: asyncio.AbstractEventLoop, test: Any) -> bool:
-    """Run a test that is a generator up to its next `yield`. Return False if it has ended."""
+    """Run a test that is a generator up to its next `yield`. Return False if the test has ended."""
     __tracebackhide__ = True
     if not inspect.isasyncgen(test):
         end = object()
@@ -110,7 +112,7 @@ def finish(loop: asyncio.AbstractEventLoop, test: Any) -> None:
 
 
 def launch_description_of(result: object, prefix: str) -> LaunchDescription:
-    """Return what a launch fixture has returned.
+    """Return the launch description that a launch fixture has returned.
 
     :raises: pytest's failure for anything but a description, or a sequence that begins with one.
     """
@@ -126,10 +128,11 @@ def launch_description_of(result: object, prefix: str) -> LaunchDescription:
 
 
 def launch_until_ready(service: Any, loop: Any, description: LaunchDescription, prefix: str, shutdown_when_idle: bool) -> None:
-    """Run a description up to its `ReadyToTest`, which is added at its end if missing. A service that already runs for another
-    fixture of its scope includes the description.
+    """Run a description up to its `ReadyToTest`. If the description has none, add one at its end.
 
-    :raises: pytest's failure when there is more than one `ReadyToTest`, or the launch ends before it.
+    If a service already runs for another fixture of the same scope, this service includes the description.
+
+    :raises: pytest's failure when there is more than one `ReadyToTest`, or when the launch ends before it.
     """
     found = ready_actions(description)
     if len(found) > 1:

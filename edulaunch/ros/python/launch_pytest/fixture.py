@@ -1,4 +1,4 @@
-"""The fixture decorator for launch descriptions, and the fixtures that it adds."""
+"""The decorator for fixtures that return launch descriptions, and the fixtures that it adds."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ def finalize_launch_service(launch_service: LaunchService, eprefix: str = '', au
     """Wait until a launch has ended. Do nothing if it has already ended.
 
     :param eprefix: the beginning of the failure's message.
-    :param auto_shutdown: request the shutdown first.
-    :raises AssertionError: when it ended with a return code that is not 0.
+    :param auto_shutdown: whether to request the shutdown first.
+    :raises AssertionError: when the launch has ended with a return code that is not 0.
     """
     if auto_shutdown:
         launch_service.shutdown(force_sync=True)
@@ -44,7 +44,7 @@ def companions(scope: Any) -> dict[str, Any]:
 
     @pytest.fixture(scope=scope)
     def event_loop() -> Iterator[asyncio.AbstractEventLoop]:
-        """The asyncio loop in simulated time, on which the launch and coroutines run."""
+        """The asyncio loop in simulated time that runs the launch and coroutines."""
         from edulaunch.engine.processes.module_views.asyncio_view import ProcessEventLoop
 
         process = current_process()
@@ -76,15 +76,16 @@ def fixture(
     auto_shutdown: bool = True,
     **kwargs: Any,
 ) -> Any:
-    """Make a pytest fixture from a function that returns a launch description. It is launched before the tests that use it.
+    """Make a pytest fixture from a function that returns a launch description. The description is launched before the tests that
+    use the fixture.
 
-    The function returns (or yields) a LaunchDescription, or a sequence that begins with one. It becomes a pytest fixture. Its
-    module gets the fixtures `event_loop`, `launch_service` and `launch_context` of the same scope. Existing fixtures of these
+    The function returns (or yields) a LaunchDescription, or a sequence that begins with one. The decorator adds the fixtures
+    `event_loop`, `launch_service` and `launch_context` of the same scope to the function's module. Existing fixtures of these
     names, or of a wider scope, are not replaced.
 
-    :param shutdown_when_idle: end the launch when nothing is left to do.
-    :param auto_shutdown: shut the launch down after the tests; otherwise, wait until it ends.
-    :param kwargs: those of `pytest.fixture`.
+    :param shutdown_when_idle: whether to end the launch when nothing is left to do.
+    :param auto_shutdown: whether to shut the launch down after the tests. Otherwise, wait until the launch ends.
+    :param kwargs: the arguments of `pytest.fixture`.
     """
     scope = kwargs.get('scope', 'function')
     module = sys._getframe(1).f_globals

@@ -38,7 +38,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_pycollect_makeitem(collector: Any, name: str, obj: object) -> Generator[None, Any, Any]:
-    """Make the tests of a function marked `launch`, in place of the items of pytest or pytest-asyncio."""
+    """Create the tests of a function marked `launch`, in place of the items of pytest or pytest-asyncio."""
     if not (inspect.isfunction(obj) or inspect.ismethod(obj)) or not collector.istestfunction(obj, name):
         return (yield)
     item: pytest.Function = pytest.Function.from_parent(collector, name=name, callobj=obj)
@@ -56,8 +56,10 @@ def pytest_pycollect_makeitem(collector: Any, name: str, obj: object) -> Generat
 
 
 def _options(item: pytest.Item) -> dict[str, Any]:
-    """Return the options that `launch_pytest.fixture` stored for the fixture in an item's mark: name, scope, auto_shutdown,
-    shutdown_when_idle. The result is empty for an item without such a fixture.
+    """Return the options that `launch_pytest.fixture` stored for the fixture in an item's mark: name, scope, auto_shutdown and
+    shutdown_when_idle.
+
+    The result is empty for an item without such a fixture.
     """
     mark = item.get_closest_marker('launch')
     options: dict[str, Any] = {} if mark is None else getattr(mark.kwargs.get('fixture'), OPTIONS, {})
@@ -76,7 +78,7 @@ def _has_two_parts(function: object) -> bool:
 
 
 def _complaint_about(mark: pytest.Mark, function: object) -> str | None:
-    """Return a message about the problem of a `launch` mark, or None."""
+    """Return a message about an invalid `launch` mark, or None if the mark is valid."""
     fixture = mark.kwargs.get('fixture')
     if fixture is None:
         return '"fixture" keyword argument is required in a pytest.mark.launch() decorator'
@@ -91,7 +93,7 @@ def _complaint_about(mark: pytest.Mark, function: object) -> str | None:
 def _make_items(collector: Any, name: str, function: Any, options: dict[str, Any]) -> list[pytest.Function]:
     """Return the items of a launch test: one for each set of parameters.
 
-    A generator test that shares its launch with other tests has a second item, which runs when all of them are over.
+    A generator test that shares its launch with other tests has a second item, which runs after all of these tests.
     """
     pytest.mark.usefixtures(options['name'], 'launch_service', 'event_loop')(getattr(function, '__func__', function))
     items = list(collector._genfunctions(name, function))
@@ -119,7 +121,7 @@ def _second_part(first: pytest.Function) -> pytest.Function:
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Sort the tests of one launch. Tests after its shutdown come last."""
+    """Sort the tests that share a launch. Tests that run after the shutdown come last."""
     places: dict[Any, list[int]] = {}
     for place, item in enumerate(items):
         options = _options(item)
@@ -141,7 +143,7 @@ def _shared_launch(item: pytest.Item, options: dict[str, Any]) -> tuple[Any, ...
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Generator[None, Any, Any]:
-    """Let pytest run the test in simulated time, with the fixtures that the test requests."""
+    """Run the test in simulated time, with the fixtures that the test requests."""
     function = pyfuncitem.obj
     if _options(pyfuncitem):
         pyfuncitem.obj = partial(_run, pyfuncitem, function)
@@ -152,7 +154,7 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Generator[None, Any, Any]
 
 
 def _run(item: pytest.Function, function: Any, **arguments: Any) -> None:
-    """Run the function of an item, beside its launch or after it.
+    """Run the function of an item, during its launch or after it.
 
     :raises: any exception of the test, or pytest's failure for an invalid test.
     """
@@ -187,7 +189,7 @@ def _run(item: pytest.Function, function: Any, **arguments: Any) -> None:
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_fixture_setup(fixturedef: Any, request: pytest.FixtureRequest) -> Generator[None, Any, Any]:
-    """Launch the description of a launch fixture, and wait until it is ready."""
+    """Launch the description of a launch fixture, and wait until it is ready to test."""
     options = getattr(fixturedef.func, OPTIONS, None)
     if options is None:
         return (yield)

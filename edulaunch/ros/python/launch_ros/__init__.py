@@ -1,7 +1,7 @@
 """Launch actions for ROS nodes: the interface of ROS 2's launch_ros.
 
-Where this package is found, `lifecycle_msgs`, `composition_interfaces` and the other interface packages are found, too, as in ROS
-2, whose launch_ros depends on them. This also holds if a user has put the underlay on the path.
+ROS 2's launch_ros depends on `lifecycle_msgs`, `composition_interfaces` and other interface packages. These packages can be
+imported wherever this package can be imported, even if a user has added the underlay to the path.
 """
 
 from typing import TYPE_CHECKING

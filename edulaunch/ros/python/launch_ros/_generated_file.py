@@ -1,4 +1,4 @@
-"""Parameter files that launch creates. Command lines name them, and they are on the disk only while a real program
+"""Parameter files that launch generates. Command lines name these files, but they are on the disk only while a real program
 may read them.
 """
 
@@ -23,9 +23,9 @@ _PATHS = 'launch_ros.parameter_files'
 
 
 class GeneratedFile:
-    """A file with a name. Simulated programs receive its content, and real programs find it on the disk.
+    """A file with a name. Simulated programs receive its content, and real programs read it from the disk.
 
-    :param path: its name on command lines; see :func:`temporary_path`.
+    :param path: the path of the file on command lines; see :func:`temporary_path`.
     """
 
     def __init__(self, path: str, text: str = '') -> None:
@@ -36,12 +36,12 @@ class GeneratedFile:
 
     @property
     def text(self) -> str:
-        """Return the content of the file as text."""
+        """The content of the file as a string."""
         return self._text
 
     @property
     def content(self) -> Any:
-        """The content as YAML data."""
+        """The content of the file as YAML data."""
         import yaml
 
         return yaml.safe_load(self.text)
@@ -54,7 +54,9 @@ class GeneratedFile:
         return read_parameter_file(self.text)
 
     def write(self) -> None:
-        """Write the file to the disk in one step. It exists until it is removed, this object is deleted, or Python ends."""
+        """Write the file to the disk in one step. The file exists until :meth:`remove` is called, this object is deleted, or
+        Python ends.
+        """
         if self._inode is not None:
             return
         import tempfile
@@ -76,7 +78,7 @@ class GeneratedFile:
 class GeneratedParameters(GeneratedFile):
     """The file of one dictionary of parameters.
 
-    :param node_key: the key above the values: the node's full name, or `/**`.
+    :param node_key: the key above the values: the full name of the node, or `/**`.
     """
 
     def __init__(self, path: str, node_key: str, values: Mapping[str, Any]) -> None:
@@ -86,13 +88,13 @@ class GeneratedParameters(GeneratedFile):
 
     @property
     def content(self) -> dict[str, Any]:
-        """The content as YAML data."""
+        """The content of the file as YAML data."""
         plain = {name: list(value) if isinstance(value, tuple) else value for name, value in self._values.items()}
         return {self._node_key: {PARAMETERS_KEY: plain}}
 
     @property
     def text(self) -> str:
-        """Return the parameters as YAML text."""
+        """The parameters as a YAML string."""
         import yaml
 
         dumper: Any = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)
@@ -100,7 +102,7 @@ class GeneratedParameters(GeneratedFile):
         return text
 
     def entries(self) -> list[Entry]:
-        """Return the parameters in the file. They are converted to text and parsed only if that could change one of them."""
+        """Return the parameters in the file. They are converted to YAML and parsed only if that could change a value."""
         entries: list[Entry] = []
         line = 3
         for name in sorted(self._values):
@@ -130,7 +132,7 @@ def temporary_path(key: str, state: dict[str, Any]) -> str:
     """Return the path `launch_params_XXXXXXXX` in the temporary folder.
 
     The name depends on `key`, so that command lines, which are recorded, are the same in each run. Two keys of one launch never
-    get the same path.
+    have the same path.
 
     :param state: the state of the process that runs launch.
     """

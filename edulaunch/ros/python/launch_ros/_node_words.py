@@ -1,4 +1,4 @@
-"""Check the name and the namespace of a node with rclpy's own errors, and convert them to words of its command line."""
+"""Checks the name and the namespace of a node with rclpy's own errors, and converts them to words of the command line."""
 
 from __future__ import annotations
 
@@ -42,14 +42,14 @@ def validated_namespace(namespace: str) -> str:
 
 
 class _SpecificArgument(LocalSubstitution):
-    """One of the context's local `ros_specific_arguments`, which a node sets when it is executed."""
+    """A word of the command line from the context's local `ros_specific_arguments`, which a node sets when it is executed."""
 
     def __init__(self, key: str, description: str) -> None:
         super().__init__(f"ros_specific_arguments['{key}']", description=description)
         self._key = key
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the argument as the base class does, without compiling an expression."""
+        """Return the same string as the base class, without compiling an expression."""
         arguments: dict[str, str] = context.local('ros_specific_arguments')
         return arguments[self._key]
 

@@ -1,4 +1,4 @@
-"""Convert evaluated parameters to the words of a node's command line."""
+"""Converts evaluated parameters to the words of a node's command line."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ NO_NAMESPACE = '<node_namespace_unspecified>'
 class ParameterArguments:
     """The parameters of one node.
 
-    This module only names generated files. The host stores them, and passes their content to simulated programs.
+    This module only names generated files. The host stores the files, and passes their content to simulated programs.
 
-    :param number: the number of the node's process, which distinguishes the files of equal nodes.
+    :param number: the number of the node's process, which distinguishes the files of nodes with the same name.
     :param node_name: the node's name as far as it is known.
     :param node_key: the key above the values in generated files: the node's full name, or `/**`.
     :ivar items: (path, True) for a parameter file, (`name:=value`, False) for a single value, in order.
@@ -49,7 +49,7 @@ class ParameterArguments:
         self._origins: ParameterOrigins | None = None
 
     def add_global(self, entries: Iterable[str | tuple[str, Any]]) -> None:
-        """Add the pairs of SetParameter and the paths of SetParametersFromFile."""
+        """Add the names and values of SetParameter and the paths of SetParametersFromFile."""
         for entry in entries:
             if isinstance(entry, tuple):
                 name, value = entry
@@ -64,7 +64,7 @@ class ParameterArguments:
                 self._add((path, True))
 
     def add_own(self, context: LaunchContext, parameters: Parameters) -> None:
-        """Add the node's own, normalized parameters."""
+        """Add the node's own normalized parameters."""
         state, files = state_of(context), generated_files()
         for written in parameters:
             if isinstance(written, dict):
@@ -110,7 +110,7 @@ class ParameterArguments:
         self._add((f'{name}:={yaml.safe_dump(value)}', False), {name: value}, {name: parameter})
 
     def in_force(self, node: Origin | None) -> list[Given]:
-        """Return all values that are given for this node's parameters. The last value for each parameter counts.
+        """Return all values that are given for this node's parameters. If a parameter has several values, the last one counts.
 
         :param node: the place in the launch file that created the node.
         """

@@ -1,4 +1,4 @@
-"""Descriptions of the places where the values of a node's parameters were written."""
+"""Describes the places that set the values of a node's parameters."""
 
 from __future__ import annotations
 
@@ -29,8 +29,9 @@ SHORT_CALL = 12
 
 
 def key_lines(file: str, line: int) -> dict[str, int]:
-    """Return the source text of each dictionary key in the call that begins on `line`, with its line. For a repeated key, this is
-    the last line. The result is empty if the file cannot be read.
+    """Return the source text of each dictionary key in the call that begins on `line`, with the line of the key.
+
+    For a repeated key, this is the last line. The result is empty if the file cannot be read.
     """
     import linecache
 
@@ -44,7 +45,7 @@ def key_lines(file: str, line: int) -> dict[str, int]:
 
 
 def _keys_in(text: str, line: int) -> tuple[dict[str, int], bool]:
-    """Return the keys, and whether the call ends within the text. The text begins on `line`."""
+    """Return the keys, and whether the call ends within the text, which begins on `line`."""
     found: dict[str, int] = {}
     depth = 0
     counted, number = 0, line
@@ -66,9 +67,10 @@ def _keys_in(text: str, line: int) -> tuple[dict[str, int], bool]:
 class Given(NamedTuple):
     """One value for one parameter.
 
-    :ivar pattern: the pattern of names of the nodes that receive it.
-    :ivar origin: where it was written, in words.
-    :ivar file, line: the same place, or '' and 0 if it is unknown.
+    :ivar pattern: the pattern for the names of the nodes that receive the value.
+    :ivar origin: a description of the place that sets the value.
+    :ivar file: the file of that place, or '' if it is unknown.
+    :ivar line: the line of that place, or 0 if it is unknown.
     :ivar is_of_a_file: whether a parameter file sets the value, rather than the launch file.
     """
 
@@ -82,7 +84,7 @@ class Given(NamedTuple):
 
 
 def in_force(given: Sequence[Given], full_name: str) -> list[Given]:
-    """Return the entries for the node of that name in rcl's order, in which the last entry for a parameter counts.
+    """Return the entries for the node `full_name` in rcl's order. The last entry for a parameter counts.
 
     All entries for one pattern move to the first place of that pattern.
     """
@@ -94,9 +96,9 @@ def in_force(given: Sequence[Given], full_name: str) -> list[Given]:
 
 
 class ParameterOrigins(Mapping[str, str]):
-    """Maps each parameter to the origin of its value, if no parameter file sets the value. It is computed on request.
+    """Maps each parameter to the origin of its value, if no parameter file sets the value. The mapping is computed on request.
 
-    :param in_force: returns all given values, in the order of :func:`in_force`.
+    :param in_force: a function that returns all given values, in the order of :func:`in_force`.
     """
 
     def __init__(self, in_force: Callable[[], Sequence[Given]]) -> None:
@@ -118,16 +120,16 @@ class ParameterOrigins(Mapping[str, str]):
 
 
 class GlobalParameter(tuple[str, Any]):
-    """Name and value from a SetParameter action, with the place of that action.
+    """The name and the value of a SetParameter action, with the place of that action.
 
-    Upstream stores a plain pair, so the object looks like one.
+    Upstream stores a plain pair, so this class is a subclass of tuple.
     """
 
     origin: Origin | None = None
 
 
 def place_text(file: str, line: int) -> str:
-    """Return 'robot.launch.py line 12'."""
+    """Return the place in a form such as 'robot.launch.py line 12'."""
     return f'{os.path.basename(file)} line {line}'
 
 
@@ -141,7 +143,7 @@ def given_by_global(parameter: tuple[str, Any]) -> list[Given]:
 
 
 def given_by_file(path: str, entries_of: Callable[[str], Sequence[Entry]]) -> list[Given]:
-    """Return the values of a parameter file, or none if it cannot be read, because the node reports that."""
+    """Return the values of a parameter file. If it cannot be read, return an empty list, because the node reports the problem."""
     try:
         entries = entries_of(path)
     except (OSError, ValueError):
@@ -152,8 +154,10 @@ def given_by_file(path: str, entries_of: Callable[[str], Sequence[Entry]]) -> li
 def given_by_launch_file(
     pattern: str, values: Mapping[str, Any], written: Mapping[Any, Any], node: Origin | None
 ) -> Iterator[Given]:
-    """Return the values of one dict. The origin is the launch argument that determines the value, otherwise the line of the name,
-    and otherwise the line of the node.
+    """Yield the values of one dict, each with its origin.
+
+    The origin is the launch argument that determines the value. Without one, it is the line of the name, or else the line of the
+    node.
 
     :param values: the evaluated values.
     :param written: the normalized values, in the same order unless two evaluated names are equal.
@@ -174,7 +178,7 @@ def given_by_launch_file(
 
 
 def argument_in(value: Any) -> str | None:
-    """Return 'launch argument x' if a launch configuration determines the value."""
+    """Return a string such as 'launch argument x' if a launch configuration determines the value. Otherwise, return None."""
     value = getattr(value, 'written', value)
     for part in value if isinstance(value, (list, tuple)) else (value,):
         if isinstance(part, LaunchConfiguration):

@@ -1,4 +1,7 @@
-"""The additions of launch_ros to XML and YAML launch files, which launch registers when it reads the first one."""
+"""The elements and substitutions that launch_ros adds to XML and YAML launch files.
+
+Launch registers them when it reads the first such file.
+"""
 
 from __future__ import annotations
 
@@ -39,10 +42,11 @@ _INSIDE = frozenset(('param',))
 
 
 def parameters_in(entity: Entity, parser: ParserProtocol, tag: str) -> list[Any]:
-    """Return the argument `parameters` of a node, with one source for each element. The order is that of the file, so that later
-    sources replace earlier ones.
+    """Return the argument `parameters` of a node, with one source for each element. The sources have the order of the file, so
+    later sources override earlier ones.
 
-    :raises RuntimeError, ValueError: for attributes that cannot be combined.
+    :raises RuntimeError: for attributes that cannot be combined.
+    :raises ValueError: for an element with neither `name` nor `from`.
     """
     plain = entity.plain_pairs(tag, 'name', 'value', is_typed=True)
     if plain is not None:

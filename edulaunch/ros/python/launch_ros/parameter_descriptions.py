@@ -26,7 +26,8 @@ class ParameterValue:
     """A value with a given type, such as a robot description, which is always a string.
 
     :param value: a literal, a substitution, or a list.
-    :param value_type: int, float, bool, str, `List[...]` of one of these; None means YAML's rules for strings of substitutions.
+    :param value_type: int, float, bool, str, or `List[...]` of one of these. None means that strings of substitutions are
+        converted by YAML's rules.
     :raises TypeError: when a literal does not have the type.
     """
 
@@ -39,20 +40,20 @@ class ParameterValue:
         self.__value_type = value_type
         self.__evaluated: Any = None
 
-    written: ReadOnly[Any] = ReadOnly('What is to be evaluated, also afterwards.', '__value')
+    written: ReadOnly[Any] = ReadOnly('The unevaluated value, which remains after the evaluation.', '__value')
 
     def __str__(self) -> str:
         return f'launch_ros.description.ParameterValue(value={self.value}, value_type={self.value_type})'
 
     @property
     def value(self) -> Any:
-        """The evaluated value, or the unevaluated one before the evaluation."""
+        """The evaluated value. Before evaluation, it may contain substitutions."""
         return self.__value if self.__evaluated is None else self.__evaluated
 
-    value_type: ReadOnly[Any] = ReadOnly('The stated type, or None.')
+    value_type: ReadOnly[Any] = ReadOnly('The given type, or None.')
 
     def evaluate(self, context: LaunchContext) -> Any:
-        """Return the value.
+        """Return the evaluated value.
 
         :raises ValueError: when the string of a substitution cannot be converted.
         """
@@ -62,7 +63,7 @@ class ParameterValue:
 
 
 class Parameter:
-    """One parameter, passed to the node as `-p name:=value`."""
+    """One parameter, which is passed to the node as `-p name:=value`."""
 
     def __init__(self, name: SomeSubstitutionsType, value: Any, *, value_type: Any = None) -> None:
         ensure_argument_type(name, SomeSubstitutionsType_types_tuple, 'name')
@@ -76,17 +77,17 @@ class Parameter:
 
     @property
     def name(self) -> list[Substitution] | str:
-        """The evaluated name, or the unevaluated one before the evaluation."""
+        """The evaluated name. Before evaluation, it may contain substitutions."""
         return self.__name if self.__evaluated_name is None else self.__evaluated_name
 
-    written: ReadOnly[Any] = ReadOnly('What is to be evaluated, also afterwards.', '__value.written')
+    written: ReadOnly[Any] = ReadOnly('The unevaluated value, which remains after the evaluation.', '__value.written')
 
-    value: ReadOnly[Any] = ReadOnly('As :attr:`ParameterValue.value`.', '__value.value')
+    value: ReadOnly[Any] = ReadOnly('The evaluated value; see :attr:`ParameterValue.value`.', '__value.value')
 
-    value_type: ReadOnly[Any] = ReadOnly('The stated type, or None.', '__value.value_type')
+    value_type: ReadOnly[Any] = ReadOnly('The given type, or None.', '__value.value_type')
 
     def evaluate(self, context: LaunchContext) -> tuple[str, Any]:
-        """Return name and value."""
+        """Return the evaluated name and value."""
         self.__evaluated_name = perform_substitutions(context, self.__name)
         return self.__evaluated_name, self.__value.evaluate(context)
 
@@ -94,8 +95,8 @@ class Parameter:
 class ParameterFile:
     """A parameter file.
 
-    :param param_file: its path.
-    :param allow_substs: evaluate `$(...)` substitutions in the file, and write the result to a temporary file.
+    :param param_file: the path of the file.
+    :param allow_substs: whether to evaluate `$(...)` substitutions in the file, and to write the result to a temporary file.
     """
 
     def __init__(self, param_file: Any, *, allow_substs: Any = False) -> None:
@@ -116,17 +117,19 @@ class ParameterFile:
 
     @property
     def param_file(self) -> Path | list[Substitution]:
-        """The evaluated path, or the unevaluated one before the evaluation."""
+        """The evaluated path. Before evaluation, it may contain substitutions."""
         return self.__param_file if self.__evaluated is None else self.__evaluated
 
     @property
     def allow_substs(self) -> Any:
-        """Whether the text may contain substitutions."""
+        """Whether the file may contain substitutions."""
         return self.__allow_substs if self.__evaluated_allow_substs is None else self.__evaluated_allow_substs
 
     def evaluate(self, context: LaunchContext) -> Path:
-        """Return the path to give to the node. A file with substitutions is stored until :meth:`cleanup`, or until this object is
-        deleted.
+        """Return the path that the node receives.
+
+        If the file contains substitutions, this is the path of a temporary file. The temporary file exists until :meth:`cleanup`
+        is called or this object is deleted.
 
         :raises SubstitutionFailure: when the result of the substitution is not valid YAML.
         """
@@ -137,8 +140,10 @@ class ParameterFile:
         return path
 
     def performed(self, context: LaunchContext) -> tuple[Path, GeneratedFile | None]:
-        """Return the path. If the text contains substitutions, also return the file with the result, which is not on the disk.
-        (edulaunch only.)
+        """Return the path that the node receives, and None.
+
+        If substitutions are allowed, return a temporary path and the generated file, which is not on the disk yet. (edulaunch
+        only.)
         """
         from pathlib import Path
 
@@ -154,14 +159,14 @@ class ParameterFile:
         return path, file
 
     def cleanup(self) -> None:
-        """Remove the file with the substituted text, if it exists. Afterwards, :attr:`param_file` is unevaluated again."""
+        """Remove the temporary file, if it exists. Afterwards, :attr:`param_file` is unevaluated again."""
         if self.__file is not None:
             self.__file.remove()
             self.__file = self.__evaluated = None
 
 
 def _substituted(context: LaunchContext, path: Path) -> str:
-    """Return the file's text with its substitutions performed."""
+    """Return the text of the file with evaluated substitutions."""
     import yaml
     from launch.frontend.parse_substitution import parse_substitution
     from launch.substitutions.substitution_failure import SubstitutionFailure

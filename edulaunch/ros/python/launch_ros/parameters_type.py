@@ -1,8 +1,7 @@
-"""Types of the `parameters` of a node: as a launch file writes them, normalized, and evaluated.
+"""Types of the `parameters` of a node: as given in a launch file, normalized, and evaluated.
 
-A list of parameter files and mappings. Mappings may be nested; their values may be literals, substitutions,
-uniform lists, or
-:class:`~launch_ros.parameter_descriptions.ParameterValue`.
+The parameters are a list of parameter files and mappings. A mapping may be nested. Its values may be literals, substitutions,
+lists of values of one type, or :class:`~launch_ros.parameter_descriptions.ParameterValue`.
 """
 
 from __future__ import annotations

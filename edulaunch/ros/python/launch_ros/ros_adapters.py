@@ -16,10 +16,10 @@ _KEY = 'ros_adapter'
 
 
 class ROSAdapter:
-    """A private rclpy context with one node, `launch_ros_<pid>`, that a thread spins.
+    """A private rclpy context with the node `launch_ros_<pid>`, which runs in a thread of its own.
 
     :param argv: command line arguments for rclpy.
-    :param autostart: call :meth:`start` at once.
+    :param autostart: whether to call :meth:`start` immediately.
     """
 
     def __init__(self, *, argv: list[str] | None = None, autostart: bool = True) -> None:
@@ -32,9 +32,9 @@ class ROSAdapter:
             self.start()
 
     def start(self) -> None:
-        """Create the node and start to spin it.
+        """Create the node, and start the thread that spins it.
 
-        :raises RuntimeError: when it was started already.
+        :raises RuntimeError: when the adapter is already running.
         """
         if self.__ros_context is not None:
             raise RuntimeError('Cannot start a ROS adapter that is already running')
@@ -62,7 +62,7 @@ class ROSAdapter:
     def shutdown(self) -> None:
         """Stop spinning and destroy the node.
 
-        :raises RuntimeError: when it does not run.
+        :raises RuntimeError: when the adapter is not running.
         """
         if self.__ros_context is None:
             raise RuntimeError('Cannot shutdown a ROS adapter that is not running')
@@ -73,7 +73,7 @@ class ROSAdapter:
         rclpy.shutdown(context=self.__ros_context)
         self.__ros_context = None
 
-    argv: ReadOnly[list[str]] = ReadOnly('The arguments.')
+    argv: ReadOnly[list[str]] = ReadOnly('The command line arguments for rclpy.')
     ros_context: ReadOnly[Any] = ReadOnly('The rclpy context.')
 
     @property
@@ -82,11 +82,11 @@ class ROSAdapter:
         node: Node = self.__ros_node
         return node
 
-    ros_executor: ReadOnly[Any] = ReadOnly('The executor.')
+    ros_executor: ReadOnly[Any] = ReadOnly('The executor that spins the node.')
 
 
 def get_ros_adapter(context: LaunchContext) -> ROSAdapter:
-    """Return the adapter of a launch. It is created on first use, and shut down with launch."""
+    """Return the adapter of a launch. The first call creates the adapter, and the shutdown of the launch also shuts it down."""
     if _KEY not in context.get_locals_as_dict():
         from launch.event_handlers.on_shutdown import OnShutdown
 
@@ -103,7 +103,7 @@ def get_ros_node(context: LaunchContext) -> Node:
 
 
 async def call_service(context: LaunchContext, service_type: Any, name: str, request: Any) -> Any:
-    """Wait for the service, and then for its reply. Return None if launch shuts down first."""
+    """Send the request when the service is available, and return the reply. Return None if launch shuts down first."""
     if context.is_shutdown:  # it was announced before this subscription existed, so no message would arrive here
         return None
     from launch.event_handlers.on_shutdown import OnShutdown

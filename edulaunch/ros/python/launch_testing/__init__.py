@@ -1,8 +1,8 @@
 """ROS 2 launch_testing: tests of a running launch description.
 
-A launch test file describes what to launch (`generate_test_description`) and tests it with unittest classes: while it
-runs, and after it was shut down. Names and rules are those of launch_testing in ROS 2 Jazzy; time is simulated, so that
-`assertWaitFor(..., timeout=10)` gives the same answer on every machine.
+A launch test file describes what to launch (`generate_test_description`), and tests the launch with unittest classes: while it
+runs, and after its shutdown. The names and rules are those of launch_testing in ROS 2 Jazzy. Time is simulated, so
+`assertWaitFor(..., timeout=10)` has the same result on every computer.
 """
 
 from typing import TYPE_CHECKING

@@ -1,5 +1,5 @@
-"""Names of ROS 2's test tools that edulaunch lacks, with their alternatives. Fewer than five public repositories use each of
-them.
+"""Names of ROS 2's test tools that edulaunch does not have, with their alternatives. Fewer than five public repositories use
+each of these names.
 """
 
 _RUNNING = 'run the test file with `pytest` or `launch_test`'

@@ -13,7 +13,7 @@ Recorded = TypeVar('Recorded')
 
 
 class _ByProcess(Generic[Recorded]):
-    """The records of each process, by its action or by a part of its launch name."""
+    """The records of each process, indexed by its action or by a part of its launch name."""
 
     def __init__(self) -> None:
         self._recorded: dict[Any, Recorded] = {}
@@ -23,17 +23,20 @@ class _ByProcess(Generic[Recorded]):
         return any(key is action or (isinstance(key, str) and key in process_name(action)) for action in self._recorded)
 
     def __getitem__(self, key: Any) -> Recorded:
-        """Return the records of an action, or of the first process with `key` in its name. Raise KeyError for an unknown one."""
+        """Return the records of an action, or of the first process with `key` in its name.
+
+        :raises KeyError: for an unknown process.
+        """
         if isinstance(key, str):
             key = next((action for action in self._recorded if key in process_name(action)), key)
         return self._recorded[key]
 
     def processes(self) -> list[Any]:
-        """Return the actions."""
+        """Return the actions of the processes."""
         return list(self._recorded)
 
     def process_names(self) -> list[str]:
-        """Return the launch names, such as 'talker-1'."""
+        """Return the launch names of the processes, such as 'talker-1'."""
         return [process_name(action) for action in self._recorded]
 
     def _wait(self, has_come: Callable[[], bool], timeout: float) -> bool:

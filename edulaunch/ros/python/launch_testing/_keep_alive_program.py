@@ -6,7 +6,7 @@ import threading
 
 
 def main() -> None:
-    """Wait for SIGINT, and end with exit code 0."""
+    """Wait for SIGINT, and then end with exit code 0."""
     try:
         threading.Event().wait()
     except KeyboardInterrupt:

@@ -12,7 +12,7 @@ DEFAULT_TIMEOUT_S = 15
 
 
 def post_shutdown_test() -> Callable[[type], type]:
-    """Mark a `unittest.TestCase` class. Its tests run after all launched processes have ended."""
+    """Mark a `unittest.TestCase` class whose tests run after all launched processes have ended."""
 
     def mark(test_class: type) -> type:
         test_class.__post_shutdown_test__ = True  # type: ignore[attr-defined]
@@ -22,9 +22,9 @@ def post_shutdown_test() -> Callable[[type], type]:
 
 
 def ready_to_test_action_timeout(timeout: float = DEFAULT_TIMEOUT_S) -> Callable[[T], T]:
-    """Set the maximum time until `ReadyToTest`, in simulated seconds after the start.
+    """Set the maximum time until `ReadyToTest`, counted from the start of the launch.
 
-    :param timeout: seconds. Without this decorator, the maximum is 15.
+    :param timeout: the maximum in simulated seconds. Without this decorator, it is 15 s.
     """
 
     def mark(test_description: T) -> T:

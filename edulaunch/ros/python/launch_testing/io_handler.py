@@ -13,7 +13,7 @@ from .util.proc_lookup import CmdArgs, NoMatchingProcessException
 
 
 class IoHandler(_ByProcess[list[ProcessIO]]):
-    """All output, in order and by process."""
+    """All output of the processes, in order and by process."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -34,7 +34,7 @@ class IoHandler(_ByProcess[list[ProcessIO]]):
 
 
 class ActiveIoHandler(IoHandler):
-    """The output for tests that run at the same time as the processes. Tests can wait for it in simulated time."""
+    """The output for tests that run at the same time as the processes. Tests can wait for output in simulated time."""
 
     def waitFor(
         self,
@@ -46,13 +46,13 @@ class ActiveIoHandler(IoHandler):
         stream: str = 'stderr',
         **options: Any,
     ) -> bool:
-        """Wait for output. Return False if it does not arrive within `timeout` simulated seconds.
+        """Wait for output. Return False if the output does not arrive within `timeout` simulated seconds.
 
-        :param expected_output: a string, a compiled regular expression, or a list of them that must come in this order.
+        :param expected_output: a string, a compiled regular expression, or a list of them that must arrive in order.
         :param process: an action, or part of a launch name; None means any process.
         :param cmd_args: arguments that the process must have; see :func:`launch_testing.util.resolveProcesses`.
-        :param stream: 'stdout' or 'stderr'; the default is stderr, where nodes log, as in ROS 2.
-        :param options: those of :func:`launch_testing.asserts.assertInStream`.
+        :param stream: 'stdout' or 'stderr'. The default is 'stderr', where nodes log, as in ROS 2.
+        :param options: further arguments of :func:`launch_testing.asserts.assertInStream`.
         """
 
         def has_come() -> bool:

@@ -1,4 +1,4 @@
-"""Write results as JUnit XML, the format that build servers read."""
+"""Converts results to JUnit XML, the format that build servers read."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .test_result import TestResult
 def unittestResultsToXml(*, name: str = 'launch_test', test_results: Mapping[TestRun, TestResult]) -> Any:
     """Return one `testsuite` for each launch, with one `testcase` for each test. Times are simulated seconds.
 
-    :returns: an `xml.etree.ElementTree.ElementTree`; write it with its `write(path)`.
+    :returns: an `xml.etree.ElementTree.ElementTree`. Its method `write(path)` writes the file.
     """
     root = ElementTree.Element('testsuites', {'name': name, **_counts(list(test_results.values()))})
     for run, result in test_results.items():

@@ -1,4 +1,6 @@
-"""Run a launch test: a file with launches and their tests. It runs inside a simulated process, which other code creates."""
+"""Runs a launch test: a file with launches and their tests. The test runs inside a simulated process, which other code
+creates.
+"""
 
 from __future__ import annotations
 
@@ -13,10 +15,10 @@ from .test_result import TestResult, is_pytest_outcome
 
 
 class LaunchTest:
-    """One run of a test file. Create it anywhere, but call :meth:`run` inside a simulated process.
+    """One run of a test file. The object can be created anywhere, but :meth:`run` must be called inside a simulated process.
 
     :param path: the path of the test file.
-    :param arguments: launch arguments, `name:=value`.
+    :param arguments: launch arguments of the form `name:=value`.
     :ivar results: the results of each launch; empty before the run.
     :ivar error: the error that prevented the file from running, or None.
     """
@@ -37,7 +39,7 @@ class LaunchTest:
         return runs_of(module, self.name)
 
     def run(self) -> int:
-        """Run everything in the file. Return 0 if all tests passed, and otherwise 1."""
+        """Run all launches and tests in the file. Return 0 if all tests passed, and otherwise 1."""
         from .test_runner import run_all
 
         try:
@@ -51,13 +53,13 @@ class LaunchTest:
         return 0 if all(result.wasSuccessful() for result in self.results.values()) else 1
 
     def error_text(self) -> str:
-        """Return the message of `error`, with the student's lines of the traceback if there are any."""
+        """Return the message of `error`, with the traceback's lines in the student's code, if there are any."""
         assert self.error is not None
         text, place = student_traceback(self.error)
         return text if place is not None else f'{type(self.error).__name__}: {self.error}\n'
 
     def show_arguments(self) -> int:
-        """Print the launch arguments of the (first) description, and return 0."""
+        """Print the launch arguments of the first description, and return 0."""
         from ros2launch.api.api import arguments_text
 
         description, _ = self.load()[0].description(lambda: None)

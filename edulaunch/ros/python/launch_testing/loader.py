@@ -1,4 +1,4 @@
-"""Load a launch test file."""
+"""Loads a launch test file."""
 
 from __future__ import annotations
 
@@ -19,10 +19,11 @@ from .decorator import DEFAULT_TIMEOUT_S
 class TestRun:
     """One launch with its tests.
 
-    :param module: the test file.
-    :param describe: its `generate_test_description` with its parameters filled in.
-    :param parameters: those parameters.
-    :ivar pre_shutdown_tests, post_shutdown_tests: the tests to run while the launch runs, and after its shutdown.
+    :param module: the module of the test file.
+    :param describe: the function `generate_test_description` of the file, with its parameters filled in.
+    :param parameters: the parameters of this launch, by name.
+    :ivar pre_shutdown_tests: the tests to run while the launch runs.
+    :ivar post_shutdown_tests: the tests to run after the shutdown of the launch.
     """
 
     __test__ = False  # pytest must not collect this class as a test case
@@ -42,9 +43,9 @@ class TestRun:
         return f'{self.name}[{", ".join(map(str, self.parameters.values()))}]' if self.parameters else self.name
 
     def description(self, ready: Callable[[], None]) -> tuple[LaunchDescription, dict[str, Any]]:
-        """Create the description, and the context for the tests that the file returned with it.
+        """Create the launch description. Return it with the context for the tests that the file returned.
 
-        :param ready: called when the tests may begin.
+        :param ready: a function that is called when the tests may begin.
         :raises Exception: when there is no `ReadyToTest`, or more than one.
         """
         if 'ready_fn' in inspect.signature(self._describe).parameters:
@@ -62,9 +63,9 @@ class TestRun:
 
 
 def runs_of(module: ModuleType, name: str) -> list[TestRun]:
-    """Return the launches that a test file describes: one, or one for each parameter.
+    """Return the launches that a test file describes: one launch, or one for each set of parameters.
 
-    :raises AttributeError: when there is no `generate_test_description`.
+    :raises AttributeError: when the file does not define `generate_test_description`.
     """
     function = module.generate_test_description
     each = function() if getattr(function, '__parametrized__', False) else [(function, {})]
@@ -72,7 +73,7 @@ def runs_of(module: ModuleType, name: str) -> list[TestRun]:
 
 
 def LoadTestsFromPythonModule(module: ModuleType, *, name: str = 'launch_tests') -> list[TestRun]:  # noqa: N802
-    """Return the launches that a module describes, under the name that launch_testing has for it."""
+    """Return the launches that a module describes. The name of this function is that of ROS 2."""
     return runs_of(module, name)
 
 
@@ -93,12 +94,12 @@ def _with_context(result: Any) -> tuple[LaunchDescription, dict[str, Any]]:
 
 
 def ready_actions(description: LaunchDescription) -> list[ReadyToTest]:
-    """Return the `ReadyToTest` actions of a description, each once."""
+    """Return the `ReadyToTest` actions of a description, without repetitions."""
     return [*{id(action): action for action in _ready_actions(description.entities)}.values()]
 
 
 def _ready_actions(entities: Sequence[LaunchDescriptionEntity]) -> Iterator[ReadyToTest]:
-    """Yield the `ReadyToTest` actions of entities, also those in groups, timers and the lists of event handlers."""
+    """Yield the `ReadyToTest` actions of entities, including those in groups, timers and the entities of event handlers."""
     for entity in entities:
         if isinstance(entity, ReadyToTest):
             yield entity
@@ -108,7 +109,7 @@ def _ready_actions(entities: Sequence[LaunchDescriptionEntity]) -> Iterator[Read
 
 
 def give(tests: Sequence[unittest.TestCase], attributes: Mapping[str, Any], values: Mapping[str, Any]) -> None:
-    """Set attributes of tests, and pass their methods the arguments with matching names."""
+    """Set attributes of tests, and pass to their methods the arguments with matching names."""
     for test in tests:
         vars(test).update(attributes)
         for name in (test.id().rpartition('.')[2], 'setUp', 'tearDown'):

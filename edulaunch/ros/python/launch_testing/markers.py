@@ -1,4 +1,4 @@
-"""Marks of `generate_test_description` and of test methods."""
+"""Decorators of `generate_test_description` and of test methods."""
 
 from __future__ import annotations
 
@@ -12,13 +12,14 @@ from .decorator import T
 
 
 def keep_alive(test_description: T) -> T:
-    """Let launch continue after all its processes have ended. The end of the tests shuts it down."""
+    """Keep a launch running after all its processes have ended. It is shut down after the tests."""
     return _with_marker(test_description, 'keep_alive', True)
 
 
 def retry_on_failure(*, times: int, delay: float | None = None) -> Callable[[T], T]:
-    """Run a test method again if it fails, at most `times` times in total. The last failure counts.
+    """Repeat a test method that fails with an AssertionError. If all attempts fail, the last failure counts.
 
+    :param times: the maximum number of attempts.
     :param delay: simulated seconds between two attempts; None means no pause.
     :raises ValueError: for `times` below 1.
     """

@@ -1,4 +1,4 @@
-"""Launch and test once for each of several values."""
+"""The decorator that repeats a launch and its tests for several values."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ Parametrized = Callable[[], Iterator[tuple[Description, dict[str, Any]]]]
 
 
 def parametrize(argnames: str | Iterable[str], argvalues: Iterable[Any]) -> Callable[[Description], Parametrized]:
-    """Launch and test once for each of `argvalues`.
+    """Launch and test once for each item of `argvalues`.
 
-    The values are arguments of `generate_test_description` and, by the same names, of the test methods.
+    The values are passed to `generate_test_description` and, by the same names, to the test methods.
 
-    :param argnames: one name, several with commas between them, or a list of names.
+    :param argnames: one name, several names separated by commas, or a list of names.
     :param argvalues: a value for each launch, or a tuple of values if there are several names.
-    :raises ValueError: when there are more or fewer values than names.
+    :raises ValueError: when the number of values is not the number of names.
     """
     names = [name.strip() for name in argnames.split(',') if name.strip()] if isinstance(argnames, str) else list(argnames)
     rows = [_row(names, value) for value in argvalues]

@@ -13,10 +13,10 @@ from .util.proc_lookup import CmdArgs, NoMatchingProcessException, process_name,
 
 
 class ProcInfoHandler(_ByProcess[RunningProcessEvent]):
-    """The last event of each process: ProcessExited, or ProcessStarted while it runs."""
+    """The last event of each process: ProcessStarted while the process runs, and then ProcessExited."""
 
     def append(self, process_info: RunningProcessEvent) -> None:
-        """Record an event, and wake the tasks that wait for one."""
+        """Record an event, and wake the tasks that wait for an event."""
         self._recorded[process_info.action] = process_info
         self._tell()
 
@@ -33,15 +33,15 @@ class ActiveProcInfoHandler(ProcInfoHandler):
         """Wait until a process has ended.
 
         :param process: an action, or part of a launch name.
-        :param timeout: simulated seconds.
-        :raises AssertionError: when it has not ended after that time.
+        :param timeout: the maximum time in simulated seconds.
+        :raises AssertionError: when the process has not ended after that time.
         """
         self._wait_for_event(ProcessExited, process, cmd_args, timeout)
 
     def assertWaitForStartup(self, process: Any, cmd_args: CmdArgs = None, *, timeout: float = 10) -> None:
-        """Wait until a process has started. It may already have ended.
+        """Wait until a process has started. The process may already have ended.
 
-        :raises AssertionError: when it has not started after `timeout` simulated seconds; the message is that of ROS 2.
+        :raises AssertionError: when the process has not started after `timeout` simulated seconds. The message is that of ROS 2.
         """
         self._wait_for_event(
             RunningProcessEvent,

@@ -15,10 +15,10 @@ RULE = '-' * 70
 
 
 class TestResult(unittest.TestResult):
-    """Collects the outcome of tests and prints each as `name ... ok`; durations are in simulated seconds.
+    """Collects the outcomes of tests, and prints each as `name ... ok`. Durations are in simulated seconds.
 
-    :param write: called with each printed line.
-    :ivar testTimes: seconds by test, in the order in which they were run.
+    :param write: a function that is called with each printed line.
+    :ivar testTimes: the duration of each test in seconds, in the order in which the tests were run.
     """
 
     __test__ = False  # pytest must not collect this class as a test case
@@ -67,7 +67,7 @@ class TestResult(unittest.TestResult):
         self._write('FAIL\n')
 
     def addError(self, test: unittest.TestCase, err: ErrorInfo) -> None:
-        """Record any other exception. A test whose process is being ended does not continue."""
+        """Record any other exception. If the process of the test is being ended, end the test, too."""
         if issubclass(err[0], TaskKilled):
             raise err[1]
         if is_pytest_outcome(err[1]) and err[0].__name__ == 'Skipped':
@@ -97,10 +97,10 @@ class TestResult(unittest.TestResult):
         self._write('unexpected success\n')
 
     def addDuration(self, test: unittest.TestCase, elapsed: float) -> None:
-        """Ignore real time, which is not needed here."""
+        """Ignore real time, because durations are in simulated time."""
 
     def problems(self) -> list[tuple[str, str, str]]:
-        """Return (kind, test, text) of every failure."""
+        """Return (kind, test, message) for every failure."""
         return [
             *(('ERROR', title(test), text) for test, text in self.errors),
             *(('FAIL', title(test), text) for test, text in self.failures),
@@ -109,7 +109,7 @@ class TestResult(unittest.TestResult):
         ]
 
     def print_summary(self, seconds: float) -> None:
-        """Print the problems, and the number of tests."""
+        """Print the failures and the number of tests."""
         for what, name, text in self.problems():
             self._write(f'\n{"=" * 70}\n{what}: {name}\n{RULE}\n{text.rstrip()}\n')
         self._write(f'\n{RULE}\nRan {self.testsRun} test{"" if self.testsRun == 1 else "s"} in {seconds:.3f}s\n\n')
@@ -117,8 +117,8 @@ class TestResult(unittest.TestResult):
 
 
 def is_pytest_outcome(error: BaseException) -> bool:
-    """Return whether `pytest.skip()` or `pytest.fail()` raised the exception. Its class is not derived from Exception, and its
-    repr does not show its origin.
+    """Return whether `pytest.skip()` or `pytest.fail()` raised the exception. The class of such an exception is not derived from
+    Exception, and its repr does not show its origin.
     """
     return any(cls.__name__ == 'OutcomeException' for cls in type(error).__mro__)
 

@@ -1,4 +1,4 @@
-"""Run launch tests."""
+"""Runs launch tests."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ from .test_result import TestResult
 def run_all(test_runs: Sequence[TestRun], arguments: Sequence[str], debug: bool) -> dict[TestRun, TestResult]:
     """Run launches with their tests, one after the other, in the running process. Return the results.
 
-    :param arguments: launch arguments, `name:=value`.
-    :param debug: let launch log at level DEBUG.
+    :param arguments: launch arguments of the form `name:=value`.
+    :param debug: whether launch logs at level DEBUG.
     :raises Exception: any exception of `generate_test_description`.
     """
     process, results = current_process(), {}
@@ -44,9 +44,9 @@ def run_all(test_runs: Sequence[TestRun], arguments: Sequence[str], debug: bool)
 
 
 class RunWorker:
-    """Launches a test's description in the main task of the running process, and runs its tests in another.
+    """Launches a test's description in the main task of the running process, and runs its tests in another task.
 
-    Both tasks take turns in simulated time, so tests may sleep, wait for output and spin nodes.
+    Both tasks run concurrently in simulated time, so tests may sleep, wait for output and spin nodes.
     """
 
     def __init__(self, test_run: TestRun, result: TestResult, arguments: Sequence[str], debug: bool) -> None:
@@ -61,7 +61,7 @@ class RunWorker:
         self._launch_service = LaunchService(debug=debug)
 
     def run(self) -> None:
-        """Launch, run the tests, shut down, and run the tests after the shutdown."""
+        """Launch the description, run the tests, shut the launch down, and run the tests after the shutdown."""
         began = self._process.sim.elapsed_s
         description, context = self._run.description(self._ready.set)
         attributes = {'proc_info': self._proc_info, 'proc_output': self._proc_output, 'test_args': dict(self._arguments)}

@@ -1,4 +1,4 @@
-"""Spin a node while a test runs."""
+"""Spins a node while a test runs."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ if TYPE_CHECKING:
 
 
 class MessagePump:
-    """Spins a node in a thread of the test's process until it is stopped. It can be used in a `with` block.
+    """Spins a node in a thread of the test's process until it is stopped. The class can be used in a `with` block.
 
-    :param context: the node's context; None means the default one.
+    :param context: the context of the node; None means the default context.
     """
 
     def __init__(self, node: Node, timeout: float = 10, context: Context | None = None) -> None:
@@ -34,7 +34,7 @@ class MessagePump:
         self.stop()
 
     def start(self) -> None:
-        """Start to spin."""
+        """Start to spin the node."""
         self._executor.add_node(self._node)
         self._running = True
         self._task = current_process().start_thread(self._spin, 'message_pump', daemon=True)
@@ -42,7 +42,7 @@ class MessagePump:
     def stop(self) -> None:
         """Stop spinning. Wait at most `timeout` simulated seconds for running callbacks.
 
-        :raises RuntimeError: when a callback does not end in time.
+        :raises RuntimeError: when a callback has not ended in time.
         """
         from edulaunch.engine.sim.sync import sleep
 

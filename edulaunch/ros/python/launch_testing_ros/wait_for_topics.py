@@ -1,4 +1,4 @@
-"""Wait until topics have messages."""
+"""Waits until topics have messages."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from .message_pump import MessagePump
 class WaitForTopics:
     """Waits for a message on each of several topics: `with WaitForTopics([('chatter', String)]): ...`.
 
-    :param topic_tuples: (topic, message class), or (topic, message class, QoS profile).
-    :param timeout: simulated seconds to wait.
+    :param topic_tuples: a list of (topic, message class) or (topic, message class, QoS profile).
+    :param timeout: the maximum time to wait in simulated seconds.
     :param messages_received_buffer_length: the number of newest messages of each topic that are stored.
-    :param trigger: called as trigger(node, *args, **kwargs) by :meth:`wait`, before it waits.
+    :param trigger: a function that :meth:`wait` calls as trigger(node, *args, **kwargs) before it waits.
     """
 
     def __init__(
@@ -62,18 +62,18 @@ class WaitForTopics:
         return self._all_here.wait(self.timeout)
 
     def received_messages(self, topic_name: str) -> list[Any]:
-        """Return the messages of a topic, oldest first.
+        """Return the messages of a topic, the oldest first.
 
         :raises KeyError: for a topic that was not passed to the constructor.
         """
         return list(self._messages[topic_name])
 
     def topics_received(self) -> set[str]:
-        """Return the topics that have had a message."""
+        """Return the topics on which a message has arrived."""
         return {topic for topic, messages in self._messages.items() if messages}
 
     def topics_not_received(self) -> set[str]:
-        """Return the topics that have had no message yet."""
+        """Return the topics on which no message has arrived yet."""
         return set(self._messages) - self.topics_received()
 
     def shutdown(self) -> None:

@@ -18,10 +18,10 @@ _WORDS_WITH_A_MEANING = frozenset(('true', 'false', 'yes', 'no', 'on', 'off', 'n
 
 
 def typed(value: str | list[str], data_type: Any, can_be_str: bool) -> Any:
-    """Return the value of a string for a data type. Without a type, the rules of YAML apply.
+    """Convert a string to a data type. Without a type, the rules of YAML apply.
 
-    :param can_be_str: return the string itself if it cannot be converted, because it may contain a substitution.
-    :raises ValueError: when it cannot be converted.
+    :param can_be_str: whether to return the string itself if it cannot be converted, because it may contain a substitution.
+    :raises ValueError: when the string cannot be converted.
     """
     if data_type is None and isinstance(value, str):
         if _PLAIN.fullmatch(value) and value.lower() not in _WORDS_WITH_A_MEANING:
@@ -74,7 +74,7 @@ class Entity(BaseEntity):
         return [Entity(child, parent=self) for child in self._element]
 
     def get_attr(self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True) -> Any:
-        """Return an attribute, converted from its text. For `List[Entity]`, return the child elements called `name`."""
+        """Return an attribute, converted from its string. For `List[Entity]`, return the child elements called `name`."""
         if data_type is not Entities and (data_type is str or data_type is None or not check_is_list_entity(data_type)):
             self.asked.add(name)
             text = self._attributes.get(name)
@@ -94,8 +94,9 @@ class Entity(BaseEntity):
         )
 
     def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
-        """Return two attributes of each child (the second one converted if `typed`), and its line, if no child has any other
-        attribute.
+        """Return two attributes of each child and the line of the child, or None if a child has any other attribute.
+
+        With `is_typed`, the second attribute is converted by the rules of YAML.
         """
         found: list[Pair] = []
         for child in self._element:
@@ -142,7 +143,7 @@ class Entity(BaseEntity):
             raise places.at(error, self) from None
 
     def assert_entity_completely_parsed(self) -> None:
-        """Raise ValueError for unread child elements, then for unread attributes."""
+        """Raise ValueError for child elements that were not requested, and then for attributes that were not requested."""
         asked, asked_tags = self.asked, self._asked_tags
         if self._element and not self._children_asked:
             tags = list(dict.fromkeys([child.tag for child in self._element if child.tag not in asked_tags]))

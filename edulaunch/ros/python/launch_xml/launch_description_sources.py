@@ -13,7 +13,7 @@ __all__ = ['XMLLaunchDescriptionSource']
 class XMLLaunchDescriptionSource(FrontendLaunchDescriptionSource):
     """The launch description in an XML file.
 
-    :param launch_file_path: path of the file; relative ones are relative to the current directory.
+    :param launch_file_path: the path of the file. A relative path starts at the current directory.
     """
 
     def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:

@@ -1,4 +1,4 @@
-"""Read launch files in XML."""
+"""Reads launch files in XML."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ class Parser(BaseParser):
 
     @classmethod
     def load(cls, file: str | os.PathLike[str] | TextIO) -> tuple[BaseEntity, BaseParser]:
-        """Return the root element of a file (its path, or an open text stream) and a parser for it.
+        """Return the root element of a file (a path, or an open text stream) and a parser for it.
 
         :raises xml.etree.ElementTree.ParseError: when the text is not well-formed XML.
-        :raises ValueError: when it declares entities or is nested too deeply.
+        :raises ValueError: when the text declares entities or is nested too deeply.
         """
         return cls.load_with(file, lambda text: Entity(read(text)))
 

@@ -1,7 +1,7 @@
-"""Convert XML text to elements that store their lines.
+"""Converts XML text to elements that store their lines.
 
-Launch files can come from strangers. So the reader opens no other file, refuses declarations of entities, which could multiply
-the text, and limits the nesting.
+Launch files can come from untrusted sources. So the reader opens no other file, and limits the nesting. It also refuses
+declarations of entities, because they could make the text very large.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
 
 class Element(list['Element']):
-    """An element with a list of child elements, the same attributes as `xml.etree.ElementTree.Element`, and the line.
+    """An element with the same attributes as `xml.etree.ElementTree.Element`, a list of child elements, and its line.
 
-    The fast element of the standard library cannot store a line number. This element is equally small.
+    The fast element of the standard library cannot store a line number. This element needs as little memory.
     """
 
     __slots__ = ('tag', 'attrib', 'line')
@@ -35,14 +35,14 @@ MAX_DEPTH = 100
 def read(text: str) -> Element:
     """Return the root element.
 
-    :raises xml.etree.ElementTree.ParseError: with the text and position of the standard library's parser.
+    :raises xml.etree.ElementTree.ParseError: with the message and position of the standard library's parser.
     :raises ValueError: when the text declares entities, or is nested more than :data:`MAX_DEPTH` levels deep.
     """
     return _Reading().root_of(text)
 
 
 class _Reading:
-    """One run of expat, with the stack of open elements. The outermost one is the document itself."""
+    """One run of expat, with the stack of open elements. The outermost element is the document itself."""
 
     def __init__(self) -> None:
         from pyexpat import ParserCreate

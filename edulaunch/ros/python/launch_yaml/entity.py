@@ -15,11 +15,11 @@ _SCALARS = frozenset((str, int, float, bool))
 
 
 class Entity(BaseEntity):
-    """The value below an element's name.
+    """The value below the name of an element.
 
     :param element: a mapping of attributes, or directly the list of child elements.
-    :param type_name: the element's name.
-    :param parent: the enclosing element.
+    :param type_name: the name of the element.
+    :param parent: the enclosing element, or None.
     """
 
     __slots__ = ('_element', '_type_name', '_parent', '_line', '_children_asked')
@@ -48,7 +48,9 @@ class Entity(BaseEntity):
     def children(self) -> list[BaseEntity]:
         """The elements in the list, or in the list under the key `children`.
 
-        :raises TypeError, ValueError, RuntimeError: when there is no such list of one-key mappings.
+        :raises TypeError: when the children are not a list.
+        :raises ValueError: when the element has no children.
+        :raises RuntimeError: when an item of the list is not a mapping with one key.
         """
         self._children_asked = True
         return [self._child(item) for item in self._list_of_children()]
@@ -115,7 +117,10 @@ class Entity(BaseEntity):
         return value
 
     def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
-        """Return the values of two keys of each child, and its line, if no child has any other key and the types match."""
+        """Return the values of two keys of each child and the line of the child.
+
+        Return None if a child has any other key, or if the types do not match.
+        """
         element = self._element
         children = element.get(tag) if isinstance(element, dict) else None
         if not isinstance(children, list) or not children:
@@ -149,9 +154,9 @@ class Entity(BaseEntity):
         return [Entity(item, name, parent=self, line=getattr(item, 'line', line)) for item in value]
 
     def assert_entity_completely_parsed(self) -> None:
-        """Raise ValueError for unread keys, or for an unread list of child elements.
+        """Raise ValueError for keys that were not requested, or for a list of child elements that was not requested.
 
-        :raises TypeError: when the element has no value, not even an empty mapping. As in upstream, Python raises it.
+        :raises TypeError: when the element has no value, not even an empty mapping. As in upstream, Python raises this error.
         """
         element = self._element
         if element is None:
@@ -165,7 +170,7 @@ class Entity(BaseEntity):
 
 
 def _as_wanted(value: Any, data_type: Any) -> str | None:
-    """Return how to write a value of that type, or None if it is not known."""
+    """Return an explanation of how to write a value of that type, or None."""
     if data_type is str and isinstance(value, (int, float)):
         return f"'{str(value).lower() if isinstance(value, bool) else value}'"
     if data_type is str and isinstance(value, list) and all(isinstance(item, str) for item in value):
@@ -176,5 +181,5 @@ def _as_wanted(value: Any, data_type: Any) -> str | None:
 
 
 def _type_of(value: Any) -> type:
-    """Return the name of the value's type for users. A mapping that stores its line is a `dict` for them."""
+    """Return the name of the value's type as errors show it. For a mapping that stores its line, the name is `dict`."""
     return dict if isinstance(value, dict) else type(value)

@@ -1,4 +1,4 @@
-"""Read launch files in YAML."""
+"""Reads launch files in YAML."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ class Parser(BaseParser):
 
     @classmethod
     def load(cls, file: str | os.PathLike[str] | TextIO) -> tuple[BaseEntity, BaseParser]:
-        """Return the root element of a file (its path, or an open text stream) and a parser for it.
+        """Return the root element of a file (a path, or an open text stream) and a parser for it.
 
         :raises yaml.YAMLError: when the text is not YAML.
-        :raises RuntimeError: when there is more than one root.
+        :raises RuntimeError: when there is more than one root element.
         """
         name = str(file) if isinstance(file, (str, os.PathLike)) else getattr(file, 'name', '<file>')
         return cls.load_with(file, lambda text: cls._root_of(text, name))

@@ -1,9 +1,9 @@
-"""Read the simple YAML of most launch files line by line.
+"""Reads the simple YAML of most launch files line by line.
 
-libyaml creates ten objects for each word. Many files need none of that: they have only block mappings and lists, plain words,
-numbers, short quoted strings and one-line `{name: x, value: 1}` mappings. (Reading 1000 nodes takes 42 ms, and 195 ms with
-libyaml. Reading and visiting them must take less than 120 ms.) libyaml reads every file that may contain anything else, because
-the results must never differ.
+libyaml creates ten objects for each word. Many files do not need them: they contain only block mappings and lists, plain words,
+numbers, short quoted strings and one-line `{name: x, value: 1}` mappings. Reading 1000 nodes takes 42 ms, and 195 ms with
+libyaml. Reading and visiting them must take less than 120 ms. Both readers must always return
+equal results, so libyaml reads every file that may contain anything else.
 """
 
 from __future__ import annotations
@@ -43,9 +43,9 @@ class NotPlain(Exception):
 
 
 def read_plain(text: str) -> Any:
-    """Return the data of the text, as `yaml.safe_load` returns it; dicts are :class:`Mapping`.
+    """Return the data of the text, as `yaml.safe_load` returns them; dicts are :class:`Mapping`.
 
-    :raises NotPlain: when the text is not simple. It may still be YAML.
+    :raises NotPlain: when the text is not simple. It may still be valid YAML.
     """
     if _CHARACTERS.fullmatch(text) is None:
         raise NotPlain
@@ -78,7 +78,7 @@ def _rows(text: str) -> list[_Row]:
 
 
 def _block(rows: list[_Row], start: int, depth: int) -> tuple[Any, int]:
-    """Return the value that begins in a row, and the number of the next row."""
+    """Return the value that begins in a row, and the number of the row after the value."""
     if depth > MAX_DEPTH:
         raise NotPlain
     column, key, text, _ = rows[start]

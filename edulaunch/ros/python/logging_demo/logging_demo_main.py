@@ -1,4 +1,4 @@
-"""The program logging_demo_main: two nodes, one that logs and one whose service sets levels."""
+"""The program logging_demo_main with two nodes: one logs messages, and the other one offers a service that sets log levels."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class LoggerUsage(CppNode):
 
 
 class LoggerConfig(CppNode):
-    """Serves `config_logger`."""
+    """Serves the service `config_logger`."""
 
     def __init__(self) -> None:
         super().__init__('logger_config')

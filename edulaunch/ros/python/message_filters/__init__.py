@@ -1,4 +1,4 @@
-"""Filters that messages pass through before a program sees them: by time, in pairs, or when tf knows their frame."""
+"""Filters through which messages pass before a program receives them: a cache, synchronizers, and a filter that waits for tf."""
 
 from __future__ import annotations
 

@@ -1,5 +1,6 @@
-"""Filters: a subscription as the source of messages, a cache of the latest ones, and filters that match messages of several
-topics by their stamps.
+"""Filters for messages: a subscription as a source, a cache of recent messages, and synchronizers.
+
+A synchronizer matches the messages of several topics by their stamps.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ class SimpleFilter:
         return number
 
     def signalMessage(self, *msg: Any) -> None:
-        """Call all callbacks: with one message for a filter of one topic, and with one of each topic for a synchronizer."""
+        """Call all callbacks. A filter of one topic passes one message; a synchronizer passes one message of each topic."""
         for callback, args in list(self.callbacks.values()):
             callback(*msg, *args)
 
@@ -40,8 +41,9 @@ NO_STAMP = (
 
 
 def stamp_of(message: Any, allow_headerless: bool, logger_name: str) -> Time | None:
-    """Return the stamp in the header. Without a header, return the current time if that is allowed, and otherwise log ROS 2's
-    warning and return None.
+    """Return the stamp in the header of a message.
+
+    Without a header, return the current time if that is allowed. Otherwise, log ROS 2's warning and return None.
     """
     stamp = getattr(getattr(message, 'header', None), 'stamp', None)
     if stamp is None:
@@ -55,7 +57,7 @@ def stamp_of(message: Any, allow_headerless: bool, logger_name: str) -> Time | N
 class Subscriber(SimpleFilter):
     """A subscription as a filter: `Subscriber(node, MessageType, 'topic')`.
 
-    Further arguments go to `Node.create_subscription`; the default of `qos_profile` is 10.
+    All further arguments are passed to `Node.create_subscription`. The default of `qos_profile` is 10.
     """
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
@@ -81,11 +83,11 @@ class Subscriber(SimpleFilter):
 
 
 class Cache(SimpleFilter):
-    """Stores the latest `cache_size` messages of the filter `f` in order of arrival, and passes all of them on.
+    """Stores the last `cache_size` messages of the filter `f` in order of arrival, and passes every message on.
 
-    Its methods take rclpy Times of ROS time.
+    The times in arguments are rclpy Times of ROS time.
 
-    :param allow_headerless: give messages without a header the time of their arrival; otherwise, they are dropped.
+    :param allow_headerless: whether a message without a header gets its time of arrival as its stamp; otherwise, it is dropped.
     """
 
     def __init__(self, f: SimpleFilter | None = None, cache_size: int = 1, allow_headerless: bool = False) -> None:
@@ -102,7 +104,7 @@ class Cache(SimpleFilter):
         self.incoming_connection = f.registerCallback(self.add)
 
     def add(self, msg: Any) -> None:
-        """Store one message, and drop the oldest one if there are too many."""
+        """Store one message. If there are then more than `cache_size` messages, drop the oldest message."""
         stamp = stamp_of(msg, self.allow_headerless, 'message_filters_cache')
         if stamp is None:
             return
@@ -114,7 +116,7 @@ class Cache(SimpleFilter):
         self.signalMessage(msg)
 
     def getInterval(self, from_stamp: Time, to_stamp: Time) -> list[Any]:
-        """Return the messages between two times, both included."""
+        """Return the messages from `from_stamp` to `to_stamp`, including both times."""
         assert from_stamp <= to_stamp
         return [msg for msg, time in zip(self.cache_msgs, self.cache_times, strict=True) if from_stamp <= time <= to_stamp]
 
@@ -135,7 +137,7 @@ class Cache(SimpleFilter):
         return self.cache_times[-1] if self.cache_times else None
 
     def getLatestTime(self) -> Time | None:
-        """Return the same time as :meth:`getLastestTime`, under the name in later releases."""
+        """Return the same time as :meth:`getLastestTime`. Later releases of ROS 2 use this spelling."""
         return self.getLastestTime()
 
     def getOldestTime(self) -> Time | None:
@@ -143,20 +145,21 @@ class Cache(SimpleFilter):
         return self.cache_times[0] if self.cache_times else None
 
     def getLast(self) -> Any:
-        """Return the first message that is not older than the one that arrived last, or None."""
+        """Return the first message whose stamp is not older than the stamp of the last arrival, or None."""
         latest = self.getLastestTime()
         return None if latest is None else self.getElemAfterTime(latest)
 
 
 Queue = dict[int, Any]
-"""Messages of one topic by their stamp in nanoseconds."""
+"""The messages of one topic by their stamp in nanoseconds."""
 
 
 class TimeSynchronizer(SimpleFilter):
-    """Calls its callbacks with one message of each topic if all have exactly the same stamp.
+    """Calls its callbacks with one message of each topic if all messages have exactly the same stamp.
 
-    :param fs: the filters (mostly Subscribers), in the order of the callback's arguments.
-    :param queue_size: how many messages of each topic wait for their partners; the oldest is dropped.
+    :param fs: the filters (usually Subscribers), in the order of the callback's arguments.
+    :param queue_size: the number of messages of each topic that wait for matching messages. If there are more, the oldest message
+        is dropped.
     """
 
     def __init__(self, fs: Sequence[SimpleFilter], queue_size: int) -> None:
@@ -173,7 +176,7 @@ class TimeSynchronizer(SimpleFilter):
         ]
 
     def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:
-        """Store one message, and pass on complete sets."""
+        """Store one message. If each topic has a message with its stamp, pass these messages on."""
         with self.lock:
             self._keep(msg, Time.from_msg(msg.header.stamp).nanoseconds, my_queue)
             complete = [stamp for stamp in self.queues[0] if all(stamp in queue for queue in self.queues)]
@@ -186,7 +189,7 @@ class TimeSynchronizer(SimpleFilter):
             del queue[min(queue)]
 
     def _pass(self, stamps: Sequence[int]) -> None:
-        """Pass on one message of each queue, selected by their stamps, and remove them."""
+        """Pass on one message of each queue, selected by its stamp, and remove these messages from the queues."""
         chosen = list(zip(self.queues, stamps, strict=True))
         self.signalMessage(*(queue[stamp] for queue, stamp in chosen))
         for queue, stamp in chosen:
@@ -196,8 +199,8 @@ class TimeSynchronizer(SimpleFilter):
 class ApproximateTimeSynchronizer(TimeSynchronizer):
     """Calls its callbacks with one message of each topic if their stamps differ by less than `slop`.
 
-    :param slop: the largest difference, in seconds.
-    :param allow_headerless: give messages without a header the time of their arrival; otherwise, they are dropped.
+    :param slop: the limit of the difference, in seconds.
+    :param allow_headerless: whether a message without a header gets its time of arrival as its stamp; otherwise, it is dropped.
     """
 
     def __init__(self, fs: Sequence[SimpleFilter], queue_size: int, slop: float, allow_headerless: bool = False) -> None:
@@ -206,7 +209,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         self.allow_headerless = allow_headerless
 
     def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:
-        """Store one message, or pass it on with the messages that match best."""
+        """Store one message. If messages of all topics are near enough, pass on the nearest set."""
         stamp = stamp_of(msg, self.allow_headerless, 'message_filters_approximate')
         if stamp is None:
             return
@@ -221,8 +224,8 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
                     break
 
     def _near(self, queue: Queue, stamp_ns: int, is_own: bool) -> list[int]:
-        """Return the stamps of a queue that are near enough, nearest first. For the message's own queue, return only its own
-        stamp.
+        """Return the stamps of a queue that are near enough to `stamp_ns`, nearest first. For the message's own queue, return
+        only `stamp_ns`.
         """
         if is_own:
             return [stamp_ns]

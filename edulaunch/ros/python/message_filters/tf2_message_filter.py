@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class FilterFailureReason(IntEnum):
-    """The reasons why a message did not pass, with the numbers of tf2_ros."""
+    """The reasons why a message was dropped, with the numbers of tf2_ros."""
 
     Unknown = 0
     OutTheBack = 1
@@ -33,11 +33,11 @@ _WORDS = {
 
 
 class MessageFilter(SimpleFilter):
-    """Passes a stamped message on as soon as it can be transformed, like `tf2_ros::MessageFilter` in C++.
+    """Passes a stamped message on as soon as the message can be transformed, like `tf2_ros::MessageFilter` in C++.
 
     :param buffer: a `tf2_ros.Buffer` that a listener fills.
-    :param target_frame: one frame or several; all must be reachable.
-    :param queue_size: the number of messages that wait, the oldest of which is dropped first; 0 means no limit.
+    :param target_frame: one frame, or several frames to each of which a transform must exist.
+    :param queue_size: the number of messages that wait. If there are more, the oldest message is dropped. 0 means no limit.
     :param node: the node whose logger reports dropped messages.
     :param f: the filter (usually a Subscriber) that provides the messages.
     """
@@ -62,11 +62,11 @@ class MessageFilter(SimpleFilter):
         f.registerCallback(self.add)
 
     def setTargetFrame(self, target_frame: str | Sequence[str]) -> None:
-        """Set the frames to which a transform must exist."""
+        """Set the frame or frames to which a transform must exist."""
         self.target_frames = [target_frame] if isinstance(target_frame, str) else list(target_frame)
 
     def setTolerance(self, tolerance: Duration) -> None:
-        """Require transforms at the stamp of a message, and also `tolerance` later."""
+        """Require a transform at the stamp of a message and a second one that is later by `tolerance`."""
         self._tolerance_ns = tolerance.nanoseconds
 
     def registerFailureCallback(self, cb: Callable[[Any, FilterFailureReason], Any]) -> None:
@@ -74,7 +74,7 @@ class MessageFilter(SimpleFilter):
         self._failure_callbacks.append(cb)
 
     def add(self, msg: Any) -> None:
-        """Pass a message on, or store it."""
+        """Pass a message on, store it until it can be transformed, or drop it."""
         if not msg.header.frame_id:
             self._drop(msg, FilterFailureReason.EmptyFrameID)
         else:
@@ -101,7 +101,7 @@ class MessageFilter(SimpleFilter):
             self._waiting.append(msg)
 
     def _problem(self, msg: Any) -> str | None:
-        """Return why the message cannot be transformed, in tf2's words, or None."""
+        """Return tf2's reason why the message cannot be transformed, or None."""
         stamp = Time.from_msg(msg.header.stamp)
         times = [stamp, stamp + Duration(nanoseconds=self._tolerance_ns)] if self._tolerance_ns else [stamp]
         for frame in self.target_frames:

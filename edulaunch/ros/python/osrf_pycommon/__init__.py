@@ -1,4 +1,4 @@
-"""The parts of osrf_pycommon that launch, and tests of launch files, use."""
+"""The parts of osrf_pycommon that launch and tests of launch files use."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Find event loops and programs."""
+"""Functions that find event loops and programs."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _ABSENT = ('AsyncSubprocessProtocol', 'async_execute_process', 'execute_process'
 
 
 def get_loop() -> AbstractEventLoop:
-    """Return the asyncio loop of the running task. If it is missing or closed, create one on simulated time."""
+    """Return the asyncio loop of the running task. If the task has no open loop, create one on simulated time."""
     from edulaunch.engine.processes import current_process
     from edulaunch.engine.sim.aio import new_event_loop
 
@@ -23,7 +23,10 @@ def get_loop() -> AbstractEventLoop:
 
 
 def which(cmd: str, mode: int = 1, path: str | None = None, **kwargs: object) -> str | None:
-    """Return the path of a program on `path` (default: the PATH of the running process), or None, as `shutil.which` does."""
+    """Return the path of a program, or None, as `shutil.which` does.
+
+    :param path: the search path. The default is the PATH of the running process.
+    """
     import shutil
 
     from edulaunch.engine.processes import current_process

@@ -1,4 +1,4 @@
-"""Remove the colours of terminals from strings."""
+"""Removes the colours of terminals from strings."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The program param_circle.py: it drives a robot in a circle whose radius is a parameter."""
+"""The program param_circle.py, which drives a robot in a circle whose radius is a parameter."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ PERIOD_S = 0.1
 
 
 class ParamCircle(Node):
-    """Reads `radius` (metres) again for each command, so that a change has an immediate effect."""
+    """Drives in a circle. It reads `radius` (metres) for each command, so a change has an immediate effect."""
 
     def __init__(self) -> None:
         super().__init__('param_circle')

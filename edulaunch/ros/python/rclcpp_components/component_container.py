@@ -1,4 +1,4 @@
-"""The programs component_container*: one process for many nodes, which service calls load and unload."""
+"""The programs component_container*. Each is one process for many nodes, which service calls load and unload."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 
 
 def components_of(index: Index, package: str) -> dict[str, str]:
-    """Return the names of a package's components (`demo_nodes_cpp::Talker`), in order, with `module:name` of each factory.
+    """Return the factories (`module:name`) of a package's components, by component name (`demo_nodes_cpp::Talker`).
 
-    A clone of a package of ROS 2 in a workspace has the built-in components.
+    A copy of a ROS 2 package in a workspace has the built-in components.
     """
     if index.share(package) is None:
         return {}
@@ -42,7 +42,7 @@ def packages_with_components(index: Index) -> list[str]:
 
 
 def factory_of(target: str) -> Callable[..., Any]:
-    """Return the function that creates a node from the options of a Node."""
+    """Return the factory at `module:name`, which creates a node from the options of a Node."""
     module, _, name = target.partition(':')
     found: Callable[..., Any] = getattr(import_module(module), name)
     return found
@@ -52,7 +52,7 @@ FACTORY = 'rclcpp_components::NodeFactoryTemplate<{}>'
 
 
 class ComponentManager(CppNode):
-    """Creates nodes in its own process, numbers them from 1, and lets its executor spin them."""
+    """Creates nodes in its own process, numbers them from 1, and adds them to its executor."""
 
     def __init__(self, executor: Executor) -> None:
         super().__init__('ComponentManager')
@@ -92,7 +92,9 @@ class ComponentManager(CppNode):
         response.full_node_name = node.get_fully_qualified_name()
 
     def _why_not(self, request: Any) -> str:
-        """Return the reason why a component is missing: the existing components, or the missing C++ compiler."""
+        """Return the reason why a component is missing: its package needs a C++ compiler, or has other components, or has
+        none.
+        """
         index, package = current_process().index, request.package_name
         if index.contents(package) is not None:
             return f'{request.plugin_name} of {package} is built from C++, which does not run here'
@@ -122,7 +124,7 @@ class ComponentManager(CppNode):
 
 
 def _options(request: Any) -> dict[str, Any]:
-    """Return the options of a Node that a request describes. The container's own command line is not passed on."""
+    """Return the options of a Node that a request describes. The container's own command line is not part of them."""
     rules = list(request.remap_rules)
     rules += [f'__node:={request.node_name}'] if request.node_name else []
     rules += [f'__ns:={request.node_namespace}'] if request.node_namespace else []

@@ -1,4 +1,4 @@
-"""The behaviour of C++ nodes and programs that differs from Python ones, for edulaunch's versions of C++ programs."""
+"""Nodes and programs that behave like those of C++ where C++ and Python differ. edulaunch's versions of C++ programs use them."""
 
 from __future__ import annotations
 
@@ -40,26 +40,26 @@ _NAMES: tuple[tuple[type[Exception], str], ...] = (
 class CppError(Exception):
     """An exception that a C++ program does not catch.
 
-    :param cpp_name: its class in C++, as the runtime prints it.
+    :param cpp_name: the name of the exception's class in C++, as the C++ runtime prints it.
     """
 
     cpp_name = 'std::runtime_error'
 
 
 class InvalidParameterType(CppError):
-    """At start-up, a parameter receives a value of another type than the program declares."""
+    """At start-up, a parameter received a value of another type than the declared one."""
 
     cpp_name = 'rclcpp::exceptions::InvalidParameterTypeException'
 
 
 class InvalidParameterValue(CppError):
-    """At start-up, a parameter receives a value outside its range."""
+    """At start-up, a parameter received a value outside its range."""
 
     cpp_name = 'rclcpp::exceptions::InvalidParameterValueException'
 
 
 def cpp_name_of(error: Exception) -> str | None:
-    """Return the C++ class that corresponds to `error`, or None if C++ has no such class."""
+    """Return the name of the C++ class that corresponds to `error`, or None if C++ has no such class."""
     if isinstance(error, CppError):
         return error.cpp_name
     for kind, name in _NAMES:
@@ -81,7 +81,9 @@ def type_refusal(name: str, declared: Parameter.Type, given: Parameter.Type) -> 
 
 
 def range_refusal(name: str, value: Any, descriptor: Any) -> str | None:
-    """Return the reason for rejecting a number outside the descriptor's range or between its steps, or None."""
+    """Return the reason for rejecting a number outside the descriptor's range or between its steps. Return None for an allowed
+    number.
+    """
     for limits in descriptor.integer_range:
         if not _complies(value, limits.from_value, limits.to_value, limits.step, 0):
             return f"Parameter {{{name}}} doesn't comply with integer range."
@@ -106,7 +108,7 @@ class CppNode(Node):
     """A node that other nodes see as a C++ node.
 
     It subscribes to /parameter_events, has the read-only qos_overrides parameters of that topic, and rejects parameter values
-    with rclcpp's messages. An invalid value that is given at start-up raises an error that ends the program.
+    with rclcpp's messages. An invalid value at start-up raises an error that ends the program.
     """
 
     def __init__(self, node_name: str, **options: Any) -> None:
@@ -121,28 +123,28 @@ class CppNode(Node):
         self._parameter_events = self.create_subscription(ParameterEvent, '/parameter_events', self.on_parameter_event, qos)
 
     def create_publisher(self, msg_type: Any, topic: str, qos_profile: QoSProfile | int, **options: Any) -> Publisher:
-        """Create a publisher as rclpy does. rclcpp's warnings about it contain the full name of the topic."""
+        """Create a publisher as rclpy does. rclcpp's warnings about the publisher contain the full name of the topic."""
         return super().create_publisher(msg_type, core_of(self).resolve(topic, 'topic', only_expand=True), qos_profile, **options)
 
     def create_subscription(
         self, msg_type: Any, topic: str, callback: Callable[..., Any], qos_profile: QoSProfile | int, **options: Any
     ) -> Subscription:
-        """Create a subscription as rclpy does. rclcpp's warnings about it contain the full name of the topic."""
+        """Create a subscription as rclpy does. rclcpp's warnings about the subscription contain the full name of the topic."""
         name = core_of(self).resolve(topic, 'topic', only_expand=True)
         return super().create_subscription(msg_type, name, callback, qos_profile, **options)
 
     def create_wall_timer(self, period_s: float, callback: Callable[[], object]) -> Timer:
-        """Return a timer on the machine's steady clock, so that it also fires while no node publishes /clock."""
+        """Return a timer on the steady clock of the machine, so that it also fires while no node publishes /clock."""
         return self.create_timer(period_s, callback, clock=self._steady_clock)
 
     def on_parameter_event(self, event: ParameterEvent) -> None:
-        """Handle a parameter event of any node. This base class ignores it."""
+        """Handle a parameter event of any node. The base class does nothing."""
 
     def declare_parameter(self, name: str, value: Any = None, descriptor: Any = None, ignore_override: bool = False) -> Parameter:
         """Declare a parameter as rclpy does, but raise rclcpp's errors.
 
-        :raises InvalidParameterType: the value given at start-up is of another type.
-        :raises InvalidParameterValue: the value is out of range.
+        :raises InvalidParameterType: when the value at start-up has another type.
+        :raises InvalidParameterValue: when the value is out of range.
         """
         override = None if ignore_override else core_of(self).overrides.get(name)
         descriptor = descriptor or ParameterDescriptor()
@@ -202,7 +204,7 @@ def run_program(main: Callable[[], int | None]) -> int:
 
 
 def _without_half_characters(argument: str) -> str:
-    """Return the argument as valid UTF-8: C++ accepts any byte, and rclpy raises a UnicodeEncodeError."""
+    """Return the argument as valid UTF-8. C++ accepts any byte, but rclpy would raise a UnicodeEncodeError."""
     return argument.encode('utf-8', 'surrogatepass').decode('utf-8', 'replace')
 
 
@@ -224,7 +226,7 @@ def _run(main: Callable[[], int | None]) -> int:
 
 
 def program(main: Callable[[], int | None]) -> Callable[[], None]:
-    """Return the entry point of a C++ program, which calls `main` through :func:`run_program` and exits with its code."""
+    """Return the entry point of a C++ program. It calls `main` through :func:`run_program` and exits with the returned code."""
     return lambda: sys.exit(run_program(main))
 
 

@@ -1,4 +1,4 @@
-"""The ROS 2 client library for Python in the simulation. Names, defaults and errors are those of ROS 2 Jazzy."""
+"""The ROS 2 client library for Python in the simulation. The names, defaults and errors are those of ROS 2 Jazzy."""
 
 from __future__ import annotations
 
@@ -55,8 +55,9 @@ def init(
 ) -> None:
     """Initialise ROS 2 for this program or context.
 
-    :param args: the command line; None means that of the program.
-    :param signal_handler_options: the signals that shut ROS 2 down. By default, all for the default context, and none for others.
+    :param args: the command-line arguments; None means those of the program.
+    :param signal_handler_options: the signals that shut ROS 2 down. By default, the default context handles all of them, and any
+        other context handles none.
     :raises RuntimeError: when the context is already initialised.
     """
     if signal_handler_options is None:
@@ -66,7 +67,7 @@ def init(
 
 
 def get_global_executor() -> Executor:
-    """Return the program's single-threaded executor, which is used when no other is given. It is created on first use."""
+    """Return the program's single-threaded executor, which is used if a call names no executor. Create it on first use."""
     state = process_state()
     executor: Executor | None = state.global_executor
     if executor is None:
@@ -80,7 +81,7 @@ def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None 
     """Shut ROS 2 down.
 
     :raises RuntimeError: when ROS 2 was never initialised.
-    :raises RCLError: when Ctrl-C has already shut it down. `try_shutdown()` accepts that.
+    :raises RCLError: when Ctrl-C has already shut ROS 2 down. In this case, `try_shutdown()` does nothing.
     """
     _end_global_executor()
     _shutdown(context=context)
@@ -89,7 +90,7 @@ def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None 
 
 
 def try_shutdown(*, context: Context | None = None) -> None:
-    """Shut ROS 2 down unless that has been done. Never raise an exception. As in Jazzy, signal handlers stay installed."""
+    """Shut ROS 2 down unless it is already shut down. Never raise an exception. As in Jazzy, signal handlers stay installed."""
     _end_global_executor()
     _try_shutdown(context=context)
 
@@ -115,7 +116,7 @@ def create_node(
     automatically_declare_parameters_from_overrides: bool = False,
     enable_logger_service: bool = False,
 ) -> Node:
-    """Create a node; the arguments are those of :class:`rclpy.node.Node`."""
+    """Create a node. The arguments are those of :class:`rclpy.node.Node`."""
     from rclpy.node import Node
 
     return Node(
@@ -134,7 +135,10 @@ def create_node(
 
 
 def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
-    """Execute one callback of the node, or wait until `timeout_sec` is over (None means forever, 0 means no wait)."""
+    """Execute one callback of the node.
+
+    :param timeout_sec: the longest wait in simulated seconds. None means no limit, and 0 means no wait.
+    """
     executor = _spinning_executor(executor, node, 'spin_once')
     added = executor.add_node(node)
     try:
@@ -161,7 +165,10 @@ def spin(node: Node, executor: Executor | None = None) -> None:
 def spin_until_future_complete(
     node: Node, future: Future, executor: Executor | None = None, timeout_sec: float | None = None
 ) -> None:
-    """Execute the node's callbacks until the future is done or `timeout_sec` is over. Check `future.done()` afterwards."""
+    """Execute the node's callbacks until the future is done. Check `future.done()` afterwards.
+
+    :param timeout_sec: the longest wait in simulated seconds; None means no limit.
+    """
     executor = _spinning_executor(executor, node, 'spin_until_future_complete', None if timeout_sec is not None else future)
     added = executor.add_node(node)
     try:
@@ -179,8 +186,9 @@ def spin_until_future_complete(
 
 
 def _spinning_executor(executor: Executor | None, node: Node, function: str, future: Future | None = None) -> Executor:
-    """Return the executor to spin. Record, once, a call inside a callback of that executor, or of another executor that has the
-    node.
+    """Return the executor to spin.
+
+    If the call is made inside a callback of that executor, or of another executor that has the node, record the call once.
 
     :param future: the future that the caller waits for without a timeout.
     """

@@ -1,10 +1,10 @@
-"""The errors of ROS 2's C layer, under their names in tracebacks."""
+"""The errors of ROS 2's C layer, under the names that tracebacks show."""
 
 from __future__ import annotations
 
 
 class RCLError(RuntimeError):
-    """Any failure reported by the C layer."""
+    """A failure that the C layer reports."""
 
 
 class RCLInvalidROSArgsError(RCLError):
@@ -12,15 +12,15 @@ class RCLInvalidROSArgsError(RCLError):
 
 
 class UnknownROSArgsError(RuntimeError):
-    """There are unknown arguments after `--ros-args`. The message is the Python list of them."""
+    """There are unknown arguments after `--ros-args`. The message is a Python list of these arguments."""
 
 
 class RMWError(RuntimeError):
-    """Any failure reported by the middleware."""
+    """A failure that the middleware reports."""
 
 
 class InvalidHandle(RuntimeError):
-    """A destroyed object was used."""
+    """A program used a destroyed object."""
 
 
 class NodeNameNonExistentError(RCLError):
@@ -28,12 +28,12 @@ class NodeNameNonExistentError(RCLError):
 
 
 class UnsupportedEventTypeError(RCLError):
-    """The middleware does not have the event of an event callback."""
+    """The middleware does not support the event of an event callback."""
 
 
 class NotImplementedByRMWError(Exception):
-    """The middleware does not support this."""
+    """The middleware does not support the called function."""
 
 
 class TimerCancelledError(RCLError):
-    """A program asked a cancelled timer for its next call."""
+    """A program requested the time of the next call of a cancelled timer."""

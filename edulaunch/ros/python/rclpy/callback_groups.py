@@ -7,9 +7,9 @@ from weakref import ref
 
 
 class CallbackGroup:
-    """The base class of callback groups. It decides whether the callback of an entity may start.
+    """The base class of callback groups. A group decides whether the callback of an entity may start.
 
-    `busy_with` is the entity whose running callback blocks the others, if the group has one.
+    `busy_with` is the entity whose running callback blocks all others of the group, or None.
     """
 
     def __init__(self) -> None:
@@ -25,15 +25,15 @@ class CallbackGroup:
         return ref(entity) in self.entities
 
     def can_execute(self, entity: Any) -> bool:
-        """Return whether the entity's callback could start now. Subclasses have to do it."""
+        """Return whether the entity's callback could start now. Subclasses must implement this method."""
         raise NotImplementedError()
 
     def beginning_execution(self, entity: Any) -> bool:
-        """Start the entity's callback. Return False if it may not start."""
+        """Mark the entity's callback as running. Return False if it must not start."""
         return self.can_execute(entity)
 
     def ending_execution(self, entity: Any) -> None:
-        """Record that the entity's callback has ended. Subclasses have to do it."""
+        """Record that the entity's callback has ended. Subclasses must implement this method."""
         raise NotImplementedError()
 
 
@@ -57,7 +57,7 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
         return self.busy_with is None
 
     def beginning_execution(self, entity: Any) -> bool:
-        """Reserve the group for one callback, if it is free. Raise AssertionError for an entity of another group."""
+        """Reserve the group for one callback if the group is free. Raise AssertionError for an entity of another group."""
         assert ref(entity) in self.entities
         if self.busy_with is not None:
             return False

@@ -1,4 +1,4 @@
-"""Call services."""
+"""Clients of services, and the common part of service and action clients."""
 
 from __future__ import annotations
 
@@ -24,18 +24,19 @@ POLL_NS = 250_000_000
 
 
 class Asker(Entity):
-    """The common part of service and action clients. They wait for a server and for replies, and record waits without a result as
-    facts.
+    """The common part of service and action clients.
+
+    Such a client waits for servers and replies, and records deadlocks and long waits as facts.
     """
 
     _waited_ns = 0
 
     def rcl_asked(self) -> tuple[ServiceClient, str, str]:
-        """Return the endpoint whose server is expected, its name, and 'service' or 'action'."""
+        """Return the endpoint of the client, the name of its service or action, and the word 'service' or 'action'."""
         raise NotImplementedError
 
     def rcl_awaited(self) -> dict[str, str]:
-        """Return a description of what the client waits for, to be used in a fact."""
+        """Return a description of the awaited service or action, for use in a fact."""
         _, name, kind = self.rcl_asked()
         return {'name': name, 'kind': kind}
 
@@ -52,7 +53,7 @@ class Asker(Entity):
             note_wait('call', self)
 
     def rcl_await_server(self, context: Context, is_ready: Callable[[], bool], timeout_sec: float | None) -> None:
-        """Check every 0.25 s whether a server exists, as rclpy does. Record a long wait."""
+        """Check every 0.25 s whether a server exists, as rclpy does. Record a long wait as a fact."""
         while_looking(context, is_ready, timeout_sec, lambda: self._watch_wait(is_ready))
 
     def _watch_wait(self, is_ready: Callable[[], bool]) -> None:
@@ -69,8 +70,10 @@ class Asker(Entity):
 def while_looking(
     context: Context, is_ready: Callable[[], bool], timeout_sec: float | None, looked: Callable[[], object] = lambda: None
 ) -> None:
-    """Check every 0.25 s until the condition is true, the timeout ends (None: never) or the context ends. Call `looked()` after
-    each wait.
+    """Check every 0.25 s until the condition is true, the timeout has passed or the context is shut down.
+
+    :param timeout_sec: the timeout in simulated seconds; None means no limit.
+    :param looked: called after each wait.
     """
     left = float('inf') if timeout_sec is None else timeout_sec
     task = current_task()
@@ -81,7 +84,10 @@ def while_looking(
 
 
 def parked_until_done(future: Future, timeout_sec: float | None = None) -> bool:
-    """Wait until a future is done or the timeout ends (None: never). Return whether it is done. Another thread must spin."""
+    """Wait until a future is done, and return whether it is done. Another thread must spin.
+
+    :param timeout_sec: the longest wait in simulated seconds; None means no limit.
+    """
     task = current_task()
     future.add_done_callback(lambda _: task.wake())
     deadline = None if timeout_sec is None else task.sim.now_ns + int(timeout_sec * 1e9)
@@ -116,9 +122,9 @@ class Client(ServiceEnd, Asker):
         self._lost_recorded = False
 
     def call(self, request: Any, timeout_sec: float | None = None) -> Any:
-        """Send a request and wait for the reply. Another thread must spin. Inside a callback, it waits forever.
+        """Send a request and wait for the reply. Another thread must spin. Inside a callback, this call waits forever.
 
-        :param timeout_sec: give up after this many simulated seconds and return None, as Jazzy does.
+        :param timeout_sec: the longest wait in simulated seconds. When it has passed, the method returns None, as in Jazzy.
         :raises TypeError: for a request of another class.
         """
         self._check_request(request)
@@ -181,8 +187,9 @@ class Client(ServiceEnd, Asker):
         return None
 
     def get_pending_request(self, sequence_number: int) -> Future:
-        """Return the future of a request that waits for its reply. Requests are numbered from 1. Raise KeyError if no such
-        request waits.
+        """Return the future of a request whose reply has not arrived. Requests are numbered from 1.
+
+        :raises KeyError: when no such request waits for a reply.
         """
         return self._pending_requests[sequence_number]
 
@@ -200,7 +207,10 @@ class Client(ServiceEnd, Asker):
         return self.endpoint.server_is_ready()
 
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:
-        """Wait for a server, checking every 0.25 s as rclpy does. None waits forever. Return whether a server exists."""
+        """Wait for a server, checking every 0.25 s as rclpy does. Return whether a server exists.
+
+        :param timeout_sec: the longest wait in simulated seconds; None means no limit.
+        """
         check_alive(self.endpoint)
         self.rcl_await_server(self.context, self.endpoint.server_is_ready, timeout_sec)
         return self.service_is_ready()

@@ -26,7 +26,10 @@ __all__ = ['Clock', 'ClockChange', 'ClockType', 'Duration', 'JumpHandle', 'JumpT
 
 
 class ClockChange(IntEnum):
-    """The change of a clock's source in a time jump. A member prints as its number, in each Python as in that of ROS 2 Jazzy."""
+    """The change of a clock's source in a time jump.
+
+    In every version of Python, a member prints as its number, as in the Python version of ROS 2 Jazzy.
+    """
 
     ROS_TIME_NO_CHANGE = 1
     ROS_TIME_ACTIVATED = 2
@@ -37,7 +40,7 @@ class ClockChange(IntEnum):
 
 
 class _ReportedChange(CEnum):
-    """The change as callbacks get it from ROS 2's C++, which prints as `ClockChange.MEMBER`."""
+    """The change in the form that ROS 2's C++ passes to callbacks. It prints as `ClockChange.MEMBER`."""
 
     ROS_TIME_NO_CHANGE = 1
     ROS_TIME_ACTIVATED = 2
@@ -51,10 +54,10 @@ _ReportedChange.__name__ = 'ClockChange'
 class JumpThreshold:
     """The time jumps for which a callback is called.
 
-    :param min_forward: smallest forward jump (a positive Duration), or None.
-    :param min_backward: smallest backward jump (a negative Duration), or None.
-    :param on_clock_change: whether a change of the time source counts.
-    :raises ValueError: for a duration of the wrong sign, or when no jump would count.
+    :param min_forward: the smallest forward jump (a positive Duration); None excludes forward jumps.
+    :param min_backward: the smallest backward jump (a negative Duration); None excludes backward jumps.
+    :param on_clock_change: whether the callback is called when the time source changes.
+    :raises ValueError: for a duration of the wrong sign, or when no jump could call the callback.
     """
 
     def __init__(self, *, min_forward: Duration | None, min_backward: Duration | None, on_clock_change: bool = True) -> None:
@@ -84,7 +87,7 @@ class TimeJump:
 
 
 class JumpHandle:
-    """A registered pair of jump callbacks. Store it, because its deletion unregisters the callbacks."""
+    """A registered pair of jump callbacks. Store the handle: deleting it unregisters the callbacks."""
 
     def __init__(
         self,
@@ -130,7 +133,7 @@ class JumpHandle:
 
 
 class Clock:
-    """A clock of the given kind; `Clock(clock_type=ClockType.ROS_TIME)` is a :class:`ROSClock`."""
+    """A clock of the given kind. `Clock(clock_type=ClockType.ROS_TIME)` returns a :class:`ROSClock`."""
 
     _clock_type: ClockType
 
@@ -171,7 +174,7 @@ class Clock:
         return time_of_clock(self.sim.now_ns if override is None else override, self._clock_type)
 
     def rcl_now_ns(self) -> int:
-        """Return the current time in nanoseconds. This does not count as a check of the clock in a busy loop."""
+        """Return the current time in nanoseconds. This call does not count as a check of the clock in a busy loop."""
         override: int | None = self.override_ns
         if override is not None:
             return override
@@ -187,15 +190,15 @@ class Clock:
         pre_callback: Callable[[], object] | None = None,
         post_callback: Callable[[TimeJump], object] | None = None,
     ) -> JumpHandle:
-        """Call functions before and after time jumps."""
+        """Register functions that the clock calls before and after time jumps."""
         return JumpHandle(clock=self, threshold=threshold, pre_callback=pre_callback, post_callback=post_callback)
 
     def sleep_until(self, until: Time, context: Context | None = None) -> bool:
         """Wait until this clock reaches `until`.
 
-        While /clock controls it, only a message of /clock ends the wait, even for a time in the past (as in ROS 2).
+        While /clock controls the clock, only a message of /clock ends the wait, even for a time in the past (as in ROS 2).
 
-        :returns: False when the context ended or the time source changed before that.
+        :returns: True if the clock reached `until`; False if the context was shut down or the time source changed before that.
         :raises NotInitializedException: before init.
         :raises ValueError: when `until` belongs to another kind of clock.
         """
@@ -243,14 +246,14 @@ class ROSClock(Clock):
         return self.override_ns is not None
 
     def _set_ros_time_is_active(self, enabled: bool) -> None:
-        """Start to follow /clock, from its last time (0 at first), or stop."""
+        """Start to follow /clock from its last time (0 if there was none), or stop following it."""
         if enabled == self.ros_time_is_active:
             return
         change = ClockChange.ROS_TIME_ACTIVATED if enabled else ClockChange.ROS_TIME_DEACTIVATED
         self._jump(change, self._received_ns if enabled else None)
 
     def set_ros_time_override(self, time: Time) -> None:
-        """Set the time that the clock shows while /clock controls it. Raise TypeError for another type."""
+        """Set the time that the clock shows while /clock controls the clock. Raise TypeError for an object that is not a Time."""
         if not isinstance(time, Time):
             raise TypeError(f'Time must be specified as rclpy.time.Time. Received type: {type(time)}')
         self._received_ns = time.nanoseconds

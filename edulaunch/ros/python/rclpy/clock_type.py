@@ -9,7 +9,9 @@ from rclpy.impl.c_enum import CEnum
 
 
 class ClockType(IntEnum):
-    """The time of a clock. In a simulation, all three are simulated time; ROS time can also follow /clock."""
+    """The kind of time that a clock shows. In a simulation, all three kinds are simulated time; ROS time can also follow
+    /clock.
+    """
 
     UNINITIALIZED = 0
     ROS_TIME = 1
@@ -18,4 +20,4 @@ class ClockType(IntEnum):
 
 
 TypeOfTime: Any = CEnum('ClockType', [(kind.name, kind.value) for kind in ClockType])  # type: ignore[call-arg, arg-type]
-"""The type of `Time.clock_type`: it equals a :class:`ClockType`, but is another object and prints as `ClockType.ROS_TIME`."""
+"""The type of `Time.clock_type`. It equals a :class:`ClockType`, but is a different object and prints as `ClockType.ROS_TIME`."""

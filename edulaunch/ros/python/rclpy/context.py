@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Context:
-    """The arguments and the state that nodes share, as `rclpy.context.Context`. Use it once: init, then shutdown.
+    """The arguments and the state that nodes share, as `rclpy.context.Context`. A context is initialised and shut down only once.
 
     A context can be used as a context manager, which initialises it and shuts it down.
     """
@@ -41,8 +41,9 @@ class Context:
         return Handle(self)
 
     def init(self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None) -> None:
-        """Initialize the context with `args` (None: the program's own command line).
+        """Initialise the context.
 
+        :param args: the command-line arguments; None means those of the program.
         :raises RuntimeError: when called a second time.
         :raises UnknownROSArgsError: for unknown arguments after `--ros-args`.
         """
@@ -61,15 +62,15 @@ class Context:
             logging_state().configure(self.arguments)
 
     def ok(self) -> bool:
-        """Return whether the context is between init and shutdown."""
+        """Return whether the context has been initialised and not shut down."""
         current_task().poll()
         return self.alive
 
     def shutdown(self) -> None:
-        """Shut the context down: wake everything that waits, and call the `on_shutdown` callbacks.
+        """Shut the context down: wake every task that waits, and call the `on_shutdown` callbacks.
 
         :raises RuntimeError: when the context was never initialised.
-        :raises RCLError: when it was shut down already, for instance by Ctrl-C.
+        :raises RCLError: when the context was already shut down, for instance by Ctrl-C.
         """
         if not self.used:
             raise RuntimeError('Context must be initialized before it can be shutdown')
@@ -81,7 +82,7 @@ class Context:
         self._end()
 
     def try_shutdown(self) -> None:
-        """Shut the context down if that was not done yet. Never raise an exception."""
+        """Shut the context down unless it is already shut down. Never raise an exception."""
         self.ended_by_signal = False
         if self.alive:
             self._end()
@@ -110,7 +111,10 @@ class Context:
             task.wake()
 
     def on_shutdown(self, callback: Callable[[], object]) -> None:
-        """Call `callback()` when the context ends, or at once if it has ended. Raise TypeError if it is not callable."""
+        """Call `callback()` when the context is shut down, or immediately if it is already shut down.
+
+        :raises TypeError: when `callback` is not callable.
+        """
         if not callable(callback):
             raise TypeError('callback should be a callable, got {}', type(callback))  # rclpy's message has the same gap
         if self.used and not self.alive:
@@ -119,13 +123,13 @@ class Context:
             self._callbacks.append(callback)
 
     def get_domain_id(self) -> int:
-        """Return the domain. Raise RuntimeError before init."""
+        """Return the ID of the DDS domain. Raise RuntimeError before init."""
         if not self.used:
             raise RuntimeError('Context must be initialized before it can have a domain id')
         return self._domain_id
 
     def destroy(self) -> None:
-        """Shut the context down if that was not done yet."""
+        """Shut the context down unless it is already shut down."""
         self.try_shutdown()
 
     def rcl_track_node(self, node: NodeProtocol) -> None:
@@ -138,7 +142,7 @@ class Context:
             self._nodes.remove(node)
 
     def rcl_park(self, deadline_ns: int | None = None) -> bool:
-        """Park the running task until it is woken, the deadline comes, or this context ends."""
+        """Park the running task until another task wakes it, the deadline is reached, or this context is shut down."""
         task = current_task()
         self.parked.append(task)
         try:
@@ -155,7 +159,7 @@ class Context:
 
 
 def _global_arguments(arguments: list[str]) -> RosArguments:
-    """Return the arguments of a whole program. For invalid arguments, log the reason and raise RCLError."""
+    """Return the parsed arguments of a whole program. For invalid arguments, log the reason and raise RCLError."""
     if not isinstance(arguments, list):
         raise TypeError(f'incompatible constructor arguments: args must be a list, not {type(arguments).__name__}')
     try:
@@ -175,7 +179,7 @@ _REFUSED = 'Failed to parse ROS arguments: '
 
 
 def parse_or_raise(arguments: Iterable[str]) -> RosArguments:
-    """Parse command-line arguments. Raise the C layer's errors for invalid ones."""
+    """Return the parsed command-line arguments. Raise the C layer's errors for invalid arguments."""
     argument_list = list(arguments)
     if not all(isinstance(argument, str) for argument in argument_list):
         raise TypeError('bad argument type for built-in operation')
@@ -199,7 +203,10 @@ def _log(severity: int, words: str) -> None:
 
 
 def _default_domain_id(text: str) -> int:
-    """Return the number at the start of `ROS_DOMAIN_ID`, as C reads it; 0 if it is empty. Raise RCLError without a number."""
+    """Return the number at the start of `ROS_DOMAIN_ID`, as C does. Return 0 for an empty value.
+
+    :raises RCLError: when the value does not begin with a number.
+    """
     words = text.strip()
     end = next((i for i, letter in enumerate(words) if letter not in '0123456789'), len(words))
     if words and not end:

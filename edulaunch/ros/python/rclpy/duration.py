@@ -17,7 +17,7 @@ _INT64 = range(-(1 << 63), 1 << 63)
 class Duration:
     """A duration in nanoseconds, which may be negative. As in rclpy, durations can be compared, but not added.
 
-    :raises OverflowError: when it does not fit 64 bits.
+    :raises OverflowError: when the duration does not fit in 64 bits.
     """
 
     __slots__ = ('_nanoseconds',)
@@ -65,7 +65,7 @@ class Duration:
 
     @classmethod
     def from_msg(cls, msg: Any) -> Duration:
-        """Convert a builtin_interfaces/Duration. Raise TypeError for anything else."""
+        """Return the Duration for a builtin_interfaces/Duration. Raise TypeError for anything else."""
         from builtin_interfaces.msg import Duration as DurationMessage
 
         if not isinstance(msg, DurationMessage):

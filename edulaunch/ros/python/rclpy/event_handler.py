@@ -1,4 +1,6 @@
-"""Callbacks for events of an endpoint: incompatible quality of service, matches, deadlines, liveliness, lost messages."""
+"""Callbacks for events of an endpoint: incompatible quality of service, matches, missed deadlines, liveliness and lost
+messages.
+"""
 
 from __future__ import annotations
 
@@ -55,7 +57,7 @@ QoSMessageLostInfo = IncompatibleTypeInfo = CountInfo  # for events that do not 
 
 
 class QoSLivelinessChangedInfo(NamedTuple):
-    """The numbers of a subscription's publishers that are alive and not alive."""
+    """How many publishers of a subscription are alive and not alive, and the changes since the last call."""
 
     alive_count: int
     not_alive_count: int
@@ -64,8 +66,10 @@ class QoSLivelinessChangedInfo(NamedTuple):
 
 
 class IncompatibleInfo(NamedTuple):
-    """The number of subscriptions that require more than this publisher offers, or of publishers that offer less than this
-    subscription requires.
+    """The number of endpoints with incompatible quality of service.
+
+    For a publisher, these are the subscriptions that require more than the publisher offers. For a subscription, these are the
+    publishers that offer less than the subscription requires.
     """
 
     total_count: int
@@ -77,7 +81,7 @@ QoSOfferedIncompatibleQoSInfo = QoSRequestedIncompatibleQoSInfo = IncompatibleIn
 
 
 class MatchedInfo(NamedTuple):
-    """The number of endpoints with which this one is connected, and its changes."""
+    """The number of endpoints with which this endpoint is connected, and the changes of that number."""
 
     total_count: int
     total_count_change: int
@@ -90,7 +94,7 @@ QoSSubscriptionMatchedInfo = MatchedInfo
 
 
 class EventHandler(Waitable):
-    """Calls its callback, on the executor's turn, with what has happened since the last call."""
+    """A waitable that passes an event to its callback. The executor calls the callback with the changes since the last call."""
 
     def __init__(self, callback_group: CallbackGroup, callback: EventCallback, take: Callable[[], Any]) -> None:
         super().__init__(callback_group)
@@ -98,7 +102,7 @@ class EventHandler(Waitable):
         self._take_info = take
 
     def get_num_entities(self) -> NumberOfEntities:
-        """Return how many entities of each kind belong to this handler."""
+        """Return the number of entities of each kind that belong to this handler."""
         return NumberOfEntities(num_events=1)
 
     def rcl_run_callback(self, executor: ExecutorProtocol) -> Any:
@@ -111,7 +115,7 @@ class EventHandler(Waitable):
     rcl_is_async = False
 
     def rcl_ready_changed(self) -> None:
-        """Record an event, so that the executor calls the callback."""
+        """Record an event and make the executor call the callback."""
         if not self.destroyed:
             self.rcl_signal()
 
@@ -143,7 +147,7 @@ class _MatchCount:
 
 
 class _EventCallbacks:
-    """The common part of both kinds of callbacks. `incompatible_qos` logs a warning by default."""
+    """The common part of the event callbacks of publishers and subscriptions. By default, `incompatible_qos` logs a warning."""
 
     _warning: str
 
@@ -165,7 +169,7 @@ class _EventCallbacks:
         self.use_default_callbacks = use_default_callbacks
 
     def rcl_attach(self, node: Any, entity: Any, impl: Any, group: CallbackGroup) -> None:
-        """Watch a new endpoint. Partners that it found at once also count."""
+        """Watch a new endpoint. The endpoints with which it was connected at its creation also count."""
         incompatible_qos = self.incompatible_qos or (self._warn_of(node, entity) if self.use_default_callbacks else None)
         if incompatible_qos is not None:
             self._watch_incompatible(node, entity, impl, group, incompatible_qos)
@@ -181,7 +185,7 @@ class _EventCallbacks:
             self._watch_liveliness(node, entity, impl, group, self.liveliness)
 
     def _warn_of(self, node: Any, entity: Any) -> EventCallback:
-        """Return the default callback for incompatible quality of service: a warning in the node's log."""
+        """Return the default callback for incompatible quality of service, which writes a warning to the node's log."""
 
         def warn_of(info: Any) -> None:
             from rclpy.qos_compatibility import qos_policy_name_from_kind
@@ -192,7 +196,7 @@ class _EventCallbacks:
         return warn_of
 
     def _watch_liveliness(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
-        """Watch the liveliness of a publisher or of a subscription's publishers."""
+        """Watch the liveliness of the publisher, or of the publishers of the subscription."""
         raise TypeError(f'{type(self).__name__} is neither of a publisher nor of a subscription')
 
     def _watch_incompatible(self, node: Any, entity: Any, impl: Any, group: CallbackGroup, callback: EventCallback) -> None:
@@ -214,11 +218,11 @@ class _EventCallbacks:
 
 
 def _never_called(info: Any) -> None:
-    """The default callback for another type on the topic, which Fast DDS does not report."""
+    """Do nothing. This is the default callback for a different type on the topic, which Fast DDS does not report."""
 
 
 def _counted(node: Any, entity: Any, group: CallbackGroup, callback: EventCallback, make_info: Callable[..., Any]) -> Count:
-    """Return a counter that passes its changes to the callback, on the executor's turn."""
+    """Return a counter. After a change, the executor passes the counted events to the callback."""
     count = Count(make_info, lambda: handler.rcl_ready_changed())
     handler = _added(node, entity, EventHandler(group, callback, count.take))
     return count
@@ -237,7 +241,7 @@ def _added(node: Any, entity: Any, handler: EventHandler) -> EventHandler:
 
 
 def _incompatible_partners(impl: Any) -> list[str]:
-    """Return the incompatible policies of the partners that existed before this endpoint."""
+    """Return the incompatible policies of the endpoints on this topic that existed before this endpoint."""
     if impl.kind == 'publisher':
         pairs = [(impl, other) for other in impl.graph.subscriptions.get(impl.topic_name, ())]
     else:
@@ -251,12 +255,12 @@ def _incompatible_partners(impl: Any) -> list[str]:
 
 
 class PublisherEventCallbacks(_EventCallbacks):
-    """The event callbacks of a publisher. Each one is called with one of the infos of this module.
+    """The event callbacks of a publisher. Each callback receives one of the info classes of this module.
 
-    :param deadline: the publisher published nothing for the time of its deadline.
-    :param liveliness: a publisher with MANUAL_BY_TOPIC did not assert its liveliness during its lease.
-    :param incompatible_qos: a subscription requires more than the publisher offers; by default, a warning is logged.
-    :param matched: a matching subscription was created or destroyed.
+    :param deadline: called when the publisher has published nothing for the time of its deadline.
+    :param liveliness: called when a publisher with MANUAL_BY_TOPIC has not asserted its liveliness during its lease.
+    :param incompatible_qos: called when a subscription requires more than the publisher offers; by default, a warning is logged.
+    :param matched: called when a matching subscription was created or destroyed.
     """
 
     _warning = (
@@ -269,14 +273,14 @@ class PublisherEventCallbacks(_EventCallbacks):
 
 
 class SubscriptionEventCallbacks(_EventCallbacks):
-    """The event callbacks of a subscription. Each one is called with one of the infos of this module.
+    """The event callbacks of a subscription. Each callback receives one of the info classes of this module.
 
-    :param deadline: no message arrived for the time of the subscription's deadline, counted from the first message.
-    :param liveliness: a publisher became alive, ended, or did not assert its liveliness during its lease. Without a lease, it is
-        never called.
-    :param incompatible_qos: a publisher offers less than the subscription requires; by default, a warning is logged.
+    :param deadline: called when no message has arrived for the time of the deadline, counted from the first message.
+    :param liveliness: called when a publisher became alive, ended, or did not assert its liveliness during its lease. Without a
+        lease, it is never called.
+    :param incompatible_qos: called when a publisher offers less than the subscription requires; by default, a warning is logged.
     :param message_lost: never called, because the simulation loses no messages.
-    :param matched: a matching publisher was created or destroyed.
+    :param matched: called when a matching publisher was created or destroyed.
     """
 
     _warning = (

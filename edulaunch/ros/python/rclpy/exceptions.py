@@ -1,4 +1,4 @@
-"""Exceptions that rclpy raises, with ROS 2 Jazzy's messages."""
+"""The exceptions that rclpy raises, with the messages of ROS 2 Jazzy."""
 
 from __future__ import annotations
 
@@ -31,35 +31,35 @@ class NameValidationException(Exception):
 
 
 class InvalidNamespaceException(NameValidationException):
-    """A namespace breaks the rules."""
+    """A namespace breaks ROS 2's rules for namespaces."""
 
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__('namespace', name, error_msg, invalid_index)
 
 
 class InvalidNodeNameException(NameValidationException):
-    """A node name breaks the rules."""
+    """A node name breaks ROS 2's rules for node names."""
 
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__('node name', name, error_msg, invalid_index)
 
 
 class InvalidTopicNameException(NameValidationException):
-    """A topic name breaks the rules."""
+    """A topic name breaks ROS 2's rules for topic names."""
 
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__('topic name', name, error_msg, invalid_index)
 
 
 class InvalidServiceNameException(NameValidationException):
-    """A service name breaks the rules."""
+    """A service name breaks ROS 2's rules for service names."""
 
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__('service name', name, error_msg, invalid_index)
 
 
 class ParameterException(Exception):
-    """Base class of errors about parameters. The message ends with the names of the parameters."""
+    """The base class of errors about parameters. The message ends with the names of the parameters."""
 
     def __init__(self, error_msg: str, parameters: Any) -> None:
         super().__init__(f'{error_msg}: {parameters}')
@@ -87,7 +87,7 @@ class InvalidParameterException(ParameterException):
 
 
 class InvalidParameterTypeException(ParameterException):
-    """A value has another type than the declared one."""
+    """A value does not have the declared type of its parameter."""
 
     def __init__(self, desired_parameter: Any, expected_type: str) -> None:
         super().__init__(
@@ -106,7 +106,7 @@ class InvalidParameterTypeException(ParameterException):
 
 
 class InvalidParameterValueException(ParameterException):
-    """The parameter's range or a callback rejects a value."""
+    """The range of a parameter or a callback rejects a value."""
 
     def __init__(self, parameter: Any, value: Any, reason: str) -> None:
         super().__init__(f'Invalid parameter value ({value}) for parameter. Reason: {reason}', parameter)
@@ -120,14 +120,14 @@ class ParameterImmutableException(ParameterException):
 
 
 class ParameterUninitializedException(ParameterException):
-    """A program reads a parameter that was declared with only a type, before it has a value."""
+    """A program reads a parameter that was declared with a type only and has no value yet."""
 
     def __init__(self, parameter_name: str) -> None:
         super().__init__(f"The parameter '{parameter_name}' is not initialized", parameter_name)
 
 
 class ROSInterruptException(Exception):
-    """ROS 2 was shut down while something waited."""
+    """ROS 2 was shut down while a program waited."""
 
     def __init__(self) -> None:
         super().__init__('rclpy.shutdown() has been called')

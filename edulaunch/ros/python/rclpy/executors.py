@@ -1,4 +1,4 @@
-"""Executors, which wait until something is ready and call the callbacks."""
+"""Executors, which wait until an entity is ready and then call its callback."""
 
 from __future__ import annotations
 
@@ -32,17 +32,17 @@ __all__ = [
 ]
 
 DEFAULT_THREADS = 8
-"""The number of threads. It does not depend on the computer's processors, so that a program behaves the same everywhere."""
+"""The default number of threads. It does not depend on the computer, so that a program behaves the same everywhere."""
 
 
 class SingleThreadedExecutor(Executor):
-    """Executes one callback after the other, in the thread that spins."""
+    """An executor that executes one callback after the other, in the thread that spins."""
 
     _spins = True
 
 
 class MultiThreadedExecutor(Executor):
-    """Executes callbacks in up to `num_threads` threads. While one of them blocks, callbacks of other groups continue.
+    """An executor with up to `num_threads` threads. While one callback blocks, callbacks of other groups can run.
 
     The threads are simulated, so no callback is preempted, and the order is the same in every run.
     """
@@ -65,10 +65,10 @@ class MultiThreadedExecutor(Executor):
         self._ending: SimTask | None = None
 
     def _execute(self, item: Item) -> None:
-        """Give an item to a thread, and let the thread run until it blocks.
+        """Pass an item to a thread, and run the thread until it blocks.
 
-        An exception that the callback raises before it blocks is raised here. As in rclpy, an exception after the callback has
-        blocked is raised at the next item.
+        If the callback raises an exception before it blocks, this method raises it. As in rclpy, an exception after the callback
+        has blocked is raised at the next item.
         """
         if isinstance(item, Task):
             self._submit(item)
@@ -102,14 +102,15 @@ class MultiThreadedExecutor(Executor):
             self._threads.append(process.start_thread(self._work_off, f'executor-{len(self._threads)}', True))
 
     def _finish(self) -> None:
-        """Wait for running callbacks at the end of the program, as Python waits for the threads of its pools."""
+        """Wait for running callbacks at the end of the program, as Python waits for the threads of its thread pools."""
         self._ending = current_task()
         while len(self._idle) < len(self._threads):
             self._ending.park()
 
     def _work_off(self) -> None:
-        """Run the loop of a thread: execute jobs, and park when no job waits. A real thread, which checks again by itself, ends
-        with the executor.
+        """Execute jobs, and park while the queue of jobs is empty. Each thread of the executor runs this loop.
+
+        If the executor is shut down and the queue is empty, a thread that is woken leaves the list of idle threads.
         """
         thread = current_task()
         while True:

@@ -1,4 +1,4 @@
-"""Convert a name in a program to its absolute form."""
+"""A function that converts a name in a program to its absolute form."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A callback that a program itself triggers."""
+"""Guard conditions, whose callback is called when the program triggers them."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class GuardCondition(Entity):
         return Handle(self, lambda: self.destroyed)
 
     def trigger(self) -> None:
-        """Let the executor call the callback. Several triggers before the call count as one. Raise InvalidHandle
+        """Make the executor call the callback. Several triggers before the call count as one. Raise InvalidHandle
         after destroy.
         """
         if self.destroyed:
@@ -52,7 +52,7 @@ class GuardCondition(Entity):
         return self.callback() if self.callback is not None and not self.destroyed else None
 
     def destroy(self) -> None:
-        """Stop reacting to triggers."""
+        """Destroy the guard condition. Later triggers raise InvalidHandle."""
         self.destroyed = True
 
 

@@ -17,19 +17,19 @@ _root_logger = RcutilsLogger()  # programs use this as the root logger, because 
 
 
 def get_logger(name: str) -> RcutilsLogger:
-    """Return the logger with that name. Raise ValueError for an empty name."""
+    """Return the logger with the given name. Raise ValueError for an empty name."""
     if not name:
         raise ValueError('Logger name must not be empty.')
     return RcutilsLogger(name)
 
 
 def initialize() -> None:
-    """Initialize logging. rclpy calls it automatically."""
+    """Initialise logging. rclpy calls this function automatically."""
     logging_state()
 
 
 def shutdown() -> None:
-    """Shut logging down. There is no buffer to flush."""
+    """Do nothing, because logging has no buffer to flush."""
 
 
 def clear_config() -> None:
@@ -51,13 +51,13 @@ def get_logger_effective_level(name: str) -> LoggingSeverity:
 
 
 def get_logger_level(name: str) -> LoggingSeverity:
-    """Return the level that was set for a logger itself, or UNSET."""
+    """Return the level that was set for a logger itself, or UNSET if none was set."""
     state = logging_state()
     return LoggingSeverity(state.default_level if name == '' else state.levels.get(name, 0))
 
 
 def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
-    """Return the severity of a name such as 'WARN', in upper or lower case. Raise RuntimeError for an unknown name."""
+    """Return the severity with the given name, such as 'WARN', in upper or lower case. Raise RuntimeError for an unknown name."""
     try:
         return LoggingSeverity[log_severity.upper()]
     except KeyError:

@@ -1,4 +1,4 @@
-"""Nodes."""
+"""The class `Node`."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ _PRIVATE = {
     '_default_callback_group': lambda core: core.default_callback_group,
     '_parameters': lambda core: core.parameters.values,
 }
-"""Private attributes of a node that programs use, if they have no attribute of that name themselves."""
+"""Private attributes of a node that programs use, if they do not define an attribute of that name."""
 
 
 class Node(NodeEntities, NodeParameters, NodeGraphQueries):
@@ -56,10 +56,10 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
     :param namespace: the namespace of the node and of its relative names.
     :param use_global_arguments: whether the program's own `--ros-args` apply.
     :param parameter_overrides: Parameters whose values replace declared defaults.
-    :param allow_undeclared_parameters: whether parameters may be set without being declared.
-    :param automatically_declare_parameters_from_overrides: whether every parameter given from outside is declared immediately.
+    :param allow_undeclared_parameters: whether the program may set parameters that it has not declared.
+    :param automatically_declare_parameters_from_overrides: whether the constructor declares every parameter that has an override.
     :raises NotInitializedException: before `rclpy.init()`.
-    :raises InvalidNodeNameException, InvalidNamespaceException: for names that break the rules.
+    :raises InvalidNodeNameException, InvalidNamespaceException: for a name that breaks the rules.
     """
 
     _rclpy: NodeCore
@@ -125,7 +125,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
 
     @property
     def executor(self) -> Executor | None:
-        """The executor that calls the callbacks. Setting it moves the node to that executor."""
+        """The executor that calls the node's callbacks. Setting this property moves the node to another executor."""
         # the core knows executors only by a protocol
         executor: Executor | None = self._rclpy.executor  # type: ignore[assignment]
         return executor
@@ -149,7 +149,7 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
 
     @property
     def default_callback_group(self) -> CallbackGroup:
-        """The default group of new entities, in which only one callback runs at a time."""
+        """The callback group that new entities belong to by default. Only one callback of this group runs at a time."""
         return self._rclpy.default_callback_group
 
     @property
@@ -197,7 +197,7 @@ def _refuse_setting(name: str, made: property) -> property:
 
 
 def _finish_node_class() -> None:
-    """Make Python's errors name the class Node, whichever file defines a method, and explain `self.timers = []`."""
+    """Make Python's errors name the class Node for every method, and explain `self.timers = []`."""
     for part in (NodeEntities, NodeParameters, NodeGraphQueries, Node):
         for name, member in list(vars(part).items()):
             if isinstance(member, FunctionType):
@@ -210,7 +210,9 @@ _finish_node_class()
 
 
 def _odd_facts(node: Node) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Yield facts about unusual behaviour of the node, when it is destroyed or at the end of the recording."""
+    """Yield facts about unusual behaviour of the node. The recorder calls this when the node is destroyed or the recording
+    ends.
+    """
     yield from odd_facts(node._rclpy)
     yield from private_names(node)
 
@@ -230,7 +232,7 @@ def _start_services(node: Node, parameters: bool, logger: bool) -> None:
 
 
 def _create_rosout(core: NodeCore) -> None:
-    """Create the publisher of the node's log messages. If nodes share a name, the first one owns it."""
+    """Create the publisher of the node's log messages. If several nodes share a name, only the first node has this publisher."""
     from rcl_interfaces.msg import Log
 
     publisher = core.graph.create_publisher(core.entry, '/rosout', Log, engine_qos(qos_profile_rosout_default))

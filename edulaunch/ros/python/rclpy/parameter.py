@@ -1,4 +1,4 @@
-"""Parameters with a name, a type and a value, and their message and YAML forms."""
+"""Parameters, and the functions that convert parameters from and to messages and YAML."""
 
 from __future__ import annotations
 
@@ -29,54 +29,48 @@ _VALUE_FIELDS = (
 )
 
 
-class ParameterType(Enum):
-    """The types of parameters, as `Parameter.Type`."""
-
-    NOT_SET = rules.NOT_SET
-    BOOL = rules.BOOL
-    INTEGER = rules.INTEGER
-    DOUBLE = rules.DOUBLE
-    STRING = rules.STRING
-    BYTE_ARRAY = rules.BYTE_ARRAY
-    BOOL_ARRAY = rules.BOOL_ARRAY
-    INTEGER_ARRAY = rules.INTEGER_ARRAY
-    DOUBLE_ARRAY = rules.DOUBLE_ARRAY
-    STRING_ARRAY = rules.STRING_ARRAY
-
-    @classmethod
-    def from_parameter_value(cls, parameter_value: Any) -> ParameterType:
-        """Return the type of a value. A bool is not an int, and an empty list is a BYTE_ARRAY.
-
-        :raises TypeError: when no parameter can hold the value.
-        """
-        return cls(rules.type_of_value(parameter_value))
-
-    def check(self, parameter_value: Any) -> bool:
-        """Return whether a value is of this type."""
-        return rules.value_fits(parameter_value, self.value)
-
-
-ParameterType.__name__, ParameterType.__qualname__ = 'Type', 'Parameter.Type'  # its name in ROS 2, as errors and reprs show it
-
-
 class Parameter:
     """A parameter with its name, type and value.
 
     :param name: the parameter's name.
     :param type_: the parameter's type; None means the type of the value.
-    :raises TypeError: when no parameter can have the value, or `type_` is not a `Parameter.Type`.
-    :raises ValueError: when type and value do not agree.
+    :raises TypeError: when no parameter can hold the value, or `type_` is not a `Parameter.Type`.
+    :raises ValueError: when the type and the value do not agree.
     """
 
-    Type = ParameterType
+    class Type(Enum):
+        """The types of parameters."""
+
+        NOT_SET = rules.NOT_SET
+        BOOL = rules.BOOL
+        INTEGER = rules.INTEGER
+        DOUBLE = rules.DOUBLE
+        STRING = rules.STRING
+        BYTE_ARRAY = rules.BYTE_ARRAY
+        BOOL_ARRAY = rules.BOOL_ARRAY
+        INTEGER_ARRAY = rules.INTEGER_ARRAY
+        DOUBLE_ARRAY = rules.DOUBLE_ARRAY
+        STRING_ARRAY = rules.STRING_ARRAY
+
+        @classmethod
+        def from_parameter_value(cls, parameter_value: Any) -> Parameter.Type:
+            """Return the type of a value. A bool is not an integer, and an empty list is a BYTE_ARRAY.
+
+            :raises TypeError: when no parameter can hold the value.
+            """
+            return cls(rules.type_of_value(parameter_value))
+
+        def check(self, parameter_value: Any) -> bool:
+            """Return whether a value is of this type."""
+            return rules.value_fits(parameter_value, self.value)
 
     __slots__ = ('_name', '_type_', '_value')
 
-    def __init__(self, name: str, type_: ParameterType | None = None, value: Any = None) -> None:
+    def __init__(self, name: str, type_: Parameter.Type | None = None, value: Any = None) -> None:
         if type_ is None:
-            type_ = ParameterType.from_parameter_value(value)
-        if not isinstance(type_, ParameterType):
-            raise TypeError(f"type must be an instance of '{repr(ParameterType)}'")
+            type_ = Parameter.Type.from_parameter_value(value)
+        if not isinstance(type_, Parameter.Type):
+            raise TypeError(f"type must be an instance of '{repr(Parameter.Type)}'")
         if not type_.check(value):
             raise ValueError(f"Type '{type_}' and value '{value}' do not agree")
         self._name = name
@@ -85,24 +79,24 @@ class Parameter:
 
     @classmethod
     def from_parameter_msg(cls, param_msg: Any) -> Parameter:
-        """Convert a rcl_interfaces/Parameter."""
+        """Return the Parameter for a rcl_interfaces/Parameter."""
         value = param_msg.value
-        return cls(param_msg.name, ParameterType(value.type), getattr(value, _VALUE_FIELDS[value.type]) if value.type else None)
+        return cls(param_msg.name, Parameter.Type(value.type), getattr(value, _VALUE_FIELDS[value.type]) if value.type else None)
 
     name: ReadOnly[str] = ReadOnly('The name.', '_name')
 
-    type_: ReadOnly[ParameterType] = ReadOnly('The type.', '_type_')
+    type_: ReadOnly[Parameter.Type] = ReadOnly('The type.', '_type_')
 
     value: ReadOnly[Any] = ReadOnly('The value; None when not set.', '_value')
 
     def get_parameter_value(self) -> ParameterValue:
-        """Return the value as rcl_interfaces/ParameterValue, in the field of its type (`string_value` ...)."""
+        """Return the value as rcl_interfaces/ParameterValue. The field depends on the type (`string_value` ...)."""
         from rcl_interfaces.msg import ParameterValue
 
         number = self._type_.value
         message = ParameterValue()
         message.type = number
-        if self._type_ is not ParameterType.NOT_SET:
+        if self._type_ is not Parameter.Type.NOT_SET:
             value = list(self._value) if isinstance(self._value, tuple) else self._value
             setattr(message, _VALUE_FIELDS[number], value)
         return message
@@ -115,7 +109,7 @@ class Parameter:
 
 
 def parameter_value_to_python(parameter_value: Any) -> Any:
-    """Return the Python value of a rcl_interfaces/ParameterValue, with arrays of numbers as lists. Raise RuntimeError for an
+    """Return the Python value of a rcl_interfaces/ParameterValue. Arrays of numbers become lists. Raise RuntimeError for an
     unknown type.
     """
     number = parameter_value.type
@@ -128,11 +122,11 @@ def parameter_value_to_python(parameter_value: Any) -> Any:
 
 
 def get_parameter_value(string_value: str) -> ParameterValue:
-    """Read a string as YAML 1.1 (`off` is a bool, `5` an integer), as `ros2 param set` does with its value.
+    """Return the value of a YAML 1.1 string (`off` is a bool, and `5` is an integer), as `ros2 param set` does.
 
-    An empty list is a list of bools. A value that YAML cannot parse, or that no parameter can have, is a string.
+    An empty list is a list of bools. A value that YAML cannot parse, or that no parameter can hold, stays a string.
 
-    :raises yaml.scanner.ScannerError: when the string is not a valid YAML token, such as `@`. ROS 2 raises it, too.
+    :raises yaml.scanner.ScannerError: when the string is not a valid YAML token, such as `@`. ROS 2 raises this error, too.
     """
     import yaml
 
@@ -141,12 +135,12 @@ def get_parameter_value(string_value: str) -> ParameterValue:
     except yaml.parser.ParserError:
         value = string_value
     if value == []:
-        return Parameter('', ParameterType.BOOL_ARRAY, []).get_parameter_value()
+        return Parameter('', Parameter.Type.BOOL_ARRAY, []).get_parameter_value()
     try:
         parameter = Parameter('', value=value)
     except TypeError:
         parameter = Parameter('', value=string_value)
-    if parameter.type_ in (ParameterType.NOT_SET, ParameterType.BYTE_ARRAY):
+    if parameter.type_ in (Parameter.Type.NOT_SET, Parameter.Type.BYTE_ARRAY):
         parameter = Parameter('', value=string_value)
     return parameter.get_parameter_value()
 
@@ -154,15 +148,15 @@ def get_parameter_value(string_value: str) -> ParameterValue:
 def parameter_dict_from_yaml_file(
     parameter_file: str, use_wildcard: bool = False, target_nodes: list[str] | None = None, namespace: str = ''
 ) -> dict[str, ParameterMsg]:
-    """Return the parameters of a parameter file as messages, by name with the prefix `namespace`. As in ROS 2, `namespace` must
-    end with a dot.
+    """Return the parameters of a parameter file as messages, by name.
 
-    If several nodes have a parameter, its last value counts. As in ROS 2, a parameter without a value becomes the string 'None'.
+    If several nodes have a parameter, its last value is used. As in ROS 2, a parameter without a value becomes the string 'None'.
 
-    :param use_wildcard: whether entries under `/**` count.
-    :param target_nodes: the full names of the nodes that count; None means all nodes in the file.
-    :raises RuntimeError: when the file lacks one of them, or is not a parameter file.
-    :raises AttributeError: when it is not a mapping.
+    :param use_wildcard: whether to include entries under `/**`.
+    :param target_nodes: the full names of the nodes to include; None means all nodes in the file.
+    :param namespace: a prefix for each name. As in ROS 2, it must end with a dot.
+    :raises RuntimeError: when the file lacks one of the target nodes, or is not a parameter file.
+    :raises AttributeError: when the file is not a mapping.
     """
     import yaml
 

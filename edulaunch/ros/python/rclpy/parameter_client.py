@@ -1,4 +1,4 @@
-"""Read and change the parameters of another node."""
+"""A client that reads and changes the parameters of another node."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Done = Callable[[Future], None]
 class AsyncParameterClient:
     """Calls the parameter services of a node. Each method returns the future of a service's response.
 
-    :param remote_node_name: the other node's name, relative to this node's namespace or absolute.
+    :param remote_node_name: the name of the remote node, absolute or relative to this node's namespace.
     """
 
     def __init__(
@@ -60,7 +60,7 @@ class AsyncParameterClient:
         return all(client.service_is_ready() for client in self._clients)
 
     def wait_for_services(self, timeout_sec: float | None = None) -> bool:
-        """Check for the services every 0.25 s until the timeout, and return whether they exist."""
+        """Check every 0.25 s whether all services exist. Return whether they exist before the timeout."""
         while_looking(self.node.context, self.services_are_ready, timeout_sec)
         return self.services_are_ready()
 
@@ -82,7 +82,7 @@ class AsyncParameterClient:
         return self._call(self._get, callback, names=names)
 
     def set_parameters(self, parameters: Sequence[Any], callback: Done | None = None) -> Future:
-        """Set parameters, each separately. They are Parameters or messages of them."""
+        """Set each parameter separately. The items are Parameters or rcl_interfaces/Parameter messages."""
         return self._call(self._set, callback, parameters=_messages(parameters))
 
     def describe_parameters(self, names: list[str], callback: Done | None = None) -> Future:
@@ -94,11 +94,11 @@ class AsyncParameterClient:
         return self._call(self._get_types, callback, names=names)
 
     def set_parameters_atomically(self, parameters: Sequence[Any], callback: Done | None = None) -> Future:
-        """Set all of the Parameters, or none of them."""
+        """Set all of the parameters, or none of them."""
         return self._call(self._set_atomically, callback, parameters=_messages(parameters))
 
     def delete_parameters(self, names: list[str], callback: Done | None = None) -> Future:
-        """Delete parameters, if the other node allows it."""
+        """Delete parameters, if the remote node allows it."""
         return self.set_parameters([Parameter(name) for name in names], callback)
 
     def on_parameter_event(
@@ -126,8 +126,9 @@ class AsyncParameterClient:
         )
 
     def load_parameter_file(self, parameter_file: str, use_wildcard: bool = False, callback: Done | None = None) -> Future:
-        """Set all parameters of a file on the other node, whichever node names the file contains. `/**` counts only with
-        `use_wildcard`.
+        """Set all parameters of a file on the remote node. The names of the nodes in the file are ignored.
+
+        :param use_wildcard: whether to include entries under `/**`.
         """
         found = parameter_dict_from_yaml_file(parameter_file, use_wildcard)
         return self.set_parameters(list(found.values()), callback)
@@ -135,7 +136,7 @@ class AsyncParameterClient:
     def load_parameter_file_atomically(
         self, parameter_file: str, use_wildcard: bool = False, callback: Done | None = None
     ) -> Future:
-        """Set all parameters of a file, or none; see :meth:`load_parameter_file`."""
+        """Set all parameters of a file, or none of them; see :meth:`load_parameter_file`."""
         found = parameter_dict_from_yaml_file(parameter_file, use_wildcard)
         return self.set_parameters_atomically(list(found.values()), callback)
 

@@ -1,4 +1,4 @@
-"""Call functions when parameters of any node change."""
+"""A class that calls functions when parameters of any node change."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class ParameterCallbackHandle:
-    """A callback for one parameter of one node. Store it, because it is needed to remove the callback."""
+    """A callback for one parameter of one node. Store the handle: removing the callback requires it."""
 
     def __init__(self, parameter_name: str, node_name: str, callback: Callable[[Any], None]) -> None:
         self.parameter_name = parameter_name
@@ -25,16 +25,17 @@ class ParameterCallbackHandle:
 
 
 class ParameterEventCallbackHandle:
-    """A callback for all parameter events. Store it, because it is needed to remove the callback."""
+    """A callback for all parameter events. Store the handle: removing the callback requires it."""
 
     def __init__(self, callback: Callable[[Any], None]) -> None:
         self.callback = callback
 
 
 class ParameterEventHandler:
-    """Subscribes to /parameter_events.
+    """A subscription to /parameter_events that calls functions for changed parameters.
 
-    It checks parameters in the order of their first callbacks. If a parameter has several callbacks, the newest is called first.
+    The handler checks parameters in the order in which their first callbacks were added. If a parameter has several callbacks,
+    the newest callback is called first.
     """
 
     def __init__(
@@ -64,7 +65,7 @@ class ParameterEventHandler:
         )
 
     def destroy(self) -> None:
-        """Destroy the subscription."""
+        """Destroy the subscription to /parameter_events."""
         self.node.destroy_subscription(self.parameter_event_subscription)
 
     def _on_event(self, event: Any) -> None:
@@ -78,7 +79,7 @@ class ParameterEventHandler:
 
     @staticmethod
     def get_parameter_from_event(event: Any, parameter_name: str, node_name: str) -> Any:
-        """Return the rcl_interfaces/Parameter with that name among the new and changed ones of an event, or None."""
+        """Return the new or changed rcl_interfaces/Parameter with the given name in an event, or None."""
         if event.node != node_name:
             return None
         return next(
@@ -99,19 +100,19 @@ class ParameterEventHandler:
         return handle
 
     def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:
-        """Undo `add_parameter_event_callback`. Raise RuntimeError if it was not added."""
+        """Remove a callback of `add_parameter_event_callback`. Raise RuntimeError if it was not added."""
         _remove(self._event_callbacks, handle)
 
     def add_parameter_callback(
         self, parameter_name: str, node_name: str, callback: Callable[[Any], None]
     ) -> ParameterCallbackHandle:
-        """Call `callback(parameter)` when that parameter of that node changes. A relative node name is resolved here."""
+        """Call `callback(parameter)` when the parameter of the node changes. A relative node name is resolved immediately."""
         handle = ParameterCallbackHandle(parameter_name, self._resolved(node_name), callback)
         self._parameter_callbacks.setdefault((parameter_name, handle.node_name), []).insert(0, handle)
         return handle
 
     def remove_parameter_callback(self, handle: ParameterCallbackHandle) -> None:
-        """Undo `add_parameter_callback`. Raise RuntimeError if it was not added."""
+        """Remove a callback of `add_parameter_callback`. Raise RuntimeError if it was not added."""
         key = handle.parameter_name, handle.node_name
         _remove(self._parameter_callbacks.get(key, []), handle)
         if not self._parameter_callbacks[key]:

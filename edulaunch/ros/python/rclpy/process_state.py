@@ -1,5 +1,5 @@
-"""The state that rclpy stores in global variables. Here it belongs to the running process, so that simulations and programs are
-separate.
+"""The state of rclpy that ROS 2 stores in global variables. Here, it belongs to the running process, which keeps simulations and
+programs separate.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 class ProcessState:
     """The state of rclpy in one running program.
 
-    :ivar contexts: all initialised contexts, in order; signals shut them down.
-    :ivar previous_handlers: (our handler, the previous one) by signal number, while signals are handled.
-    :ivar goal_ids: the random generator of action goal ids.
+    :ivar contexts: all initialised contexts, in order of initialisation; signals shut them down.
+    :ivar previous_handlers: pairs (rclpy's handler, the previous handler) by signal number, while rclpy handles signals.
+    :ivar goal_ids: the random generator of action goal IDs.
     """
 
     def __init__(self, process: Any) -> None:
@@ -33,7 +33,7 @@ class ProcessState:
 
 
 def process_state() -> ProcessState:
-    """Return the state of the running program. It is created on first use."""
+    """Return the state of the running program. Create it on first use."""
     process = current_process()
     state: ProcessState | None = process.state.get('rclpy')
     if state is None:

@@ -1,4 +1,4 @@
-"""Publish messages."""
+"""Publishers of topics."""
 
 from __future__ import annotations
 
@@ -71,13 +71,15 @@ class Publisher(TopicEnd):
             self.send_wire(self._to_wire(msg))
 
     def get_subscription_count(self) -> int:
-        """Return how many subscriptions receive the messages. Raise InvalidHandle after destroy, and RCLError after shutdown."""
+        """Return the number of subscriptions that receive the messages. Raise InvalidHandle after destroy, and RCLError after
+        shutdown.
+        """
         check_endpoint(self.endpoint, self.context, 'failed to get subscription count: publisher')
         current_task().poll()
         return self.endpoint.subscription_count
 
     def assert_liveliness(self) -> None:
-        """Assert that the publisher is alive. This is needed with the liveliness MANUAL_BY_TOPIC while it publishes nothing.
+        """Assert that the publisher is alive. With the liveliness MANUAL_BY_TOPIC, this is necessary while it publishes nothing.
 
         :raises RCLError: after shutdown.
         """
@@ -89,7 +91,7 @@ class Publisher(TopicEnd):
     def wait_for_all_acked(self, timeout: Duration = FOR_EVER) -> bool:
         """Return True, because delivery takes no time and all messages have arrived.
 
-        :param timeout: how long to wait; a negative value means forever.
+        :param timeout: how long to wait; a negative Duration means no limit.
         :raises AttributeError: when `timeout` is not a Duration.
         :raises RCLError: after shutdown.
         """

@@ -26,7 +26,7 @@ class InvalidQoSProfileException(Exception):
 
 
 class QoSPolicyEnum(IntEnum):
-    """A policy with named values, each of which also has a short key such as 'keep_last'."""
+    """A policy with named values. Each value also has a short key such as 'keep_last'."""
 
     def __str__(self) -> str:
         return str(int(self))
@@ -38,7 +38,7 @@ class QoSPolicyEnum(IntEnum):
 
     @classmethod
     def get_from_short_key(cls, name: str) -> int:
-        """Return the number of a short key's value. Raise KeyError for an unknown key."""
+        """Return the number of the value with this short key. Raise KeyError for an unknown key."""
         return cls[name.upper()].value
 
     @property
@@ -48,7 +48,7 @@ class QoSPolicyEnum(IntEnum):
 
 
 class HistoryPolicy(QoSPolicyEnum):
-    """The limit of the number of messages in a queue."""
+    """Whether a queue limits the number of its messages."""
 
     SYSTEM_DEFAULT = 0
     KEEP_LAST = 1
@@ -77,7 +77,7 @@ class DurabilityPolicy(QoSPolicyEnum):
 
 
 class LivelinessPolicy(QoSPolicyEnum):
-    """The ways in which a publisher asserts that it is alive."""
+    """How a publisher asserts that it is alive."""
 
     SYSTEM_DEFAULT = 0
     AUTOMATIC = 1
@@ -114,7 +114,7 @@ _DURATIONS = ('lifespan', 'deadline', 'liveliness_lease_duration')
 class QoSProfile:
     """The quality of service of one endpoint.
 
-    Give `depth`, `history`, or both. `lifespan`, `deadline` and `liveliness_lease_duration` are Durations (0 means none).
+    Set `depth`, `history`, or both. `lifespan`, `deadline` and `liveliness_lease_duration` are Durations (0 means no limit).
 
     :raises InvalidQoSProfileException: without history and depth, or with KEEP_LAST and no depth.
     :raises AssertionError: for an unknown keyword or a value of the wrong type.
@@ -156,12 +156,12 @@ class QoSProfile:
         return '{}({})'.format(type(self).__name__, ', '.join(f'{slot[1:]}={getattr(self, slot)}' for slot in self.__slots__))
 
     def get_c_qos_profile(self) -> _CProfile:
-        """Return the profile in the form of ROS 2's C layer. Later changes of this profile do not change it."""
+        """Return a copy of the profile in the form of ROS 2's C layer. Later changes of this profile do not affect the copy."""
         return _CProfile(self)
 
 
 class _CProfile:
-    """A profile of ROS 2's C layer, whose policies are numbers.
+    """A profile in the form of ROS 2's C layer, in which policies are numbers.
 
     :ivar resolved: the profile in the form of the graph.
     """
@@ -172,7 +172,7 @@ class _CProfile:
         self._values = {name: int(value) if isinstance(value, IntEnum) else value for name, value in values.items()}
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the values by name, with which a `QoSProfile` can be created again."""
+        """Return the values by name. `QoSProfile` accepts them as keyword arguments."""
         return dict(self._values)
 
 
@@ -217,8 +217,10 @@ for _name in _DEFAULTS:
 
 
 def engine_qos(profile: QoSProfile, side: str = 'publisher') -> QoS:
-    """Return the resolved profile for the graph. System defaults are those of Fast DDS, with depth 1: publishers are reliable and
-    transient local, subscriptions best effort and volatile.
+    """Return the resolved profile for the graph.
+
+    The system defaults are those of Fast DDS, with depth 1. Publishers are reliable and transient local; subscriptions are best
+    effort and volatile.
     """
     history: Any
     history, depth, reliability, durability, lifespan, deadline, liveliness, lease, _ = _values_of(profile)
@@ -247,8 +249,8 @@ def _finite_ns(duration: Duration) -> int:
 
 
 def profile_from_engine(qos: QoS) -> QoSProfile:
-    """Return the profile of an endpoint in the form of graph queries. Unlimited durations are infinite, and the history, which
-    DDS does not announce, is unknown.
+    """Return the profile of an endpoint in the form of graph queries. Unlimited durations are infinite. The history is unknown,
+    because DDS does not announce it.
     """
 
     def duration(nanoseconds: int) -> Duration:
@@ -267,10 +269,10 @@ def profile_from_engine(qos: QoS) -> QoSProfile:
 
 
 def validate_qos(qos: QoSProfile | int) -> QoSProfile:
-    """Return the profile of a `qos_profile` argument. An int is the depth.
+    """Return the profile for a `qos_profile` argument. An int is the depth.
 
     :raises ValueError: for a negative depth.
-    :raises TypeError: for anything but an int or a QoSProfile.
+    :raises TypeError: for an object that is neither an int nor a QoSProfile.
     """
     if isinstance(qos, QoSProfile):
         return qos
@@ -328,12 +330,12 @@ class QoSPresetProfiles(Enum):
 
     @classmethod
     def short_keys(cls) -> list[str]:
-        """Return all short keys, such as 'sensor_data'."""
+        """Return the short keys of all profiles, such as 'sensor_data'."""
         return [name.lower() for name in cls.__members__]
 
     @classmethod
     def get_from_short_key(cls, name: str) -> QoSProfile:
-        """Return the profile of a short key. Raise KeyError for an unknown key."""
+        """Return the profile with this short key. Raise KeyError for an unknown key."""
         profile: QoSProfile = cls[name.upper()].value
         return profile
 
@@ -343,7 +345,7 @@ __all__ = [*[_name for _name in list(globals()) if not _name.startswith('_')], *
 
 
 def __getattr__(name: str) -> Any:
-    """Import a name that few programs need when it is first used."""
+    """Import a rarely needed name when it is first used."""
     if name not in _LATE:
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
     from rclpy import qos_compatibility

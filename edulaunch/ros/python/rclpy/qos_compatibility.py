@@ -1,4 +1,4 @@
-"""The numbers of policies, and the check whether two profiles are compatible. Programs import all of this from `rclpy.qos`."""
+"""The numbers of policies, and the check whether two profiles are compatible. Programs import these names from `rclpy.qos`."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class QoSPolicyKind(IntEnum):
-    """The policies, with the numbers of incompatibility events."""
+    """The policies, with the numbers that incompatibility events use."""
 
     INVALID = 1 << 0
     DURABILITY = 1 << 1
@@ -77,9 +77,9 @@ _OPEN = ('SYSTEM_DEFAULT', 'UNKNOWN')
 
 
 def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> tuple[QoSCompatibility, str]:
-    """Return whether a publisher and a subscription with these profiles can communicate, and the reasons if not.
+    """Return whether a publisher and a subscription with these profiles can communicate, and the reasons if they cannot.
 
-    A policy that one side does not determine (system default, unknown) causes a warning if its value matters.
+    A policy that one profile leaves open (system default, unknown) causes a warning if its value matters.
     """
     errors = _clashes(publisher_qos, subscription_qos)
     if errors:

@@ -1,4 +1,4 @@
-"""Let parameters override an endpoint's quality of service."""
+"""Options that make parameters override the quality of service of an endpoint."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ QosCallbackType = Callable[[QoSProfile], 'SetParametersResult']
 
 
 class InvalidQosOverridesError(Exception):
-    """The callback of the options has rejected the profile."""
+    """The callback of the options rejected the profile."""
 
 
 class QoSOverridingOptions:
@@ -60,7 +60,7 @@ def declare_qos_parameters(node: Any, side: str, topic_name: str, qos: QoSProfil
 
     :param side: 'publisher' or 'subscription'.
     :raises InvalidQosOverridesError: when the callback of the options rejects the profile.
-    :raises RuntimeError: when a parameter names a value that its policy does not have.
+    :raises RuntimeError: when a parameter has a value that its policy does not have.
     """
     from rcl_interfaces.msg import ParameterDescriptor
 

@@ -1,4 +1,4 @@
-"""Convert messages to bytes and back."""
+"""Functions that convert messages to bytes and bytes to messages."""
 
 from __future__ import annotations
 
@@ -14,14 +14,16 @@ from rclpy.type_support import check_is_valid_msg_type
 
 
 def serialize_message(message: Any) -> bytes:
-    """Return the CDR bytes of a message. As in Fast DDS, a type with a fixed size is padded to a multiple of four."""
+    """Return the CDR bytes of a message. As in Fast DDS, the bytes of a type with a fixed size are padded to a multiple of
+    four.
+    """
     check_is_valid_msg_type(type(message))
     data = serialize(message)
     return data + bytes(-len(data) % 4) if _has_one_size(type(message)) else data
 
 
 def deserialize_message(serialized_message: bytes, message_type: Any) -> Any:
-    """Return the message of type `message_type` from its CDR bytes.
+    """Return the message of type `message_type` that the CDR bytes contain.
 
     :raises RMWError: when the bytes are not a message of that type.
     """

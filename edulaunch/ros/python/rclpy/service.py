@@ -1,4 +1,4 @@
-"""Serve service calls."""
+"""Services of nodes."""
 
 from __future__ import annotations
 
@@ -65,7 +65,8 @@ class Service(ServiceEnd, Entity):
     def send_response(self, response: Any, header: RequestId) -> None:
         """Reply to one request.
 
-        :raises TypeError: when `response` is not a response of this service (a callback without `return response`).
+        :raises TypeError: when `response` is not a response of this service, for example after a callback without `return
+            response`.
         """
         response_type = self.srv_type.Response
         if not isinstance(response, response_type):

@@ -1,4 +1,4 @@
-"""Publish the requests and replies of services and clients."""
+"""Service events, which contain the requests and replies of services and clients."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ REQUEST_SENT, REQUEST_RECEIVED, RESPONSE_SENT, RESPONSE_RECEIVED = range(4)
 
 
 class ServiceIntrospectionState(Pybind11IntEnum):
-    """The parts of a call that are published."""
+    """The parts of a service call that are published."""
 
     OFF = 0
     METADATA = 1
@@ -23,7 +23,7 @@ class ServiceIntrospectionState(Pybind11IntEnum):
 
 
 class Introspection:
-    """Publishes service events of one service or client on `<service>/_service_event`."""
+    """A publisher of the events of one service or client on `<service>/_service_event`."""
 
     def __init__(
         self, endpoint: Any, event_class: Any, clock: ClockProtocol, qos: QoSProfile, state: ServiceIntrospectionState
@@ -37,23 +37,23 @@ class Introspection:
         )
 
     def stop(self) -> None:
-        """Stop publishing."""
+        """Stop publishing service events."""
         self._publisher.destroy()
 
     def request_sent(self, sequence: int, request: Any) -> None:
-        """Publish that a client has sent a request."""
+        """Publish the event that the client has sent a request."""
         self._publish(REQUEST_SENT, self._client, sequence, 'request', request)
 
     def response_received(self, sequence: int, response: Any) -> None:
-        """Publish that a client has received a reply."""
+        """Publish the event that the client has received a reply."""
         self._publish(RESPONSE_RECEIVED, self._client, sequence, 'response', response)
 
     def request_received(self, request_id: RequestId, request: Any) -> None:
-        """Publish that a service has received a request."""
+        """Publish the event that the service has received a request."""
         self._publish(REQUEST_RECEIVED, *request_id, 'request', request)
 
     def response_sent(self, request_id: RequestId, response: Any) -> None:
-        """Publish that a service has sent a reply."""
+        """Publish the event that the service has sent a reply."""
         self._publish(RESPONSE_SENT, *request_id, 'response', response)
 
     def _publish(self, kind: int, client: Any, sequence: int, field: str, content: Any) -> None:

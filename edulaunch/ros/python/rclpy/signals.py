@@ -1,4 +1,4 @@
-"""The effect of Ctrl-C and of a request to terminate on ROS 2."""
+"""The effect of Ctrl-C (SIGINT) and of SIGTERM on ROS 2."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rclpy.process_state import ProcessState, process_state
 
 
 class SignalHandlerOptions(Pybind11Enum):
-    """Which signals rclpy handles."""
+    """The signals that rclpy handles."""
 
     ALL = 3
     NO = 0
@@ -20,9 +20,9 @@ class SignalHandlerOptions(Pybind11Enum):
 
 
 def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
-    """Handle signals from now on: SIGINT shuts all contexts down and raises KeyboardInterrupt, and SIGTERM only shuts them down.
+    """Handle signals from now on. SIGINT shuts all contexts down and raises KeyboardInterrupt. SIGTERM only shuts them down.
 
-    A handler that the program set earlier is called afterwards, in place of the KeyboardInterrupt.
+    If the program has set its own handler earlier, that handler is called afterwards, in place of the KeyboardInterrupt.
     """
     state = process_state()
     if options in (SignalHandlerOptions.ALL, SignalHandlerOptions.SIGINT):
@@ -52,7 +52,7 @@ def _install(state: ProcessState, number: int, default: Callable[[int], object] 
 
 
 def uninstall_signal_handlers() -> None:
-    """Undo :func:`install_signal_handlers`."""
+    """Restore the handlers that :func:`install_signal_handlers` replaced."""
     state = process_state()
     handlers = state.process.signals.handlers
     for number, (handler, before) in state.previous_handlers.items():
@@ -65,7 +65,7 @@ def uninstall_signal_handlers() -> None:
 
 
 def get_current_signal_handlers_options() -> SignalHandlerOptions:
-    """Return which signals are handled."""
+    """Return the signals that rclpy handles."""
     options = process_state().signal_options
     return SignalHandlerOptions.NO if options is None else SignalHandlerOptions(options)
 
@@ -75,15 +75,15 @@ def _raise_keyboard_interrupt(_: int) -> None:
 
 
 class SignalHandlerGuardCondition:
-    """A guard condition that SIGINT triggers. Nothing here needs it, because waits end without it. It remains for code that
-    creates one.
+    """ROS 2's guard condition for SIGINT. Here, SIGINT ends waits without it, so it has no effect. Programs may still create
+    one.
     """
 
     def __init__(self, context: object = None) -> None:
         self.context = context
 
     def destroy(self) -> None:
-        """Remove the guard condition."""
+        """Do nothing, because the guard condition has no resources."""
 
 
 __getattr__ = passed_on(__name__)

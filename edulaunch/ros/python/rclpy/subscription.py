@@ -1,4 +1,4 @@
-"""Receive messages."""
+"""Subscriptions to topics."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Subscription(TopicEnd, Entity):
     endpoint: GraphSubscription
 
     class CallbackType(Enum):
-        """The arguments of the callback."""
+        """The arguments that the callback accepts."""
 
         MessageOnly = 0
         WithMessageInfo = 1
@@ -88,8 +88,8 @@ class Subscription(TopicEnd, Entity):
     def rcl_take_wires(self, callback: Callable[[Any], object]) -> None:
         """Call `callback` with the wire tuple of each message, in place of the current callback.
 
-        Both callbacks must do the same. Built-in programs that only copy values use this method, because it creates no message.
-        Setting another callback ends it.
+        Both callbacks must have the same effect. Built-in programs that only copy values use this method, because it creates no
+        message object. Setting another callback ends it.
         """
         self._wire_callback = callback
         self._simple = False
@@ -108,7 +108,7 @@ class Subscription(TopicEnd, Entity):
         return encode(self.msg_type, wire)
 
     def get_publisher_count(self) -> int:
-        """Return the number of publishers. Raise InvalidHandle after destroy."""
+        """Return the number of publishers of the topic. Raise InvalidHandle after destroy."""
         check_alive(self.endpoint)
         return self.endpoint.publisher_count
 
@@ -123,7 +123,7 @@ class Subscription(TopicEnd, Entity):
 def callback_type(callback: Any) -> Subscription.CallbackType:
     """Return whether a callback accepts only the message, or the message and its info.
 
-    :raises RuntimeError: when it accepts neither.
+    :raises RuntimeError: when the callback accepts neither one nor two arguments.
     """
     if _accepts(callback, 1):
         return Subscription.CallbackType.MessageOnly

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 
 
 class _UnfetchedException:
-    """Reports an exception that was never read, when the future of the exception is deleted.
+    """Reports an exception that the program never read, when the future of the exception is deleted.
 
-    It is a separate object, because few futures need it, and an object with `__del__` takes longer to create and delete.
+    This is a separate object, because few futures need it, and an object with `__del__` takes longer to create and delete.
     """
 
     __slots__ = ('exception', 'stream')
@@ -36,9 +36,9 @@ class _UnfetchedException:
 
 
 class Future:
-    """The later result of a service call, a goal or a task.
+    """The result of a service call, a goal or a task, which may not exist yet.
 
-    The executor of the future runs the callbacks. A future without an executor calls them itself, immediately.
+    The executor of the future runs the callbacks. A future without an executor calls the callbacks itself, immediately.
     """
 
     # Programs create thousands of futures and tasks, so values that rarely change are class attributes.
@@ -66,9 +66,7 @@ class Future:
         return self.result()
 
     _asyncio_future_blocking = False
-    """An attribute that asyncio's tasks require of an awaited object, so that a coroutine of an asyncio loop may await this
-    one.
-    """
+    """An attribute that asyncio's tasks require. With it, a coroutine of an asyncio loop can await this future."""
 
     def get_loop(self) -> Any:
         """Return the running asyncio loop whose task awaits this future."""
@@ -77,7 +75,9 @@ class Future:
         return get_running_loop()
 
     def cancel(self, msg: object = None) -> None:
-        """Cancel the future if it is not done. It does not become done, but all waits for it end, and `await` returns None."""
+        """Cancel the future if it is not done. `done()` stays False, but all waits for the future end, and `await` returns
+        None.
+        """
         if not self._done:
             self._cancelled = self.rcl_ended = True
             self._over()
@@ -87,7 +87,7 @@ class Future:
         return self._cancelled
 
     def done(self) -> bool:
-        """Return whether there is a result or an exception. Repeated calls let simulated time pass."""
+        """Return whether the future has a result or an exception. Repeated calls make simulated time pass."""
         if not self._done:
             current_task().poll()
             if self._source is not None:
@@ -110,7 +110,7 @@ class Future:
             note_wait('look', source)
 
     def result(self) -> Any:
-        """Return the result, or None before the future is done. Raise the exception if there is one."""
+        """Return the result, or None before the future is done. Raise the exception if the future has one."""
         if self._exception is not None:
             raise self._fetched(self._exception)
         if not self._done:
@@ -118,7 +118,7 @@ class Future:
         return self._result
 
     def exception(self) -> BaseException | None:
-        """Return the exception, or None."""
+        """Return the exception of the future, or None."""
         return None if self._exception is None else self._fetched(self._exception)
 
     def _fetched(self, exception: BaseException) -> BaseException:
@@ -128,12 +128,12 @@ class Future:
         return exception
 
     def set_result(self, result: Any) -> None:
-        """Set the result, which makes the future done."""
+        """Set the result. The future is then done."""
         self._result = result
         self._end()
 
     def set_exception(self, exception: BaseException) -> None:
-        """Set the exception, which makes the future done."""
+        """Set the exception. The future is then done."""
         self._exception = exception
         self._unfetched = _UnfetchedException(exception)
         self._end()
@@ -173,13 +173,13 @@ class Future:
                 warn(f'Unhandled exception in done callback: {error}', stacklevel=2)
 
     def _set_executor(self, executor: ExecutorProtocol | None) -> None:
-        """Let this executor run the callbacks."""
+        """Make this executor run the callbacks."""
         self._executor = executor
 
     def add_done_callback(self, callback: Callable[[Any], object], *, context: Any = None) -> None:
-        """Call `callback(future)` when the future is done or cancelled, or soon if it already is.
+        """Call `callback(future)` when the future is done or cancelled. If it already is, call `callback` soon.
 
-        :param context: passed by an asyncio task that awaits this future. The loop of the task is notified.
+        :param context: the context of the asyncio task that awaits this future. The loop of that task is notified.
         """
         if context is not None:
             loop, function = self.get_loop(), callback
@@ -192,7 +192,7 @@ class Future:
             callback(self)
 
     def remove_done_callback(self, callback: Callable[[Any], object]) -> bool:
-        """Remove `callback` once, if it was added. Return whether it was removed."""
+        """Remove one registration of `callback`. Return whether there was one."""
         if callback not in self._callbacks:
             return False
         self._callbacks.remove(callback)
@@ -202,7 +202,7 @@ class Future:
 class Task(Future):
     """A function or coroutine that an executor runs. A coroutine that waits continues at each turn.
 
-    Calling the task runs it until it waits or ends; its result is the result of the future.
+    Calling the task runs it until it waits or ends. The return value of the function is the result of the task.
 
     :param entity: the entity whose callback the task runs.
     """
@@ -273,7 +273,7 @@ class Task(Future):
         return self._executing
 
     def cancel(self, msg: object = None) -> None:
-        """Cancel the task. A waiting coroutine ends."""
+        """Cancel the task. A coroutine that waits ends."""
         super().cancel()
         if self._running is not None and not self._executing:
             self._running.close()
@@ -282,7 +282,7 @@ class Task(Future):
 def future_answer(source: Any) -> Future:
     """Return a future for the reply that a client waits for.
 
-    :param source: the client.
+    :param source: the client that waits.
     """
     future = Future()
     future._source = source
@@ -298,7 +298,7 @@ _COROUTINE_FLAG = 0x80
 
 
 def is_coroutine_function(function: Any) -> bool:
-    """Return whether a call creates a coroutine (`async def`), also for methods and `functools.partial`."""
+    """Return whether calling an object creates a coroutine (`async def`), also for methods and `functools.partial`."""
     while isinstance(function, partial):
         function = function.func
     code = getattr(function, '__code__', None)
@@ -306,6 +306,6 @@ def is_coroutine_function(function: Any) -> bool:
 
 
 async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
-    """Call a function, or await the result of an `async def` one, for custom executors and waitables."""
+    """Call a function or await an `async def` function, and return its result. Custom executors and waitables use it."""
     result = callback(*args)
     return await result if is_coroutine_function(callback) else result

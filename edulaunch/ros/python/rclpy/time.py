@@ -25,7 +25,7 @@ _DIFFERENT = "Can't compare times with different clock types"
 class Time:
     """A point in time of one kind of clock, in nanoseconds.
 
-    The default clock type is SYSTEM_TIME while `node.get_clock().now()` has ROS_TIME, as in rclpy. Times of these two types
+    As in rclpy, the default clock type is SYSTEM_TIME, while `node.get_clock().now()` has ROS_TIME. Times of these two types
     cannot be compared.
 
     :raises ValueError: for negative seconds or nanoseconds.
@@ -51,7 +51,7 @@ class Time:
 
     @property
     def clock_type(self) -> ClockType:
-        """The kind of clock that this time belongs to; see :data:`TypeOfTime`."""
+        """The kind of clock to which this time belongs; see :data:`TypeOfTime`."""
         kind: ClockType = TypeOfTime(self._clock_type)
         return kind
 
@@ -117,7 +117,7 @@ class Time:
 
     @classmethod
     def from_msg(cls, msg: Any, clock_type: ClockType = ClockType.ROS_TIME) -> Time:
-        """Convert a builtin_interfaces/Time. Raise TypeError for anything else."""
+        """Return the Time for a builtin_interfaces/Time. Raise TypeError for anything else."""
         from builtin_interfaces.msg import Time as TimeMessage
 
         if not isinstance(msg, TimeMessage):
@@ -126,7 +126,7 @@ class Time:
 
 
 def _message_of(wire: tuple[int, int]) -> Any:
-    """Return builtin_interfaces/Time from (sec, nanosec). It is called for every stamp."""
+    """Return a builtin_interfaces/Time with these values. Every stamp needs a call, so the function is fast."""
     cls = _time_message_class()
     return cls.from_wire(wire)
 
@@ -139,7 +139,7 @@ def _time_message_class() -> Any:
 
 
 def time_of_clock(nanoseconds: int, clock_type: ClockType) -> Time:
-    """Return a time without the checks of the constructor. Clocks use it, because they are read often."""
+    """Return a Time without the checks of the constructor. Clocks use this function, because programs read them often."""
     time = Time.__new__(Time)
     time._nanoseconds = nanoseconds
     time._clock_type = clock_type

@@ -1,4 +1,4 @@
-"""Let /clock control clocks (`use_sim_time`)."""
+"""The class through which /clock controls clocks (`use_sim_time`)."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from edulaunch.ros.passed_on import passed_on
 from rclpy.clock import ROSClock
 from rclpy.node_parts.core import is_node
-from rclpy.parameter import Parameter, ParameterType
+from rclpy.parameter import Parameter
 from rclpy.time import Time
 
 if TYPE_CHECKING:
@@ -22,9 +22,9 @@ NOT_BOOL = f'{USE_SIM_TIME_NAME} parameter set to something besides a bool'
 
 
 class TimeSource:
-    """Passes /clock on to the attached clocks while it is active. A node's parameter use_sim_time activates it.
+    """Passes the time of /clock to the attached clocks while it is active. The node's parameter use_sim_time activates it.
 
-    :param node: the node that subscribes to /clock and whose parameter counts; it may be attached later.
+    :param node: the node that subscribes to /clock and has the parameter; None means that it is attached later.
     """
 
     def __init__(self, *, node: NodeProtocol | None = None) -> None:
@@ -54,7 +54,7 @@ class TimeSource:
             self._unsubscribe()
 
     def attach_node(self, node: NodeProtocol) -> None:
-        """Subscribe to /clock through this node, and follow its parameter use_sim_time, which is declared if necessary.
+        """Subscribe to /clock through this node, and follow its parameter use_sim_time. Declare the parameter if necessary.
 
         :raises TypeError: when `node` is not a node.
         """
@@ -66,7 +66,7 @@ class TimeSource:
         if not node.has_parameter(USE_SIM_TIME_NAME):
             node.declare_parameter(USE_SIM_TIME_NAME, False)
         value = node.get_parameter(USE_SIM_TIME_NAME)
-        if value.type_ is ParameterType.BOOL:
+        if value.type_ is Parameter.Type.BOOL:
             self.ros_time_is_active = value.value
         else:
             node.get_logger().error(f"Invalid type for parameter '{USE_SIM_TIME_NAME}' {value.type_!r} should be bool")
@@ -82,7 +82,7 @@ class TimeSource:
         self._node = None
 
     def attach_clock(self, clock: Any) -> None:
-        """Control this clock, too, starting at the last time of /clock. Raise ValueError unless it is a ROS clock."""
+        """Attach a clock, which then shows the last time of /clock. Raise ValueError unless it is a ROS clock."""
         if not isinstance(clock, ROSClock):
             raise ValueError('Only clocks with type ROS_TIME can be attached.')
         if self._last_time is not None:
@@ -91,7 +91,7 @@ class TimeSource:
         self._clocks.append(clock)
 
     def clock_callback(self, msg: Any) -> None:
-        """Set the clock from a message of /clock."""
+        """Set the clocks to the time in a message of /clock."""
         self._last_time = Time.from_msg(msg.clock)
         for clock in self._clocks:
             clock.set_ros_time_override(self._last_time)
@@ -116,7 +116,7 @@ class TimeSource:
 
         for parameter in parameters:
             if parameter.name == USE_SIM_TIME_NAME:
-                if parameter.type_ is not ParameterType.BOOL:
+                if parameter.type_ is not Parameter.Type.BOOL:
                     if self._node is not None:
                         self._node.get_logger().error(NOT_BOOL)
                     return SetParametersResult(successful=False, reason=NOT_BOOL)

@@ -1,4 +1,4 @@
-"""Timers, and rates made from them."""
+"""Timers, and the rates that are based on them."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 
 
 class Timer(TimedEntity):
-    """Calls its callback on an exact grid of nanoseconds. The first call is one period after its creation.
+    """Calls its callback on an exact grid of nanoseconds. The first call is one period after the creation of the timer.
 
-    A grid point that has passed when the executor checks the timer is skipped. `Node.create_timer` creates timers.
+    The timer skips grid points that have passed when the executor checks it. `Node.create_timer` creates timers.
 
     :ivar _next_ns: the next grid point, in the clock's own time.
     :ivar rcl_due_ns: the same point in simulated time; `NEVER_NS` while the timer is cancelled, or while it depends on /clock.
@@ -66,7 +66,7 @@ class Timer(TimedEntity):
 
     @property
     def timer_period_ns(self) -> int:
-        """The period in nanoseconds. A new period applies from the next call on."""
+        """The period in nanoseconds. A new period applies after the next call."""
         self._check()
         return self._period_ns
 
@@ -75,7 +75,7 @@ class Timer(TimedEntity):
         self._period_ns = int(value)
 
     def _plan(self) -> None:
-        """Compute when the timer is due in simulated time, and let the executor check again."""
+        """Compute when the timer is due in simulated time, and make the executor check again."""
         if self._canceled:
             self.rcl_due_ns = NEVER_NS
         elif self._clock.override_ns is None:
@@ -86,10 +86,10 @@ class Timer(TimedEntity):
         self.ready_list.notify()
 
     def rcl_clock_jumped(self, before_ns: int, source_changed: bool) -> None:
-        """Handle a time jump as rcl does: a forward jump past the grid point makes the timer ready once, and a backward jump
-        restarts it.
+        """Handle a time jump as rcl does. A forward jump past the grid point makes the timer ready once. A backward jump
+        restarts the timer.
 
-        As in rcl, a new source uses the remaining time as if it were the elapsed time. Time 0 counts as unknown.
+        As in rcl, a new time source uses the remaining time as if it were the elapsed time. Time 0 counts as unknown.
         """
         now = self._clock.rcl_now_ns()
         if source_changed:
@@ -127,7 +127,7 @@ class Timer(TimedEntity):
         return self.callback()  # type: ignore[misc]  # None ends the program, as in ROS 2
 
     def _note_skipped(self, now_ns: int) -> None:
-        """Record that the executor came at least one whole period late, because something blocked it."""
+        """Record that the executor called the timer at least one whole period late, because something blocked the executor."""
         from rclpy.impl.facts import callback_name, node_name
 
         late_s = round((now_ns - self._next_ns) / 1e9, 9)
@@ -135,13 +135,13 @@ class Timer(TimedEntity):
         process_state().process.fact('timer skipped', self.order, data)
 
     def cancel(self) -> None:
-        """Stop calling the callback, until `reset`."""
+        """Stop calling the callback until `reset` is called."""
         self._check()
         self._canceled = True
         self._plan()
 
     def reset(self) -> None:
-        """Restart the timer. Its next call is one period from now."""
+        """Restart the timer. The next call is one period from now."""
         self._check()
         self._canceled = False
         self._next_ns = self._clock.rcl_now_ns() + self._period_ns
@@ -158,12 +158,14 @@ class Timer(TimedEntity):
         return self._canceled
 
     def time_until_next_call(self) -> int | None:
-        """Return the nanoseconds until the next call, negative if it is overdue, and None while the timer is cancelled."""
+        """Return the nanoseconds until the next call. The value is negative if the call is overdue, and None while the timer is
+        cancelled.
+        """
         self._check()
         return None if self._canceled else self._next_ns - self._clock.rcl_now_ns()
 
     def time_since_last_call(self) -> int:
-        """Return the nanoseconds since the last call, or since the creation before the first call."""
+        """Return the nanoseconds since the last call. Before the first call, return the nanoseconds since the creation."""
         self._check()
         return self._clock.rcl_now_ns() - self._last_ns
 
@@ -182,7 +184,9 @@ class Timer(TimedEntity):
 
 
 class Rate:
-    """A rate, created by `Node.create_rate`. `sleep()` waits for the next call of its timer, so another thread must spin."""
+    """A rate, created by `Node.create_rate`. `sleep()` waits for the next call of the rate's timer, so another thread must
+    spin.
+    """
 
     def __init__(self, timer: Timer, *, context: Context) -> None:
         self._clock = timer.clock
@@ -199,16 +203,17 @@ class Rate:
             task.wake()
 
     def destroy(self) -> None:
-        """Destroy the rate, and wake the sleeping threads."""
+        """Destroy the rate, and wake the threads that sleep in `sleep()`."""
         self._is_destroyed = True
         self._on_call()
         self.timer.destroy()
 
     def sleep(self) -> None:
-        """Wait for a call of the timer. As in ROS 2, a call before the wait ends it immediately.
+        """Wait for a call of the timer. As in ROS 2, a timer call before the wait ends the wait immediately.
 
         :raises ROSInterruptException: when ROS 2 is shut down during the wait.
-        :raises RuntimeError: when the rate was destroyed before the call. If it is destroyed during the wait, the wait only ends.
+        :raises RuntimeError: when the rate was destroyed before this method was called. If it is destroyed during the wait, the
+            wait only ends.
         """
         self._check()
         executor = self.timer.ready_list.executor

@@ -14,7 +14,7 @@ from rclpy.type_hash import TypeHash
 
 
 class TopicEndpointTypeEnum(IntEnum):
-    """The sides of a topic."""
+    """The kinds of endpoints of a topic."""
 
     INVALID = 0
     PUBLISHER = 1
@@ -60,11 +60,11 @@ _FIELDS: dict[str, tuple[Callable[[], Any], Callable[[Any], Any]]] = {
     'endpoint_gid': (list, _bytes),
     'qos_profile': (lambda: qos_profile_unknown, _profile),
 }
-"""The fields of an endpoint: the default of each, and the check of its value."""
+"""The fields of an endpoint, each with its default and the check of its value."""
 
 
 class TopicEndpointInfo:
-    """One endpoint of a topic: its node, type, side, identity (16 bytes) and QoS.
+    """One endpoint of a topic: its node, type, kind, identifier (16 bytes) and QoS.
 
     :raises AssertionError: for an unknown keyword or a value of the wrong type.
     """
@@ -143,7 +143,7 @@ for _name, (_, _check) in _FIELDS.items():
 
 
 def endpoint_info(endpoint: Any) -> TopicEndpointInfo:
-    """Return the info of an endpoint of the graph."""
+    """Return the information about an endpoint of the graph."""
     return TopicEndpointInfo(
         node_name=endpoint.node.name,
         node_namespace=endpoint.node.namespace,
@@ -156,7 +156,7 @@ def endpoint_info(endpoint: Any) -> TopicEndpointInfo:
 
 
 def _hash_of(type_name: str) -> TypeHash:
-    """Return the hash of a type, or an empty hash for a type that only another program's workspace contains."""
+    """Return the hash of a type, or an empty hash if only another program's workspace contains the type."""
     from edulaunch.ros.serialization.type_description import type_hash
 
     try:

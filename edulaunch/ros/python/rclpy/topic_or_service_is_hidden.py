@@ -1,4 +1,4 @@
-"""The rule for hidden names, which tools do not list."""
+"""The rule for hidden names, which tools leave out of lists."""
 
 from __future__ import annotations
 

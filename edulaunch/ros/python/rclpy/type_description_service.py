@@ -1,4 +1,4 @@
-"""The service with which other nodes request the definitions of the types that a node uses."""
+"""The service from which other nodes request the definitions of the types that a node uses."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from edulaunch.ros.passed_on import passed_on
 from rclpy.exceptions import ParameterUninitializedException
 from rclpy.logging import get_logger
 from rclpy.node_parts.core import core_of
-from rclpy.parameter import ParameterType
+from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_services_default
 
 if TYPE_CHECKING:
@@ -21,7 +21,9 @@ START_TYPE_DESCRIPTION_SERVICE_PARAM = 'start_type_description_service'
 
 
 class TypeDescriptionService:
-    """Declares start_type_description_service (read-only), and creates `<node>/get_type_description` unless it is false."""
+    """Declares the read-only parameter start_type_description_service, and creates `<node>/get_type_description` unless it is
+    false.
+    """
 
     def __init__(self, node: NodeProtocol) -> None:
         from rcl_interfaces.msg import ParameterDescriptor
@@ -29,7 +31,7 @@ class TypeDescriptionService:
         self._node = node
         descriptor = ParameterDescriptor(
             name=START_TYPE_DESCRIPTION_SERVICE_PARAM,
-            type=ParameterType.BOOL.value,
+            type=Parameter.Type.BOOL.value,
             read_only=True,
             description='If enabled, start the ~/get_type_description service.',
         )

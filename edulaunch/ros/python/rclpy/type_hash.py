@@ -6,7 +6,9 @@ HASH_SIZE = 32
 
 
 class TypeHash:
-    """The hash of a type: a version, and 32 bytes. Its text is `RIHS01_...`, or INVALID without a version or with another length.
+    """The hash of a type: a version, and 32 bytes.
+
+    The string form is `RIHS01_...`, or INVALID if the version is missing or the length is wrong.
 
     :raises AssertionError: for a version that is not an int, or a value that is not bytes.
     """
@@ -19,7 +21,7 @@ class TypeHash:
 
     @property
     def version(self) -> int:
-        """The version of the hash algorithm, or -1 without one."""
+        """The version of the hash algorithm, or -1 if it is missing."""
         return self._version
 
     @version.setter

@@ -1,4 +1,4 @@
-"""Check whether a class is a message, a service or an action.
+"""Functions that check whether a class is a message, a service or an action.
 
 The module also defines the type variables for annotations of publishers, subscriptions, clients and services.
 """
@@ -54,7 +54,7 @@ def check_is_valid_action_type(action_type: Any) -> None:
 
 
 def wrong_class(given: Any, interface: Any, part: str) -> TypeError:
-    """Return ROS 2's empty error for an object that is not a `Service.Request` or similar, with a hint."""
+    """Return ROS 2's empty error, with a hint, for an object that is not a `Service.Request` or similar."""
     wanted = f'{interface.__name__}.{part}'
     if isinstance(given, type):
         return with_facts(TypeError(), 'messages.class-given', wanted=wanted)
@@ -62,7 +62,9 @@ def wrong_class(given: Any, interface: Any, part: str) -> TypeError:
 
 
 def _has(cls: Any, name: str) -> bool:
-    """Return whether an attribute exists, without creating the parts of services and actions, which are created on first use."""
+    """Return whether an attribute exists. Do not create the parts of services and actions, which exist only after their first
+    use.
+    """
     for base in getattr(cls, '__mro__', ()):  # noqa: SIM110 - a loop takes half the time, and each service asks twice
         if name in base.__dict__:
             return True

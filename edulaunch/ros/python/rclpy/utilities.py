@@ -1,4 +1,4 @@
-"""The default context, and functions that concern a whole program."""
+"""The default context, and functions for a whole program."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from rclpy.process_state import process_state
 
 
 def get_default_context(*, shutting_down: bool = False) -> Context:
-    """Return the context that is used if none is given. After a shutdown, the next call returns a new one, so that ROS 2 can be
-    initialized again.
+    """Return the context that is used if a call names no context.
+
+    After a shutdown, the next call returns a new context, so that the program can initialise ROS 2 again.
     """
     state = process_state()
     context: Context | None = state.default_context
@@ -21,17 +22,17 @@ def get_default_context(*, shutting_down: bool = False) -> Context:
 
 
 def ok(*, context: Context | None = None) -> bool:
-    """Return whether ROS 2 is between init and shutdown."""
+    """Return whether ROS 2 is initialised and not shut down."""
     return (context or get_default_context()).ok()
 
 
 def shutdown(*, context: Context | None = None) -> None:
-    """Shut a context down. Raise RuntimeError if it was never initialized."""
+    """Shut a context down. Raise RuntimeError if the context was never initialised."""
     (context or get_default_context(shutting_down=True)).shutdown()
 
 
 def try_shutdown(*, context: Context | None = None) -> None:
-    """Shut a context down if that was not done yet. Never raise an exception."""
+    """Shut a context down unless it is already shut down. Never raise an exception."""
     (context or get_default_context(shutting_down=True)).try_shutdown()
 
 
@@ -46,17 +47,16 @@ def get_available_rmw_implementations() -> set[str]:
 
 
 def remove_ros_args(args: list[str] | None = None) -> list[str]:
-    """Return a command line (None: the program's own) without its `--ros-args` sections and remapping rules.
+    """Return a command line without its `--ros-args` sections and remapping rules.
 
+    :param args: the command line; None means that of the program.
     :raises RCLInvalidROSArgsError, UnknownROSArgsError: for invalid or unknown arguments after `--ros-args`.
     """
     return parse_or_raise(process_state().process.argv if args is None else args).others
 
 
 def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
-    """Return a timeout in the form of the wait set. None or a negative number becomes -1 (wait forever), and 0 stays 0 (do not
-    wait).
-    """
+    """Return a timeout in nanoseconds. None or a negative number becomes -1 (wait without limit), and 0 stays 0 (do not wait)."""
     if timeout_sec is None or timeout_sec < 0:
         return -1
     return int(float(timeout_sec) * S_TO_NS)

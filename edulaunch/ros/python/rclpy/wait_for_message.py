@@ -1,4 +1,4 @@
-"""Wait for one message of a topic."""
+"""A function that waits for one message of a topic."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ def wait_for_message(
 ) -> tuple[bool, Any]:
     """Wait for the next message of a topic. The caller need not spin the node.
 
-    :param time_to_wait: simulated seconds, or -1 for no limit.
-    :returns: (True, the message), or (False, None) when the time is over or ROS 2 is shut down during the wait.
+    :param time_to_wait: the longest wait in simulated seconds; -1 means no limit.
+    :returns: (True, the message), or (False, None) if the time has passed or ROS 2 was shut down during the wait.
     :raises RCLError: when ROS 2 was shut down before the call.
     """
     core = core_of(node)

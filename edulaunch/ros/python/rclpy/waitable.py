@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class NumberOfEntities:
-    """The number of entities of each kind that belong to a waitable."""
+    """How many entities of each kind belong to a waitable."""
 
     __slots__ = ('num_subscriptions', 'num_guard_conditions', 'num_timers', 'num_clients', 'num_services', 'num_events')
 
@@ -50,7 +50,9 @@ class WaitSet:
 
 class Waitable(Entity):
     """The base class of waitables. A subclass overrides `is_ready`, `take_data`, `execute`, `get_num_entities` and
-    `add_to_wait_set`. An executor checks a waitable only in each wait, so another event (a timer, a message) must end the wait.
+    `add_to_wait_set`.
+
+    An executor checks waitables only when a wait begins or ends, so another event (a timer, a message) must end a wait.
     """
 
     rcl_category = WAITABLE
@@ -65,14 +67,14 @@ class Waitable(Entity):
         return self
 
     def __exit__(self, *_: Any) -> None:
-        """Do nothing, because nothing was acquired."""
+        """Do nothing, because entering the waitable acquires nothing."""
 
     def is_ready(self, wait_set: Any) -> bool:
         """Return whether there is work to do."""
         raise NotImplementedError('Must be implemented by subclass')
 
     def take_data(self) -> Any:
-        """Take the data that is passed to `execute`."""
+        """Return the data for `execute`."""
         raise NotImplementedError('Must be implemented by subclass')
 
     async def execute(self, taken_data: Any) -> None:
@@ -80,11 +82,11 @@ class Waitable(Entity):
         raise NotImplementedError('Must be implemented by subclass')
 
     def get_num_entities(self) -> NumberOfEntities:
-        """Return how many entities of each kind belong to this waitable."""
+        """Return the number of entities of each kind that belong to this waitable."""
         raise NotImplementedError('Must be implemented by subclass')
 
     def add_to_wait_set(self, wait_set: Any) -> None:
-        """Prepare a wait. The executor calls it before each wait, and subclasses implement it."""
+        """Prepare a wait. The executor calls this method before each wait. Subclasses implement it."""
         raise NotImplementedError('Must be implemented by subclass')
 
     def add_future(self, future: Future) -> None:
@@ -100,7 +102,7 @@ class Waitable(Entity):
         return self.execute(self.take_data())
 
     def rcl_ask(self) -> bool:
-        """Call `is_ready` in a wait. It is not called again while the callback waits for its turn."""
+        """Return the result of `is_ready` for a wait. Do not call `is_ready` again while the callback waits for its turn."""
         if not self.queued:
             self.get_num_entities()
             self.add_to_wait_set(WAIT_SET)

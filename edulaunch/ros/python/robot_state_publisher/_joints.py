@@ -1,4 +1,4 @@
-"""The joints of a robot description that urdf_parser_py has read, and the transform of each joint at a position."""
+"""The joints of a robot description that urdf_parser_py has parsed, and the transform of each joint at a position."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from edulaunch.engine.tf.quaternions import multiply
 from edulaunch.errors import MissingExtra
 
 MOVING = ('revolute', 'continuous', 'prismatic')
-"""Kinds of joints that move. As in the original, others count as fixed, such as those with several degrees of freedom."""
+"""The kinds of joints that move. As in ROS 2's program, joints with several degrees of freedom count as fixed."""
 LIMITED = ('revolute', 'prismatic')
-"""Kinds of joints that the original rejects without <limit>."""
+"""The kinds of joints that ROS 2's program rejects without <limit>."""
 Quaternion = tuple[float, float, float, float]
 
 
 class Mimic(NamedTuple):
-    """A joint that follows another one: multiplier * position + offset."""
+    """A joint that follows another joint, at the position `multiplier * position + offset`."""
 
     joint: str
     multiplier: float
@@ -31,8 +31,8 @@ class Joint(NamedTuple):
 
     :param origin: the transform from the parent link to the child link at position 0. It has x, y, z in metres and the rotation
         (x, y, z, w).
-    :param axis: unit vector of the axis around which the child turns, or along which it slides.
-    :param lower: lowest position (radians or metres); with `upper` 0 when the description has no limit.
+    :param axis: the unit vector of the axis around which the child turns, or along which it slides.
+    :param lower: the lowest position (radians or metres). If the description has no limit, `lower` and `upper` are 0.
     """
 
     name: str
@@ -48,13 +48,13 @@ class Joint(NamedTuple):
 
     @property
     def is_moving(self) -> bool:
-        """Whether the joint has a position."""
+        """Whether the joint can move, and therefore has a position."""
         return self.kind in MOVING
 
     def transform(self, position: float) -> tuple[tuple[float, float, float], Quaternion]:
         """Return the translation (metres) and rotation (x, y, z, w) from the parent link to the child link.
 
-        :param position: in radians or metres, by the type of the joint.
+        :param position: the position of the joint, in radians or metres, depending on the type of the joint.
         """
         if self.kind == 'prismatic':
             slid = rotated(self.turn, tuple(position * part for part in self.axis))
@@ -68,14 +68,14 @@ class Joint(NamedTuple):
 
 
 _TRANSMISSIONS = re.compile(r'<transmission\b[^>]*/>|<transmission\b.*?</transmission\s*>', re.DOTALL)
-"""Elements that the original's parser does not read. urdf_parser_py rejects those of ros2_control."""
+"""The elements that ROS 2's parser ignores. urdf_parser_py rejects such elements if they come from ros2_control."""
 
 
 def read_joints(description: str) -> list[Joint]:
-    """Return the joints of a URDF text, in its order.
+    """Return the joints of a URDF string, in the order of the string.
 
-    :raises ValueError: the text is not a robot description. The message is the parser's.
-    :raises SystemExit: when the parser is not installed, which ends the program with a message.
+    :raises ValueError: when the string is not a robot description. The message is the parser's.
+    :raises SystemExit: when the parser is not installed. The program then ends with a message.
     """
     if find_spec('urdf_parser_py') is None:
         raise SystemExit(str(MissingExtra('a robot description', 'urdf-parser-py', 'urdf')))
@@ -101,7 +101,7 @@ def read_joints(description: str) -> list[Joint]:
 def _check_tree(links: list[str], joints: list[Joint]) -> None:
     """Check that all links exist and that they form a tree with one root.
 
-    :raises ValueError: when they do not, because the original's parser rejects such a description.
+    :raises ValueError: when they do not, because ROS 2's parser rejects such a description.
     """
     if not links:
         raise ValueError('No link elements found in urdf file')
@@ -146,7 +146,9 @@ def _joint(found: Any) -> Joint:
 
 
 def of_rpy(roll: float, pitch: float, yaw: float) -> Quaternion:
-    """Return the rotation (x, y, z, w) of a URDF's rpy in radians: about the fixed axes x, y, z in this order."""
+    """Return the rotation (x, y, z, w) for a URDF's rpy in radians. The rotations are about the fixed axes x, y and z, in this
+    order.
+    """
     about_x = (sin(roll / 2), 0.0, 0.0, cos(roll / 2))
     about_y = (0.0, sin(pitch / 2), 0.0, cos(pitch / 2))
     about_z = (0.0, 0.0, sin(yaw / 2), cos(yaw / 2))

@@ -1,4 +1,4 @@
-"""The programs robot_state_publisher, which publishes the transforms of a robot's links, and xacro."""
+"""The program robot_state_publisher, which publishes the transforms of a robot's links, and the program xacro."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ from robot_state_publisher._joints import Joint, read_joints
 
 
 class RobotStatePublisher(CppNode):
-    """Publishes fixed joints on /tf_static once, and moving ones on /tf whenever /joint_states contains them.
+    """Publishes fixed joints on /tf_static once, and moving joints on /tf whenever /joint_states contains them.
 
-    Parameters: `robot_description` (URDF text), `publish_frequency` (Hz at most, 20.0), `ignore_timestamp` (false),
+    Parameters: `robot_description` (URDF), `publish_frequency` (the highest frequency, 20.0 Hz), `ignore_timestamp` (false),
     `frame_prefix` ('').
     """
 
@@ -77,7 +77,7 @@ class RobotStatePublisher(CppNode):
             self._fixed.sendTransform(fixed)
 
     def _on_joint_states(self, state: JointState) -> None:
-        """Publish the joints of the message and the joints that mimic them, unless the last time was too recent."""
+        """Publish the joints of the message and the joints that mimic them, unless the last publication was too recent."""
         if len(state.name) != len(state.position):
             text = 'Robot state publisher ignored a JointState message about joint(s) with mismatched sizes of name and position'
             self.get_logger().error(text) if state.position else None
@@ -136,12 +136,14 @@ BANNER = 4
 
 
 def _from_here(path: str) -> str:
-    """Return a path from the folder of the terminal, because this module and the library share the machine's folder."""
+    """Return the absolute path for a path that is relative to the folder of the terminal. The library itself runs in the
+    machine's folder.
+    """
     return os.path.join(current_process().cwd or '', path)
 
 
 def run_xacro() -> int:
-    """Run the program xacro: let the library of that name expand the macros of a robot description, and print the result.
+    """Run the program xacro: expand the macros of a robot description with the library xacro, and print the result.
 
     `xacro FILE name:=value ... [-o OUT]` returns 2 for a file that the library cannot expand.
     """

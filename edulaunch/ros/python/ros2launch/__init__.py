@@ -1,1 +1,1 @@
-"""The work of the command `ros2 launch`."""
+"""The implementation of the command `ros2 launch`."""

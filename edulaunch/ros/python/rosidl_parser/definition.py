@@ -1,4 +1,4 @@
-"""The types of fields, as in `SLOT_TYPES` of a message class."""
+"""The types of fields that the `SLOT_TYPES` of a message class contain."""
 
 from edulaunch.engine.interfaces.slot_types import (
     Array,

@@ -1,4 +1,4 @@
-"""Interfaces by name, and messages as dictionaries, YAML and CSV, as ROS 2's `rosidl_runtime_py`."""
+"""Functions of ROS 2's `rosidl_runtime_py`: they find interfaces by name, and convert messages to dictionaries, YAML and CSV."""
 
 from __future__ import annotations
 

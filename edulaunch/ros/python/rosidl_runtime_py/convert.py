@@ -1,4 +1,4 @@
-"""Convert messages to plain data and to text."""
+"""Converts messages to plain data, YAML and CSV."""
 
 from __future__ import annotations
 
@@ -13,8 +13,9 @@ def message_to_ordereddict(
 ) -> OrderedDict[str, Any]:
     """Return the message as dictionaries, lists, numbers and strings, with its fields in order.
 
-    :param truncate_length: the maximum number of items of an array and characters of a string; the rest becomes `...`.
-    :param no_arr: replace arrays by their type and length; `no_str` does the same for strings.
+    :param truncate_length: the maximum number of items of an array and characters of a string. The rest becomes `...`.
+    :param no_arr: whether to replace arrays by their type and length.
+    :param no_str: whether to replace strings by their type and length.
     """
     ordered: OrderedDict[str, Any] = _ordered(message_dict(msg, Shortening(truncate_length, no_arr, no_str)))
     return ordered
@@ -23,20 +24,21 @@ def message_to_ordereddict(
 def message_to_yaml(
     msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False, flow_style: bool = False
 ) -> str:
-    """Return the message as YAML, as `ros2 topic echo` prints it. The arguments are those of :func:`message_to_ordereddict`.
+    """Return the message as YAML, as `ros2 topic echo` prints it. For the other parameters, see
+    :func:`message_to_ordereddict`.
 
-    :param flow_style: write the message on one line in braces.
+    :param flow_style: whether to write the message on one line in braces.
     """
     return message_yaml(msg, Shortening(truncate_length, no_arr, no_str), flow_style=flow_style)
 
 
 def message_to_csv(msg: Any, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False) -> str:
-    """Return all values of the message, separated by commas. The arguments are those of :func:`message_to_ordereddict`."""
+    """Return all values of the message, separated by commas. For the other parameters, see :func:`message_to_ordereddict`."""
     return message_csv(msg, Shortening(truncate_length, no_arr, no_str))
 
 
 def get_message_slot_types(msg: Any) -> OrderedDict[str, Any]:
-    """Return the entry of `SLOT_TYPES` of each field name."""
+    """Return the type of each field in `SLOT_TYPES`, by field name."""
     return OrderedDict(zip(msg.get_fields_and_field_types(), msg.SLOT_TYPES, strict=True))
 
 

@@ -1,4 +1,4 @@
-"""Find interfaces and their files."""
+"""Functions that find interfaces and their files."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ def get_interface_packages() -> list[str]:
 
 
 def get_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Return the interfaces of each package as 'msg/Name', 'srv/Name' ...
+    """Return the interfaces of each package, such as 'msg/Name' and 'srv/Name'.
 
-    :param package_names: the packages; by default, all packages with interfaces.
+    :param package_names: the packages. By default, all packages with interfaces.
     :raises LookupError: for a package without interfaces.
     """
     return _of_kinds(package_names, ('action', 'msg', 'srv'))
@@ -38,7 +38,7 @@ def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[s
 
 
 def get_interface_path(interface_name: str) -> str:
-    """Return the path of the file of 'pkg/msg/Name'.
+    """Return the path of the file that defines 'pkg/msg/Name'.
 
     :raises ValueError: when the name has another form.
     :raises LookupError: for an unknown interface.

@@ -1,4 +1,4 @@
-"""Fill messages from dictionaries."""
+"""Sets fields of messages from dictionaries."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ def set_message_fields(
 ) -> list[Any]:
     """Set the fields in `values`. Each value is converted to its field's type: 3 and '3' become 3.0 in a float field.
 
-    :param msg: the message, changed in place.
-    :param values: field name -> value; dictionaries for nested messages, lists for arrays.
-    :param expand_header_auto: let 'auto' for a header mean a header that is stamped later; `expand_time_now` does the same for
-        'now' as a time.
-    :returns: a function for each stamp to set later; it takes a Time.
+    :param msg: the message, which is changed in place.
+    :param values: the value of each field by name; dictionaries for nested messages, lists for arrays.
+    :param expand_header_auto: whether 'auto' for a header means a header whose stamp is set later.
+    :param expand_time_now: whether 'now' for a time means a time that is set later.
+    :returns: a function for each time to set later. Its argument is the Time to set.
     :raises TypeError: when `values` is not a dictionary.
     :raises AttributeError: when the message has no field of that name.
     :raises ValueError: when a value cannot be converted.

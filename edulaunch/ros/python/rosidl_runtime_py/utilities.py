@@ -1,4 +1,4 @@
-"""Find interface classes by their full names."""
+"""Finds interface classes by their full names."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def get_interface(identifier: str) -> Any:
     """Return the class of 'pkg/msg/Name', 'pkg/srv/Name' or 'pkg/action/Name'.
 
     :raises ValueError: when the name has another form.
-    :raises ModuleNotFoundError: when there is no such package or no such kind of interface in it.
+    :raises ModuleNotFoundError: when there is no such package, or the package has no interfaces of this kind.
     :raises AttributeError: when the package has no interface of that name.
     """
     parts = identifier.split('/')
@@ -40,7 +40,7 @@ def get_interface(identifier: str) -> Any:
 
 
 def get_namespaced_type(identifier: str) -> NamespacedType:
-    """Return 'pkg/msg/Name' as the type of a field. The type need not exist.
+    """Return the field type for a name such as 'pkg/msg/Name'. The type need not exist.
 
     :raises ValueError: when the name has another form.
     """
@@ -56,7 +56,7 @@ def get_namespaced_type(identifier: str) -> NamespacedType:
 
 
 def is_message(interface: Any) -> bool:
-    """Return whether a class is a message class. Requests, goals and the like also count."""
+    """Return whether a class is a message class. Classes of requests, responses, goals and similar messages also count."""
     return hasattr(interface, 'get_fields_and_field_types')
 
 
@@ -71,25 +71,25 @@ def is_action(interface: Any) -> bool:
 
 
 def get_message(identifier: str) -> Any:
-    """Return the class of a message. 'pkg/Name' is enough.
+    """Return the class of a message. The short form 'pkg/Name' is also allowed.
 
-    :raises ValueError: when it is not a message; otherwise, as in :func:`get_interface`.
+    :raises ValueError: when the name is not that of a message. :func:`get_interface` lists the other errors.
     """
     return _of_kind(identifier, 'msg', 'message', is_message)
 
 
 def get_service(identifier: str) -> Any:
-    """Return the class of a service. 'pkg/Name' is enough.
+    """Return the class of a service. The short form 'pkg/Name' is also allowed.
 
-    :raises ValueError: when it is not a service; otherwise, as in :func:`get_interface`.
+    :raises ValueError: when the name is not that of a service. :func:`get_interface` lists the other errors.
     """
     return _of_kind(identifier, 'srv', 'service', is_service)
 
 
 def get_action(identifier: str) -> Any:
-    """Return the class of an action. 'pkg/Name' is enough.
+    """Return the class of an action. The short form 'pkg/Name' is also allowed.
 
-    :raises ValueError: when it is not an action; otherwise, as in :func:`get_interface`.
+    :raises ValueError: when the name is not that of an action. :func:`get_interface` lists the other errors.
     """
     return _of_kind(identifier, 'action', 'action', is_action)
 

@@ -22,10 +22,10 @@ class View(NamedTuple):
 
 
 def read_view(path: str) -> View:
-    """Read a config file.
+    """Return the view that a config file describes.
 
-    :raises OSError: it cannot be read.
-    :raises ValueError: it is not an RViz config.
+    :raises OSError: when the file cannot be read.
+    :raises ValueError: when the file is not an RViz config.
     """
     import yaml
 
@@ -61,7 +61,7 @@ def _mapping(value: Any) -> dict[str, Any]:
 
 
 class Rviz(CppNode):
-    """Loads a config, prints its displays, and listens to tf if it has a TF display."""
+    """Loads a config, prints its displays, and listens to tf if the config has a TF display."""
 
     def __init__(self, config: str | None, fixed_frame: str | None) -> None:
         super().__init__('rviz')
@@ -91,7 +91,7 @@ class Rviz(CppNode):
 
 
 def main() -> None:
-    """Run the program. It accepts the options of rviz2. Options for the window have no effect."""
+    """Run the program. It accepts the options of rviz2, but those for the window have no effect."""
     import argparse
 
     parser = argparse.ArgumentParser(prog='rviz2')

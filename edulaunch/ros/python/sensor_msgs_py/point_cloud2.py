@@ -1,4 +1,4 @@
-"""Convert point clouds to numpy arrays (`read_points` and similar functions) and back (`create_cloud`)."""
+"""Functions that convert point clouds to numpy arrays (`read_points` and similar functions) and back (`create_cloud`)."""
 
 from __future__ import annotations
 
@@ -34,10 +34,10 @@ def read_points(
     """Return the points as a structured array with one entry for each field.
 
     :param field_names: the fields to read; None means all fields in the order of the message.
-    :param skip_nans: leave out points with a NaN in one of these fields.
+    :param skip_nans: whether to leave out points with a NaN in one of these fields.
     :param uvs: the points to read: indices, or (column, row) pairs of an organized cloud. None means all points.
-    :param reshape_organized_cloud: return rows and columns (height, width). This cannot be combined with `uvs`.
-    :raises AssertionError: for names that the cloud does not have.
+    :param reshape_organized_cloud: whether to return rows and columns (height, width). This cannot be combined with `uvs`.
+    :raises AssertionError: for a field that the cloud does not have.
     """
     points = np.ndarray((cloud.width * cloud.height,), dtype_from_fields(cloud.fields, cloud.point_step), bytes(cloud.data))
     if field_names is not None:
@@ -106,7 +106,7 @@ def dtype_from_fields(fields: Iterable[Any], point_step: int | None = None) -> A
 
 
 def create_cloud(header: Any, fields: Iterable[Any], points: Any, step: int | None = None) -> Any:
-    """Return a cloud of points: a structured array, a plain array or a list with a row for each point.
+    """Return a point cloud for a structured array, a plain array, or a list with a row for each point.
 
     A structured array with two dimensions, or a plain array with three, makes an organized cloud.
 

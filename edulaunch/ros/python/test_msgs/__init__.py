@@ -1,1 +1,1 @@
-"""Messages with all kinds of fields, for tests. The classes come from the interface files."""
+"""Messages with all kinds of fields, for tests. The classes are generated from the interface files."""

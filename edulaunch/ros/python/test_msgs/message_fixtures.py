@@ -19,7 +19,7 @@ _NAMES = (*_ALIKE, *_OF_EACH_CORNER, *_COUNTS, 'Arrays', 'Builtins', 'MultiNeste
 
 
 def get_test_msg(message_name: str) -> list[Any]:
-    """Return some messages of a type of `test_msgs`: empty, small, largest and smallest values.
+    """Return some messages of a type of `test_msgs`: empty messages, and messages with small, largest and smallest values.
 
     :raises NotImplementedError: for an unknown type.
     """
@@ -34,9 +34,9 @@ def get_test_msg(message_name: str) -> list[Any]:
 
 
 def _filled(cls: Any, corner: int, count: int) -> Any:
-    """Return a message with a value in each field; unbounded lists get `count` entries.
+    """Return a message with a value in each field. Unbounded lists get `count` entries.
 
-    :param corner: 0 for nothing, 1 for small values, 2 for the largest, 3 for the smallest.
+    :param corner: the kind of value: 0 for empty, 1 for small, 2 for the largest, 3 for the smallest.
     """
     message = cls()
     for name, type_text in cls.get_fields_and_field_types().items():

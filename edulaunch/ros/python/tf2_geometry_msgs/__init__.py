@@ -1,4 +1,4 @@
-"""Importing this package lets `Buffer.transform` accept the stamped types of geometry_msgs. The types are names of this package,
+"""Importing this package makes `Buffer.transform` accept the stamped types of geometry_msgs. The package exports these types,
 too.
 """
 

@@ -1,4 +1,4 @@
-"""Transform geometry_msgs: the functions, and the table in which `Buffer.transform` finds them."""
+"""The functions that transform geometry_msgs, and their registration for `Buffer.transform`."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def do_transform_pose(pose: Pose, transform: TransformStamped) -> Pose:
 
 
 def do_transform_pose_stamped(pose: PoseStamped, transform: TransformStamped) -> PoseStamped:
-    """Transform the pose, and use the transform's header."""
+    """Return the pose in the transform's frame. The result has the transform's header."""
     return PoseStamped(header=transform.header, pose=do_transform_pose(pose.pose, transform))
 
 
@@ -91,8 +91,8 @@ def do_transform_polygon_stamped(polygon: PolygonStamped, transform: TransformSt
 
 
 def transform_covariance(cov_in: Sequence[float], transform: TransformStamped) -> list[float]:
-    """Return a 6x6 covariance (36 numbers, row by row) in the transform's frame. With the rotation R, each 3x3 block B becomes R
-    B R^T.
+    """Return a 6x6 covariance (36 numbers, row by row) in the transform's frame. With the rotation R, each 3x3 block B becomes
+    R B R^T.
     """
     r = quaternions.to_matrix(_rotation(transform.transform.rotation))
     result = [0.0] * 36
@@ -110,7 +110,7 @@ def _turned(r: Matrix, block: list[list[float]], i: int, j: int) -> float:
 
 
 def _rotation(q: Any) -> Quaternion:
-    """Return the rotation of a message, normalized to unit length. All zeros mean no rotation."""
+    """Return the rotation of a message, normalized to unit length. If all components are zero, return the identity."""
     if q.x == q.y == q.z == q.w == 0.0:
         return quaternions.IDENTITY
     return quaternions.canonical((q.x, q.y, q.z, q.w))

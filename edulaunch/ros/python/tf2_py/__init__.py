@@ -1,4 +1,4 @@
-"""tf2 for Python without nodes: the buffer core and the exceptions."""
+"""tf2 for Python programs without nodes: the buffer core and the exceptions."""
 
 from __future__ import annotations
 

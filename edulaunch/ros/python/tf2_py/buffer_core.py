@@ -1,5 +1,6 @@
-"""`BufferCore`, which accepts and returns messages, and tf2's exceptions. The buffer itself is
-`edulaunch.engine.tf.TransformBuffer`.
+"""`BufferCore`, whose methods accept and return messages, and tf2's exceptions.
+
+The transforms themselves are stored in `edulaunch.engine.tf.TransformBuffer`.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ def report(rejections: tuple[Rejection, ...]) -> None:
 def nanoseconds(value: Any, name: str = 'time') -> int:
     """Return the integer nanoseconds of an rclpy or builtin_interfaces time or duration.
 
-    :raises TypeError: for anything else, numbers included.
+    :raises TypeError: for any other object, including numbers.
     """
     try:
         return value.nanoseconds  # type: ignore[no-any-return]
@@ -42,7 +43,7 @@ def nanoseconds(value: Any, name: str = 'time') -> int:
 
 
 class TransformException(Exception):
-    """The base class of all tf2 exceptions: no transform is available."""
+    """No transform is available. This is the base class of all tf2 exceptions."""
 
     __module__ = 'tf2'
 
@@ -60,7 +61,7 @@ class ConnectivityException(TransformException):
 
 
 class ExtrapolationException(TransformException):
-    """There is no data at the requested time."""
+    """The buffer has no data at the requested time."""
 
     __module__ = 'tf2'
 
@@ -72,7 +73,7 @@ class InvalidArgumentException(TransformException):
 
 
 class TimeoutException(TransformException):
-    """A reply did not arrive in time (buffer client only)."""
+    """A reply did not arrive in time. Only the buffer client raises this exception."""
 
     __module__ = 'tf2'
 
@@ -93,7 +94,7 @@ def exception_of(failure: TransformFailure) -> TransformException:
 def wire_of(transform: Any) -> tuple[Any, ...]:
     """Return (sec, nanosec, parent, child, x, y, z, qx, qy, qz, qw) of a TransformStamped or a similar object.
 
-    :raises TypeError: the translation is not a Vector3. A rotation that is not a Quaternion only causes a warning.
+    :raises TypeError: when the translation is not a Vector3. A rotation that is not a Quaternion only causes a warning.
     """
     from geometry_msgs.msg import Quaternion, Vector3
 
@@ -131,7 +132,7 @@ from_wire = TransformStamped.from_wire
 class BufferCore:
     """Stores transforms and looks them up, without a node or a topic. It mirrors tf2_py's class of the same name.
 
-    :param cache_time: how long samples of each frame are stored (a Duration); 10 s by default.
+    :param cache_time: how long the samples of each frame are stored (a Duration); None means 10 s.
     """
 
     def __init__(self, cache_time: Any = None) -> None:
@@ -141,7 +142,7 @@ class BufferCore:
     def set_transform(self, transform: TransformStamped, authority: str) -> None:
         """Add a transform. If tf2 rejects the transform, log the reason without raising an exception.
 
-        :raises TypeError: the translation is not a Vector3.
+        :raises TypeError: when the translation is not a Vector3.
         """
         wire = to_wire(transform) if transform.__class__ is TransformStamped else wire_of(transform)
         rejections = self._tf.set(wire[2], wire[3], wire[0] * NS_PER_S + wire[1], wire[4:], authority)
@@ -182,24 +183,24 @@ class BufferCore:
         return message(target_frame, source_frame, stamp_ns, pose)
 
     def can_transform_core(self, target_frame: str, source_frame: str, time: Any) -> tuple[int, str]:
-        """Return (1 or 0, the reason for 0)."""
+        """Return the pair (1, '') if the transform is available, and otherwise (0, the reason)."""
         possible, reason = self._tf.can_transform(target_frame, source_frame, nanoseconds(time))
         return int(possible), reason
 
     def can_transform_full_core(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> tuple[int, str]:
-        """Return (1 or 0, the reason for 0)."""
+        """Return the pair (1, '') if :meth:`lookup_transform_full_core` succeeds, and otherwise (0, the reason)."""
         possible, reason = self._tf.can_transform_full(
             target_frame, nanoseconds(target_time), source_frame, nanoseconds(source_time), fixed_frame
         )
         return int(possible), reason
 
     def get_latest_common_time(self, target_frame: str, source_frame: str) -> Any:
-        """Return the newest time for which the transform is known, as an rclpy Time (system clock); 0 if all transforms are
-        static.
+        """Return the newest time at which the transform is available, as an rclpy Time of the system clock. Return 0 if all
+        transforms are static.
 
-        :raises TransformException: the frames are unknown or not connected.
+        :raises TransformException: when the frames are unknown or not connected.
         """
         from rclpy.time import Time
 
@@ -228,7 +229,9 @@ class BufferCore:
             raise exception_of(failure) from None
 
     def all_frames_as_yaml(self) -> str:
-        """Return all frames with parent, rate and time span, as YAML text; `[]` without frames."""
+        """Return all frames as a YAML string, with the parent, rate and time span of each frame. Return `[]` if there are no
+        frames.
+        """
         return self._tf.all_frames_as_yaml()
 
     def all_frames_as_string(self) -> str:
@@ -240,7 +243,7 @@ class BufferCore:
         self._tf.clear()
 
     def _allFramesAsDot(self, time: Any = None) -> str:  # noqa: N802
-        """Return a graphviz graph of all frames. If a time is given, the graph shows the ages of the transforms."""
+        """Return a graphviz graph of all frames. If `time` is given, the graph shows the ages of the transforms."""
         return self._tf.all_frames_as_dot(0 if time is None else nanoseconds(time))
 
     def _chain(self, *, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str) -> list[str]:
@@ -261,6 +264,6 @@ class BufferCore:
 
 
 def message(target_frame: str, source_frame: str, stamp_ns: int, pose: Transform) -> TransformStamped:
-    """Return a transform as the message that tf2 returns."""
+    """Return a transform as a TransformStamped, the message that tf2 returns."""
     seconds = stamp_ns // NS_PER_S
     return from_wire((seconds, stamp_ns - seconds * NS_PER_S, target_frame, source_frame, *pose))

@@ -1,4 +1,4 @@
-"""tf2 for nodes: buffer, listener and broadcasters. All names of upstream's package are loaded when they are first used."""
+"""tf2 for nodes: the buffer, the listener and the broadcasters. Every name of ROS 2's package is loaded when it is first used."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _HOMES = {
     'TransformBroadcaster': 'tf2_ros.transform_broadcaster',
     'TransformListener': 'tf2_ros.transform_listener',
 }
-"""Name -> the module that defines it."""
+"""The module that defines each name."""
 _MODULES = (
     'buffer',
     'buffer_client',
@@ -51,7 +51,9 @@ def __getattr__(name: str) -> Any:
 
 
 def _of_a_module(name: str) -> Any:
-    """Return a name of one of the modules. Upstream exports all their names, so `from tf2_ros import TransformStamped` works."""
+    """Return a name of one of the modules. ROS 2 exports all names of its modules, so `from tf2_ros import TransformStamped`
+    works.
+    """
     if not name.startswith('_'):
         for module in _MODULES:
             found = import_module(f'tf2_ros.{module}')

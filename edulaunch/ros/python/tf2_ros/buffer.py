@@ -42,7 +42,12 @@ class FailedLookups:
     def note(
         self, buffer: TransformBuffer, target: str, source: str, time_ns: int, kind: str, text: str, waited_s: float = 0.0
     ) -> None:
-        """Record a failed lookup. `kind` is the kind of failure, `text` is tf2's own message, and `waited_s` is the timeout."""
+        """Record a failed lookup.
+
+        :param kind: the kind of failure.
+        :param text: tf2's message.
+        :param waited_s: the timeout of the lookup, in seconds.
+        """
         process = current_process()
         self.pairs.add((target, source))
         names = buffer.frame_names()
@@ -59,14 +64,14 @@ class FailedLookups:
         process.fact(KIND, (self._number, target, source), {**data, **student_line()})
 
     def found(self, target: str, source: str) -> None:
-        """Forget a failed lookup, because the lookup has now succeeded."""
+        """Remove a failed lookup, because the same lookup has now succeeded."""
         if (target, source) in self.pairs:
             self.pairs.remove((target, source))
             current_process().fact_over(KIND, (self._number, target, source))
 
 
 def of_next_buffer() -> FailedLookups:
-    """Return the failed lookups of a new buffer in the running program."""
+    """Return an empty record of failed lookups for a new buffer in the running program."""
     state = current_process().state
     state['tf2_ros.buffers'] = number = state.get('tf2_ros.buffers', 0) + 1
     return FailedLookups(number)
@@ -78,8 +83,8 @@ POLL_S = 0.02
 class Buffer(BufferCore, BufferInterface):
     """Stores transforms and looks them up, with an optional timeout. It mirrors `tf2_ros.buffer.Buffer` of Jazzy.
 
-    :param cache_time: how long samples of each frame are stored (a Duration); 10 s by default.
-    :param node: if a node is passed, it offers the service `tf2_frames`, and its clock reports jumps back in time.
+    :param cache_time: how long the samples of each frame are stored (a Duration); None means 10 s.
+    :param node: a node that offers the service `tf2_frames`, and whose clock reports jumps back in time; None means no node.
     """
 
     def __init__(self, cache_time: Duration | None = None, node: Node | None = None) -> None:
@@ -109,13 +114,13 @@ class Buffer(BufferCore, BufferInterface):
         self.clear()
 
     def set_transform(self, transform: TransformStamped, authority: str) -> None:
-        """Add a transform, and check the waiting lookups again."""
+        """Add a transform, and repeat the waiting lookups."""
         BufferCore.set_transform(self, transform, authority)
         if self.new_data_callbacks:
             self._call_new_data_callbacks()
 
     def _set_wire(self, wire: tuple[Any, ...], authority: str) -> None:
-        """Add the wire tuple of a transform. Otherwise, this method is equal to :meth:`set_transform`."""
+        """Add the wire tuple of a transform; otherwise see :meth:`set_transform`."""
         rejections = self._tf.set(wire[2], wire[3], wire[0] * NS_PER_S + wire[1], wire[4:], authority)
         if rejections:
             report(rejections)
@@ -123,7 +128,7 @@ class Buffer(BufferCore, BufferInterface):
             self._call_new_data_callbacks()
 
     def set_transform_static(self, transform: TransformStamped, authority: str) -> None:
-        """Add a static transform, and check the waiting lookups again."""
+        """Add a static transform, and repeat the waiting lookups."""
         BufferCore.set_transform_static(self, transform, authority)
         if self.new_data_callbacks:
             self._call_new_data_callbacks()
@@ -138,7 +143,8 @@ class Buffer(BufferCore, BufferInterface):
         :param time: a time with `nanoseconds`, or with `sec` and `nanosec`; 0 means the latest time at which all frames have
             data.
         :param timeout: how long to wait for the transform. As in ROS 2, the node's executor is blocked meanwhile.
-        :raises tf2.TransformException: LookupException, ConnectivityException, ExtrapolationException, InvalidArgumentException.
+        :raises tf2.TransformException: one of LookupException, ConnectivityException, ExtrapolationException and
+            InvalidArgumentException.
         """
         if timeout is not NO_WAIT:
             self.can_transform(target_frame, source_frame, time, timeout)
@@ -161,7 +167,7 @@ class Buffer(BufferCore, BufferInterface):
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> TransformStamped:
-        """Return the transform between frames at two different times, through a frame that is fixed between these times."""
+        """Return the transform from the source frame at one time to the target frame at another time, through a fixed frame."""
         if timeout is not NO_WAIT:
             self.can_transform_full(target_frame, target_time, source_frame, source_time, fixed_frame, timeout)
         return self.lookup_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame)
@@ -169,7 +175,9 @@ class Buffer(BufferCore, BufferInterface):
     def can_transform(
         self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT, return_debug_tuple: bool = False
     ) -> Any:
-        """Return 1 or 0. With `return_debug_tuple`, return (1 or 0, reason)."""
+        """Return 1 if the transform is available, and otherwise 0. With `return_debug_tuple`, return (1 or 0, the reason for
+        0).
+        """
         answer = self._wait_for(lambda: self.can_transform_core(target_frame, source_frame, time), timeout)
         if not answer[0]:
             waited_s = timeout.nanoseconds / 1e9
@@ -195,9 +203,9 @@ class Buffer(BufferCore, BufferInterface):
         return answer if return_debug_tuple else answer[0]
 
     def _wait_for(self, check: Callable[[], tuple[int, str]], timeout: object) -> tuple[int, str]:
-        """Check every 20 ms of simulated time until the condition is true or the timeout ends.
+        """Check every 20 ms of simulated time until the condition is true or the timeout has passed.
 
-        :raises TypeError: the timeout is not an rclpy Duration, which ROS 2 notices when it adds it to the time.
+        :raises TypeError: when the timeout is not an rclpy Duration, which ROS 2 reports when it adds the timeout to the time.
         """
         if not isinstance(timeout, Duration):
             error = TypeError(f"unsupported operand type(s) for +: 'Time' and '{type(timeout).__name__}'")
@@ -213,7 +221,7 @@ class Buffer(BufferCore, BufferInterface):
         return answer
 
     def wait_for_transform_async(self, target_frame: str, source_frame: str, time: Any) -> Future:
-        """Return a future whose result is the transform as soon as it is available; it has no timeout."""
+        """Return a future whose result is the transform, as soon as it is available. There is no timeout."""
         future = self._future(
             lambda: self.can_transform_core(target_frame, source_frame, time),
             lambda: self.lookup_transform_core(target_frame, source_frame, time),
@@ -227,7 +235,7 @@ class Buffer(BufferCore, BufferInterface):
     def wait_for_transform_full_async(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> Future:
-        """Return a future as :meth:`wait_for_transform_async` does, for :meth:`lookup_transform_full`."""
+        """Return a future for the transform of :meth:`lookup_transform_full`; see :meth:`wait_for_transform_async`."""
         times = (target_frame, target_time, source_frame, source_time, fixed_frame)
         return self._future(lambda: self.can_transform_full_core(*times), lambda: self.lookup_transform_full_core(*times))
 
@@ -265,7 +273,7 @@ class Buffer(BufferCore, BufferInterface):
 
 
 def wire_receiver(buffer: Any, authority: str) -> Callable[[tuple[Any, ...]], None] | None:
-    """Return the function that stores the wire tuple of a TFMessage in the buffer; None if a program has replaced
+    """Return the function that stores the wire tuple of a TFMessage in the buffer. Return None if a program has replaced
     `set_transform`.
     """
     if type(buffer).set_transform is not Buffer.set_transform or 'set_transform' in vars(buffer):

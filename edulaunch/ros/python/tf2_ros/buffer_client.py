@@ -1,4 +1,4 @@
-"""Look transforms up in the buffer of another node, with an action."""
+"""A client that looks transforms up in the buffer of another node, with an action."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ _EXCEPTIONS: dict[int, type[TransformException]] = {
 class BufferClient(BufferInterface):
     """Sends lookups to a buffer server instead of storing transforms. Another thread must spin the node.
 
-    :param ns: name of the server's action.
+    :param ns: the name of the server's action.
     :param check_frequency: how often to check for the reply, in Hz.
     :param timeout_padding: how long to wait for the reply after the timeout of the lookup.
     """
@@ -58,7 +58,7 @@ class BufferClient(BufferInterface):
     def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> Any:
         """Return a transform; see :meth:`tf2_ros.Buffer.lookup_transform`.
 
-        :raises TimeoutException: there is no server, or it did not reply in time.
+        :raises TimeoutException: when there is no server, or it did not reply in time.
         """
         goal = LookupTransform.Goal(
             target_frame=target_frame,

@@ -1,8 +1,7 @@
-"""The common part of all sources of transforms. It transforms stamped objects with functions that packages register for their
-types.
+"""The common part of all sources of transforms. It transforms stamped objects with functions that packages register by type.
 
 Packages that come with edulaunch (`tf2_geometry_msgs`) are imported once for all processes. As in ROS 2, their functions are
-valid in each process that imports them. A function that a program registers is valid only in its process.
+valid only in processes that import them. A function that a program registers is valid only in the process of that program.
 """
 
 from __future__ import annotations
@@ -26,7 +25,7 @@ class TypeException(Exception):
 
 
 def provide(table: str, key: Key, function: Callable[..., Any]) -> None:
-    """Register functions for each process that imports the package of `function`. This works only for packages of
+    """Register functions for every process that imports the package of `function`. This works only for packages of
     the underlay.
     """
     _provided[table][key] = function
@@ -67,7 +66,7 @@ class TransformRegistration:
     def get(self, key: Key) -> Callable[..., Any]:
         """Return the function for a type.
 
-        :raises TypeException: no function is registered for the type.
+        :raises TypeException: when no function is registered for the type.
         """
         return _find('transform', key)
 
@@ -84,7 +83,7 @@ class ConvertRegistration:
         _own('to_msg')[key] = callback
 
     def add_convert(self, key: Key, callback: Callable[..., Any]) -> None:
-        """Register `callback(object)`, which converts directly. `key` is (type of the object, type of the result)."""
+        """Register `callback(object)`, which converts directly. `key` is the pair (type of the object, type of the result)."""
         _own('convert')[key] = callback
 
     def get_from_msg(self, key: Key) -> Callable[..., Any]:
@@ -106,7 +105,7 @@ NO_WAIT = Duration()
 
 
 class NotImplementedException(Exception):
-    """Raised by :class:`BufferInterface` itself, because its subclasses implement lookups."""
+    """The base class :class:`BufferInterface` was used for a lookup, which only its subclasses implement."""
 
     def __init__(self) -> None:
         super().__init__('CanTransform not implemented')
@@ -122,9 +121,9 @@ class BufferInterface:
         self.registration = TransformRegistration()
 
     def transform(self, object_stamped: Any, target_frame: str, timeout: Duration = NO_WAIT, new_type: Any = None) -> Any:
-        """Return the object in another frame, at the time of its own stamp (0: the latest).
+        """Return the object in another frame, at the time of its own stamp (0 means the latest time).
 
-        :raises TypeException: the object's type is not registered.
+        :raises TypeException: when the object's type is not registered.
         :raises tf2.TransformException: one of its subclasses, when there is no transform.
         """
         do_transform = self.registration.get(type(object_stamped))
@@ -141,7 +140,7 @@ class BufferInterface:
         timeout: Duration = NO_WAIT,
         new_type: Any = None,
     ) -> Any:
-        """Return the object in another frame at another time, through a frame that is fixed between these times."""
+        """Return the object in another frame at another time, through a fixed frame that does not move between these times."""
         do_transform = self.registration.get(type(object_stamped))
         header = object_stamped.header
         result = do_transform(
@@ -151,7 +150,7 @@ class BufferInterface:
         return convert(result, new_type) if new_type else result
 
     def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> Any:
-        """Look a transform up. Subclasses implement it; here it raises NotImplementedException."""
+        """Return a transform. Subclasses implement this method; the base class raises NotImplementedException."""
         raise NotImplementedException
 
     def lookup_transform_full(
@@ -163,11 +162,13 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Look a transform between two times up. Subclasses implement it; here it raises NotImplementedException."""
+        """Return a transform between two times. Subclasses implement this method; the base class raises
+        NotImplementedException.
+        """
         raise NotImplementedException
 
     def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT) -> Any:
-        """Return whether a lookup succeeds. Subclasses implement it; here it raises NotImplementedException."""
+        """Return whether a lookup succeeds. Subclasses implement this method; the base class raises NotImplementedException."""
         raise NotImplementedException
 
     def can_transform_full(
@@ -179,7 +180,7 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Return whether :meth:`lookup_transform_full` succeeds. Subclasses implement it; here it raises
+        """Return whether :meth:`lookup_transform_full` succeeds. Subclasses implement this method; the base class raises
         NotImplementedException.
         """
         raise NotImplementedException
@@ -194,9 +195,9 @@ def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:  # noqa: N802
 
 
 def convert(a: Any, b_type: Any) -> Any:
-    """Convert an object to another type, directly if such a function is registered, and otherwise through a message.
+    """Return an object converted to another type, with a direct conversion if one is registered, and otherwise through a message.
 
-    :raises TypeException: no conversion is registered.
+    :raises TypeException: when no conversion is registered.
     """
     registration = ConvertRegistration()
     try:

@@ -25,7 +25,7 @@ CHECK_S = 0.01
 
 
 class BufferServer(CppNode):
-    """Serves lookups. It checks waiting lookups again every 10 ms, until they succeed or time out."""
+    """Serves lookups. It repeats waiting lookups every 10 ms, until they succeed or time out."""
 
     def __init__(self) -> None:
         super().__init__('tf_buffer')
@@ -55,7 +55,7 @@ class BufferServer(CppNode):
             self.waiting.append((handle, now_ns + timeout_ns))
 
     def check(self) -> None:
-        """Check the waiting goals again."""
+        """Repeat the lookups of the waiting goals."""
         now_ns = self.get_clock().now().nanoseconds
         waiting, self.waiting = self.waiting, []
         for handle, deadline_ns in waiting:
@@ -66,13 +66,13 @@ class BufferServer(CppNode):
                 self.waiting.append((handle, deadline_ns))
 
     def finish(self, handle: Any, result: Any, late: bool = False) -> None:
-        """Send a result. The goal succeeds if an error is immediate, and fails if an error comes late."""
+        """Store the result of a goal and execute the goal. With a late error, the goal is aborted; otherwise, it succeeds."""
         failed = late and result.error.error != TF2Error.NO_ERROR
         self.results[bytes(handle.goal_id.uuid)] = (result, failed)
         handle.execute()
 
     def give_result(self, handle: Any) -> Any:
-        """Return the result of a goal; the action server calls this after :meth:`finish`."""
+        """Return the result of a goal. The action server calls this method after :meth:`finish`."""
         result, failed = self.results.pop(bytes(handle.goal_id.uuid))
         if handle.is_cancel_requested:
             handle.canceled()

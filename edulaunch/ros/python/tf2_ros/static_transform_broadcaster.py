@@ -1,4 +1,4 @@
-"""Broadcast transforms that do not change."""
+"""The broadcaster of transforms that do not change."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 
 
 class StaticTransformBroadcaster:
-    """Publishes transforms on /tf_static. Late subscriptions receive them, too. Each message repeats all frames sent so far.
+    """Publishes transforms on /tf_static. Late subscriptions receive them, too. Each message repeats all transforms sent so far.
 
     As in Jazzy's Python version, sending a child frame again does not change its first transform.
 
-    :param qos: the profile of the publisher; by default, depth 1 and transient local.
+    :param qos: the profile of the publisher; None means depth 1 and transient local.
     """
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
@@ -33,7 +33,7 @@ class StaticTransformBroadcaster:
         self._sent: dict[str, TransformStamped] = {}
 
     def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:  # noqa: N802
-        """Publish one transform or several, together with all earlier ones."""
+        """Publish one or several transforms, together with all earlier transforms."""
         for one in as_list(transform):
             if self._sent.setdefault(one.child_frame_id, one) is not one:
                 self._note_repeated(one)

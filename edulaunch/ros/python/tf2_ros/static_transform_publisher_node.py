@@ -1,4 +1,4 @@
-"""The program static_transform_publisher: it publishes one transform on /tf_static and keeps running for late subscriptions."""
+"""The program static_transform_publisher. It publishes one transform on /tf_static and keeps running for late subscriptions."""
 
 from __future__ import annotations
 
@@ -47,11 +47,11 @@ _NUMBER = re.compile(r'\s*[+-]?(?:inf(?:inity)?|nan|(?:\d+\.?\d*|\.\d+)(?:e[+-]?
 
 
 class ArgumentError(Exception):
-    """The command line is invalid. The message contains the reason in the words of ROS."""
+    """The command line is invalid. The message contains the reason with ROS 2's wording."""
 
 
 class Request(NamedTuple):
-    """The transform to publish."""
+    """The transform that the command line describes."""
 
     frame_id: str
     child_frame_id: str
@@ -62,7 +62,7 @@ class Request(NamedTuple):
 def parse(arguments: list[str]) -> Request:
     """Parse the arguments after the program's name, without ROS arguments.
 
-    :raises ArgumentError: with ROS's reason.
+    :raises ArgumentError: when the arguments are invalid, with ROS 2's reason.
     """
     if not arguments:
         raise ArgumentError('Not enough arguments to parse')
@@ -102,7 +102,7 @@ def _from_flags(flags: dict[str, str]) -> Request:
 
 
 def _from_positions(words: list[str]) -> Request:
-    """Return the request for arguments without names: x y z yaw pitch roll frame child, or x y z qx qy qz qw frame child."""
+    """Return the request for positional arguments: x y z yaw pitch roll frame child, or x y z qx qy qz qw frame child."""
     if len(words) < 8:
         raise ArgumentError('Not enough arguments to parse')
     if len(words) > 9:
@@ -126,7 +126,7 @@ def _checked(frame_id: str, child_frame_id: str, transform: Transform, old_style
 
 
 def _number(option: str, text: str) -> float:
-    """Return a float as C++ reads it. Characters after the number are ignored."""
+    """Return the float at the start of a string, as C++ does. Characters after the number are ignored."""
     match = _NUMBER.match(text)
     if match is None:
         raise ArgumentError(f'Failed to parse {option} argument as float')
@@ -137,7 +137,7 @@ NUMBERS = ('translation.x', 'translation.y', 'translation.z', 'rotation.x', 'rot
 
 
 class StaticTransformPublisher(CppNode):
-    """Publishes its transform once at its start. Read-only parameters contain its values."""
+    """Publishes one static transform at its start. Read-only parameters contain the values of the transform."""
 
     def __init__(self, request: Request) -> None:
         suffix = ''.join(random.choices(string.ascii_letters + string.digits, k=16))

@@ -1,4 +1,4 @@
-"""The program tf2_echo: it prints the transform between two frames repeatedly."""
+"""The program tf2_echo, which repeatedly prints the transform between two frames."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The program tf2_monitor: it reports the delay and the rate of transforms."""
+"""The program tf2_monitor, which reports the delay and the rate of transforms."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ NEW_SHARE = 0.01  # weight of the newest net delay in its running average
 
 
 class Delays:
-    """The last 1000 delays in seconds of one frame or broadcaster."""
+    """The last 1000 delays of one frame or broadcaster, in seconds."""
 
     def __init__(self) -> None:
         self.values: deque[float] = deque(maxlen=KEPT)
@@ -36,7 +36,7 @@ class Delays:
 
     @property
     def worst(self) -> float:
-        """The largest delay."""
+        """The largest delay, in seconds."""
         return max(self.values)
 
 
@@ -103,9 +103,7 @@ class Monitor(CppNode):
         return True
 
     def report(self) -> None:
-        """Print the results so far: frames on stdout, the heading of the broadcasters on stderr, as ROS
-        does.
-        """
+        """Print the results so far. As in ROS, frames are printed to stdout, and the heading of the broadcasters to stderr."""
         lines = ['\n\n']
         shown: Iterable[str] = sorted(self.by_frame)
         if self.frames is None:

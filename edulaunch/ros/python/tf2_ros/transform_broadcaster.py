@@ -1,4 +1,4 @@
-"""Publish transforms that change."""
+"""The broadcaster of transforms that change."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ _to_wire = TransformStamped.to_wire
 class TransformBroadcaster:
     """Publishes transforms on /tf.
 
-    :param qos: the profile of the publisher; by default, depth 100.
+    :param qos: the profile of the publisher; None means depth 100.
     """
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
         self.pub_tf = node.create_publisher(TFMessage, '/tf', QoSProfile(depth=100) if qos is None else qos)
 
     def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:  # noqa: N802
-        """Publish one transform, or several in one message.
+        """Publish one transform, or several transforms in one message.
 
-        A single transform, the usual case, is sent without a message around it. The wire tuple of a TFMessage contains the wire
+        For a single transform, the usual case, no TFMessage object is created. The wire tuple of a TFMessage contains the wire
         tuples of its transforms.
         """
         publisher = self.pub_tf
@@ -40,7 +40,7 @@ class TransformBroadcaster:
 
 
 def as_list(transform: TransformStamped | Iterable[TransformStamped]) -> list[TransformStamped]:
-    """Return one transform or several, as a list."""
+    """Return a list for an argument that is one transform or several transforms."""
     return list(transform) if hasattr(transform, '__iter__') else [transform]
 
 

@@ -1,4 +1,4 @@
-"""Receive transforms."""
+"""The listener, which receives transforms."""
 
 from __future__ import annotations
 
@@ -25,11 +25,12 @@ AUTHORITY = 'default_authority'
 
 
 class TransformListener:
-    """Fills a buffer from /tf and /tf_static. Store it (`self.tf_listener = ...`), because it stops when Python deletes it.
+    """Fills a buffer from /tf and /tf_static. Store the listener (`self.tf_listener = ...`), because it stops when Python deletes
+    it.
 
-    :param spin_thread: spin the whole node in a separate thread, so that transforms arrive during a lookup with a timeout.
-    :param qos: the profile for /tf; by default, depth 100.
-    :param static_qos: the profile for /tf_static; by default, depth 100 and transient local.
+    :param spin_thread: whether to spin the node in a separate thread, so that transforms arrive during a lookup with a timeout.
+    :param qos: the profile for /tf; None means depth 100.
+    :param static_qos: the profile for /tf_static; None means depth 100 and transient local.
     """
 
     def __init__(
@@ -59,7 +60,7 @@ class TransformListener:
 
     @property
     def buffer(self) -> Buffer:
-        """The buffer that is filled. It can be replaced."""
+        """The buffer that the listener fills. A program can replace it."""
         return self._buffer
 
     @buffer.setter
@@ -76,11 +77,11 @@ class TransformListener:
             self.tf_sub.rcl_take_wires(receive_wire)
 
     def callback(self, data: TFMessage) -> None:
-        """Put a message of /tf into the buffer. Subclasses may override it."""
+        """Put the transforms of a /tf message into the buffer. Subclasses may override this method."""
         _receiver(self.buffer.set_transform)(data)
 
     def static_callback(self, data: TFMessage) -> None:
-        """Put a message of /tf_static into the buffer. Subclasses may override it."""
+        """Put the transforms of a /tf_static message into the buffer. Subclasses may override this method."""
         _receiver(self.buffer.set_transform_static)(data)
 
     def _start_thread(self) -> None:
@@ -117,14 +118,14 @@ class TransformListener:
 
 
 def _note_dropped(node: Node, line: dict[str, Any]) -> None:
-    """Record that a listener was deleted although its node still exists, because no object refers to it."""
+    """Record that Python deleted a listener whose node still exists, because no variable refers to the listener."""
     core = core_of(node)
     if not core.destroyed and core.context.alive and core.process.returncode is None:
         core.process.fact('listener dropped', core.full_name, {'node': core.full_name, **line})
 
 
 def _nowhere(message: TFMessage) -> None:
-    """Do nothing. This is the callback until there is a buffer."""
+    """Do nothing. The subscriptions have this callback until there is a buffer."""
 
 
 def _receiver(set_transform: Any) -> Any:

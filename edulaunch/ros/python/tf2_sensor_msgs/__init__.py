@@ -1,4 +1,4 @@
-"""Importing this package lets `Buffer.transform` accept the point clouds of sensor_msgs."""
+"""Importing this package makes `Buffer.transform` accept the point clouds of sensor_msgs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Transform point clouds."""
+"""Functions that transform point clouds."""
 
 from __future__ import annotations
 
@@ -32,9 +32,9 @@ def transform_points(point_cloud: Any, transform: Transform) -> Any:
 def do_transform_cloud(cloud: PointCloud2, transform: Transform | TransformStamped) -> PointCloud2:
     """Return a new cloud with transformed fields x, y and z. All other fields are unchanged.
 
-    A stamped transform gives the new cloud its frame and stamp too.
+    The new cloud has the frame and stamp of the transform, if the transform has a header.
 
-    :raises AssertionError: if the cloud lacks one of x, y and z.
+    :raises AssertionError: when the cloud lacks one of x, y and z.
     """
     from sensor_msgs_py.point_cloud2 import create_cloud, read_points, read_points_numpy
 

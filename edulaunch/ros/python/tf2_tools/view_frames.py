@@ -1,4 +1,4 @@
-"""The program view_frames: it receives transforms for a while and draws the tree of frames."""
+"""The program view_frames, which receives transforms for a while and draws the tree of frames."""
 
 from __future__ import annotations
 
@@ -24,13 +24,15 @@ COLUMN, ROW = 3.6, 2.2
 
 
 def prepare() -> None:
-    """Load the drawing library now, so that drawing takes only a short turn later."""
+    """Import the drawing library now, so that later no import delays the drawing."""
     import matplotlib.backends.backend_pdf
     import matplotlib.figure  # noqa: F401
 
 
 def draw_pdf(data: dict[Any, dict[str, Any]], recorded_time: float, path: str) -> None:
-    """Draw parents above their children. Each arrow shows broadcaster, rate, buffer length and the age of transforms.
+    """Draw the tree of frames into a PDF file, with parents above their children.
+
+    Each arrow shows the broadcaster, the rate, the buffer length and the age of transforms.
 
     :param data: the transforms by child frame, in the form of `all_frames_as_yaml`.
     """
@@ -91,7 +93,7 @@ def _places(data: dict[Any, dict[str, Any]]) -> tuple[dict[Any, tuple[float, flo
 
 
 def generate_dot(data: dict[Any, dict[str, Any]], recorded_time: float) -> str:
-    """Return the graphviz text of a tree of frames. `data` has the form of `all_frames_as_yaml`."""
+    """Return the graphviz source of a tree of frames. `data` has the form of `all_frames_as_yaml`."""
     if not data:
         return 'digraph G { "No tf data received" }'
     lines = ['digraph G {']

@@ -1,7 +1,7 @@
-"""Rotations and homogeneous matrices under the names of the ROS package tf_transformations. Like that package, it uses
+"""Rotations and homogeneous matrices under the names of the ROS package tf_transformations. Like that package, this module uses
 transforms3d.
 
-Quaternions are (x, y, z, w), as in ROS messages (transforms3d has w first). Angles are radians, and matrices are 4x4 numpy
+Quaternions are (x, y, z, w), as in ROS messages (in transforms3d, w is first). Angles are in radians, and matrices are 4x4 numpy
 arrays. `axes` is 's' (fixed axes) or 'r' (turning axes) and three letters, such as 'sxyz'. It may also be four numbers: first
 axis, odd order, repeated, turning. Impossible computations raise `ValueError`, and unknown axes raise `KeyError`.
 """
@@ -93,8 +93,9 @@ SHEAR_IDENTITY = TRANSLATION_IDENTITY
 
 
 def _of_arrays(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return the function with its sequences converted to arrays of floats. It copies other sequences with numpy 1, and rejects
-    them with numpy 2.
+    """Return a function that converts sequences among its arguments to arrays of floats, and then calls `function`.
+
+    With other sequences, `function` would copy arrays under numpy 1, and raise an error under numpy 2.
     """
 
     @functools.wraps(function)
@@ -125,52 +126,52 @@ translation_from_matrix = _of_arrays(_matrices.translation_from_matrix)
 
 
 def euler_from_matrix(matrix: Any, axes: Axes = 'sxyz') -> tuple[float, float, float]:
-    """Return the three angles of the rotation in a 4x4 or 3x3 matrix: roll, pitch and yaw by default."""
+    """Return the three angles of the rotation in a 4x4 or 3x3 matrix. By default, they are roll, pitch and yaw."""
     angles: tuple[float, float, float] = _matrices.euler_from_matrix(_as_array(matrix), axes)
     return angles
 
 
 def euler_from_quaternion(quaternion: Sequence[float], axes: Axes = 'sxyz') -> tuple[float, float, float]:
-    """Return the three angles of a rotation: roll, pitch and yaw by default."""
+    """Return the three angles of a rotation. By default, they are roll, pitch and yaw."""
     angles: tuple[float, float, float] = _matrices.euler_from_quaternion(_w_first(quaternion), axes)
     return angles
 
 
 def quaternion_from_euler(ai: float, aj: float, ak: float, axes: Axes = 'sxyz') -> Quaternion:
-    """Return the rotation of three angles: roll, pitch and yaw by default."""
+    """Return the quaternion of a rotation by three angles. By default, they are roll, pitch and yaw."""
     return _w_last(_matrices.quaternion_from_euler(ai, aj, ak, axes))
 
 
 def quaternion_about_axis(angle: float, axis: Sequence[float]) -> Quaternion:
-    """Return the rotation by an angle about an axis of any length."""
+    """Return the quaternion of a rotation by an angle about an axis of any length."""
     return _w_last(_matrices.quaternion_about_axis(angle, axis))
 
 
 def quaternion_matrix(quaternion: Sequence[float]) -> Any:
-    """Return the 4x4 homogeneous matrix of a rotation; a zero quaternion gives the identity."""
+    """Return the 4x4 homogeneous matrix of a rotation. For a zero quaternion, return the identity."""
     return _matrices.quaternion_matrix(_w_first(quaternion))
 
 
 def quaternion_from_matrix(matrix: Any, isprecise: bool = False) -> Quaternion:
-    """Return the rotation of a 4x4 or 3x3 matrix, with w >= 0.
+    """Return the quaternion of the rotation in a 4x4 or 3x3 matrix, with w >= 0.
 
-    :param isprecise: assume that the matrix is exactly a rotation, which is faster.
+    :param isprecise: whether to assume that the matrix is exactly a rotation, which is faster.
     """
     return _w_last(_matrices.quaternion_from_matrix(_as_array(matrix), isprecise))
 
 
 def quaternion_multiply(quaternion1: Sequence[float], quaternion0: Sequence[float]) -> Quaternion:
-    """Return the rotation by `quaternion0` followed by the one by `quaternion1`."""
+    """Return the rotation by `quaternion0` followed by the rotation by `quaternion1`."""
     return _w_last(_matrices.quaternion_multiply(_w_first(quaternion1), _w_first(quaternion0)))
 
 
 def quaternion_conjugate(quaternion: Sequence[float]) -> Quaternion:
-    """Return the opposite rotation of a unit quaternion."""
+    """Return the conjugate of a quaternion. For a unit quaternion, it is the opposite rotation."""
     return _w_last(_matrices.quaternion_conjugate(_w_first(quaternion)))
 
 
 def quaternion_inverse(quaternion: Sequence[float]) -> Quaternion:
-    """Return the quaternion that gives (0, 0, 0, 1) when multiplied with the given one, whatever its length."""
+    """Return the inverse of a quaternion of any length. The product of both is (0, 0, 0, 1)."""
     return _w_last(_matrices.quaternion_inverse(_w_first(quaternion)))
 
 
@@ -180,7 +181,7 @@ def quaternion_slerp(
     """Return the rotation at `fraction` (0 to 1) of the way from `quat0` to `quat1`.
 
     :param spin: the number of additional half turns on the way.
-    :param shortestpath: use the shorter of both ways.
+    :param shortestpath: whether to use the shorter of the two ways.
     """
     return _w_last(_matrices.quaternion_slerp(_w_first(quat0), _w_first(quat1), fraction, spin, shortestpath))
 
@@ -188,24 +189,24 @@ def quaternion_slerp(
 def random_quaternion(rand: Sequence[float] | None = None) -> Quaternion:
     """Return a random rotation. All rotations are equally likely.
 
-    :param rand: three numbers from 0 to 1 that determine the rotation. By default, they are random, but equal in every run with
-        the same seed.
+    :param rand: three numbers from 0 to 1 that determine the rotation. None means random numbers, which are equal in every run
+        with the same seed.
     """
     return _w_last(_matrices.random_quaternion(_by_chance(3) if rand is None else rand))
 
 
 def random_rotation_matrix(rand: Sequence[float] | None = None) -> Any:
-    """Return the 4x4 matrix of :func:`random_quaternion`."""
+    """Return a random rotation as a 4x4 matrix; see :func:`random_quaternion`."""
     return _matrices.random_rotation_matrix(_by_chance(3) if rand is None else rand)
 
 
 def random_vector(size: int) -> Any:
-    """Return `size` random numbers from 0 to 1 as an array. They are equal in every run with the same seed."""
+    """Return an array of `size` random numbers from 0 to 1. They are equal in every run with the same seed."""
     return _by_chance(size)
 
 
 class Arcball(_matrices.Arcball):  # type: ignore[misc]
-    """The rotation of a ball that is pushed down at one place of the screen and dragged to another.
+    """The rotation of a virtual ball that the user drags from one place of the screen to another.
 
     :param initial: the initial rotation: a quaternion (x, y, z, w) or a matrix.
     """
@@ -220,7 +221,7 @@ class Arcball(_matrices.Arcball):  # type: ignore[misc]
         super().setaxes(*present or [None])
 
     def setconstrain(self, constrain: bool) -> None:
-        """Limit rotations to the nearest of the axes, or stop doing so."""
+        """Set whether rotations are limited to the nearest of the axes."""
         self.constrain = bool(constrain)
 
     def getconstrain(self) -> bool:
@@ -239,7 +240,7 @@ def _w_last(quaternion: Sequence[float]) -> Quaternion:
 
 
 def _by_chance(size: int) -> Any:
-    """Return this many numbers from 0 to 1, as an array."""
+    """Return an array of `size` random numbers from 0 to 1."""
     process = current_process()
     generator: Random = process.state.setdefault('tf_transformations', process.sim.random(f'{process.name}/tf_transformations'))
     return numpy.array([generator.random() for _ in range(size)])

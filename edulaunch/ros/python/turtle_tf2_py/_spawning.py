@@ -1,4 +1,4 @@
-"""A node that first spawns another turtle, in one step per second."""
+"""A node that first spawns another turtle, one step each second."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from turtlesim.srv import Spawn
 
 
 class SpawningNode(Node):
-    """Spawns a turtle at (4, 2, 0). Each second it does one step: send the request, read the reply, and then call `on_step`."""
+    """Spawns a turtle at (4, 2, 0). Each second, it does one step: send the request, read the reply, and then call `on_step`."""
 
     def __init__(self, node_name: str, turtle: str) -> None:
         super().__init__(node_name)
@@ -20,7 +20,7 @@ class SpawningNode(Node):
         self._timer = self.create_timer(1.0, self._on_timer)
 
     def on_step(self) -> None:
-        """Do the work of the node. It is called every second once the turtle exists."""
+        """Do the work of the node. The node calls this method every second once the turtle exists."""
 
     def _on_timer(self) -> None:
         if self._spawned:

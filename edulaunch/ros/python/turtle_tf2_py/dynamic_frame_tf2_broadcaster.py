@@ -1,4 +1,4 @@
-"""The program dynamic_frame_tf2_broadcaster: a carrot that jumps from side to side of turtle1."""
+"""The program dynamic_frame_tf2_broadcaster, which broadcasts a carrot that jumps from side to side of turtle1."""
 
 from __future__ import annotations
 
@@ -9,12 +9,13 @@ from turtle_tf2_py.fixed_frame_tf2_broadcaster import CarrotPublisher
 
 
 class DynamicFramePublisher(CarrotPublisher):
-    """Broadcasts a frame at a distance of ten metres. As in upstream, its angle is pi times *whole* seconds, so it changes sides
-    each second.
+    """Broadcasts a frame at a distance of ten metres from turtle1.
+
+    As in upstream, the angle of the frame is pi times *whole* seconds, so the frame changes sides each second.
     """
 
     def place(self, seconds: int) -> tuple[float, float]:
-        """Return the position, which is on the y axis of the turtle's frame except for rounding."""
+        """Return the position of the carrot, which is on the y axis of the turtle's frame except for rounding."""
         return 10.0 * sin(seconds * pi), 10.0 * cos(seconds * pi)
 
 

@@ -1,4 +1,4 @@
-"""The program fixed_frame_tf2_broadcaster: it broadcasts the frame carrot1, two metres to the left of turtle1."""
+"""The program fixed_frame_tf2_broadcaster, which broadcasts the frame carrot1, two metres to the left of turtle1."""
 
 from __future__ import annotations
 

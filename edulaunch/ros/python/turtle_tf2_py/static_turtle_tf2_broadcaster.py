@@ -1,4 +1,4 @@
-"""The program static_turtle_tf2_broadcaster: it broadcasts a static frame from seven command line arguments."""
+"""The program static_turtle_tf2_broadcaster, which broadcasts a static frame from seven command-line arguments."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ USAGE = (
 
 
 class StaticFramePublisher(Node):
-    """Broadcasts world -> child once. Late subscriptions receive it, too."""
+    """Broadcasts the transform world -> child once. Late subscriptions receive it, too."""
 
     def __init__(self, child: str, numbers: list[float]) -> None:
         super().__init__('static_turtle_tf2_broadcaster')

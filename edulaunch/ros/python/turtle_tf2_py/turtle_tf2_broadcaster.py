@@ -1,4 +1,4 @@
-"""The program turtle_tf2_broadcaster: it broadcasts the pose of a turtle as the transform world -> turtle."""
+"""The program turtle_tf2_broadcaster, which broadcasts the pose of a turtle as the transform world -> turtle."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ class FramePublisher(Node):
         self._poses.rcl_take_wires(self._on_pose)
 
     def _on_pose(self, pose: tuple[float, ...]) -> None:
-        """Broadcast a pose. Both messages are wire tuples, with their fields in order, because this runs 62.5 times a second for
-        each turtle.
+        """Broadcast a pose. Pose and transform are wire tuples with fields in order, because each turtle needs 62.5 calls a
+        second.
         """
         x, y, theta, _, _ = pose
         half = theta / 2.0

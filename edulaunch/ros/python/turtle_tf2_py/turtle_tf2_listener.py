@@ -1,4 +1,4 @@
-"""The program turtle_tf2_listener: it spawns turtle2 and drives it towards a frame."""
+"""The program turtle_tf2_listener, which spawns turtle2 and drives it towards a frame."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ DRIVE_GAIN = 0.5
 
 
 class FrameListener(SpawningNode):
-    """Looks up `target_frame` as seen from turtle2 once a second, and sends turtle2 there."""
+    """Looks up `target_frame` relative to turtle2 once a second, and drives turtle2 towards that frame."""
 
     def __init__(self) -> None:
         super().__init__('turtle_tf2_frame_listener', FOLLOWER)

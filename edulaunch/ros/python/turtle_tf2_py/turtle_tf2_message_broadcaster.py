@@ -1,4 +1,4 @@
-"""The program turtle_tf2_message_broadcaster: turtle3 drives in a circle and publishes stamped points."""
+"""The program turtle_tf2_message_broadcaster, in which turtle3 drives in a circle and publishes stamped points."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from turtle_tf2_py._spawning import SpawningNode
 
 
 class PointPublisher(SpawningNode):
-    """For each pose of turtle3, publishes a command to continue the circle, and the position as a PointStamped in `world`.
+    """Publishes two messages for each pose of turtle3: a command to continue the circle, and a PointStamped in `world`.
 
     As in upstream, it creates another set of publishers and a subscription every second.
     """

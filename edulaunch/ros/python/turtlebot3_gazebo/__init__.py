@@ -1,1 +1,1 @@
-"""turtlebot3_gazebo: a TurtleBot3 Waffle on an empty plane, in the place of Gazebo."""
+"""turtlebot3_gazebo: a TurtleBot3 Waffle on an empty plane, in place of Gazebo."""

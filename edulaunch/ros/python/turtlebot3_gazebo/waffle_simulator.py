@@ -1,4 +1,4 @@
-"""The program waffle_simulator: a robot in place of Gazebo, which drives on /cmd_vel and publishes /odom and tf."""
+"""The program waffle_simulator, a robot in place of Gazebo. It follows the commands on /cmd_vel, and publishes /odom and tf."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ ODOMETRY_HZ = 30.0
 class WaffleSimulator(CppNode):
     """A Waffle. The parameters x_pose, y_pose (metres) and yaw (radians) set its initial pose.
 
-    TurtleBot3 takes TwistStamped since Jazzy and took Twist before; `enable_stamped_cmd_vel` sets a real robot to one of them.
-    This robot accepts both, so that old and new programs can drive it. With the parameter true (the default), a plain Twist works
-    with one warning; with false, a TwistStamped does.
+    TurtleBot3 accepts TwistStamped since Jazzy, and accepted Twist before. `enable_stamped_cmd_vel` sets the type of a real
+    robot. This robot accepts both types, so that old and new programs can drive it. If the parameter is true (the default), a
+    plain Twist causes one warning. If it is false, a TwistStamped causes the warning.
     """
 
     def __init__(self) -> None:
@@ -44,7 +44,7 @@ class WaffleSimulator(CppNode):
         self.create_subscription(kind, 'cmd_vel', callback, 10)
 
     def _look_for_other(self) -> None:
-        """Subscribe to the other type, too, as soon as a program publishes it."""
+        """Subscribe to the second type, too, as soon as a program publishes it."""
         if self._other is None:
             return
         count = self.count_publishers('cmd_vel')

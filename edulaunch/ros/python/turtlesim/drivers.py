@@ -23,7 +23,7 @@ COMMANDS = {FORWARD: (1.0, 0.0), TURN: (0.0, 0.4)}
 
 
 class DrawSquare(CppNode):
-    """Drives a square in states: drive, stop, turn, stop. It checks the state every 16 ms."""
+    """Drives a square in four states: drive, stop, turn, stop. It checks the state every 16 ms."""
 
     def __init__(self) -> None:
         super().__init__('draw_square')
@@ -38,7 +38,7 @@ class DrawSquare(CppNode):
         self._timer = self.create_wall_timer(0.016, self._on_timer)
 
     def _ask_for_a_reset(self) -> bool:
-        """Send the request when the server exists. As with a real middleware, a request before the start of turtlesim is not
+        """Request a reset when the service exists. As with a real middleware, a request before the start of turtlesim is not
         lost.
 
         Return whether the reset is complete.
@@ -102,7 +102,7 @@ def _ahead(pose: Any) -> tuple[float, float, float]:
 
 
 class MimicNode(CppNode):
-    """Publishes the velocities of every pose on `input/pose` as commands on `output/cmd_vel`, zeros included."""
+    """Publishes the velocities of every pose on `input/pose` as commands on `output/cmd_vel`, including zero velocities."""
 
     def __init__(self) -> None:
         super().__init__('turtle_mimic')
@@ -132,9 +132,9 @@ WELCOME = (
 
 
 class TeleopTurtle(CppNode):
-    """Publishes one Twist for each arrow key. Letters send and cancel rotation goals.
+    """Publishes one Twist for each arrow key. Letter keys send and cancel rotation goals.
 
-    :param keyboard: a terminal that passes on each key when it is pressed, or a string.
+    :param keyboard: a terminal that passes on each key when it is pressed, or a string of keys.
     """
 
     def __init__(self, keyboard: Any) -> None:
@@ -149,7 +149,7 @@ class TeleopTurtle(CppNode):
         print(*WELCOME, sep='\n')
 
     def spin(self) -> None:
-        """Handle keys until the program is stopped. Meanwhile, a terminal is read key by key."""
+        """Handle keys until the program is stopped. Meanwhile, the terminal passes on each key when it is pressed."""
         if self._timer is not None:
             rclpy.spin(self)
             return

@@ -1,4 +1,4 @@
-"""The topics, services and the action rotate_absolute of one turtle."""
+"""The topics, the services and the action rotate_absolute of one turtle."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from turtlesim.srv import SetPen, TeleportAbsolute, TeleportRelative
 
 
 class RotateAbsoluteServer:
-    """Accepts every goal and every cancel request at once. A new goal replaces the previous one.
+    """Accepts every goal and every cancel request immediately. A new goal replaces the previous one.
 
-    The update of the turtle does the turning. `goal` is the handle of the current goal, or None.
+    The regular update of the turtle performs the rotation. `goal` is the handle of the current goal, or None.
     """
 
     def __init__(self, node: Node, turtle: Turtle) -> None:
@@ -45,7 +45,7 @@ class RotateAbsoluteServer:
         self._server.destroy()
 
     def cancel_if_asked(self) -> None:
-        """Cancel the goal and stop the motion if its client requested that. It is called before each update."""
+        """Cancel the goal and stop the motion if the client requested it. The node calls this method before each update."""
         if self.goal.is_cancel_requested:
             self._log.info('Rotation goal canceled')
             self.goal.canceled()
@@ -53,7 +53,7 @@ class RotateAbsoluteServer:
             self._turtle.stop()
 
     def report(self) -> None:
-        """Publish the feedback, and the success once the turtle has arrived. It is called after each update."""
+        """Publish the feedback, and the success once the turtle has arrived. The node calls this method after each update."""
         if self.goal is None:
             return
         numbers = self._numbers
@@ -137,7 +137,8 @@ class TurtlePorts:
     def update(self, now_ns: int) -> None:
         """Update the turtle and publish the results in this order: goal progress, wall, pose, colour.
 
-        Both messages are flat, so their wire tuples are created directly, because this runs 62.5 times a second for each turtle.
+        The messages for pose and colour are flat, so their wire tuples are created directly. Each turtle needs 62.5 calls a
+        second.
         """
         turtle = self.turtle
         rotation = self._rotation
@@ -162,7 +163,7 @@ class TurtlePorts:
             self._log.debug(f'[{self._node.get_namespace()}]: pos_x: {turtle.x:f} pos_y: {turtle.down:f} theta: {turtle.theta:f}')
 
     def _on_command(self, twist: tuple[float, ...]) -> None:
-        """Follow a command. It is the wire tuple of a Twist, because only its numbers are needed."""
+        """Follow a velocity command. `twist` is the wire tuple of a Twist, because only the numbers are needed."""
         forward, left, _, _, _, turning = twist
         turtle = self.turtle
         holonomic = (left or turtle.sideways) and self._node.get_parameter('holonomic').value

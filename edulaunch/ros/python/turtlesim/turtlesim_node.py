@@ -1,4 +1,4 @@
-"""The program turtlesim_node: a window of turtles, updated every 16 ms."""
+"""The program turtlesim_node, a window of turtles that is updated every 16 ms."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class TurtleFrame:
         )
 
     def update(self) -> None:
-        """Update all turtles once. The first update only stores the time, once the clock no longer shows 0."""
+        """Update all turtles once. Change no turtle while the clock shows 0, and in the first update after that."""
         now_ns = self._clock.rcl_now_ns()
         if not self._started:
             self._started = now_ns != 0
@@ -105,7 +105,7 @@ TICK_NS = 16_000_000
 
 
 def run() -> None:
-    """Process ROS callbacks that are ready, without waiting, and then update all turtles; repeat this in each tick."""
+    """In each tick, process the ROS callbacks that are ready, without waiting, and then update all turtles."""
     frame = TurtleFrame()
     executor = SingleThreadedExecutor()
     executor.add_node(frame.node)

@@ -10,6 +10,11 @@ from ...options import add_common
 
 def read_batch_options(words: Sequence[str]) -> argparse.Namespace:
     """Parse the words after ``edugrade batch``."""
+    return batch_parser().parse_args(words)
+
+
+def batch_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade batch``."""
     parser = argparse.ArgumentParser(
         prog='edugrade batch',
         description='Grade a class: a folder with a folder or a launch file for each student. Each result is a file of its own. '
@@ -38,7 +43,7 @@ def read_batch_options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument('--junit', metavar='FILE', help='also write all results as JUnit XML')
     add_common(parser)
     parser.set_defaults(sandbox='require')  # skip submissions of other students
-    return parser.parse_args(words)
+    return parser
 
 
 def _count(text: str) -> int:

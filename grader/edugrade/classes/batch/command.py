@@ -1,4 +1,4 @@
-"""The command ``edugrade batch`` grades a class, and can continue after an interruption."""
+"""The command ``edugrade batch``, which grades a class, and can continue after an interruption."""
 
 from __future__ import annotations
 
@@ -22,7 +22,8 @@ MOST_REASONS = 5
 
 
 def main(words: Sequence[str]) -> int:
-    """Grade a class. Return the exit code: 0, or 3 when a submission has no verdict because the grader failed."""
+    """Grade a class. Return the exit code: 0, or 3 when the grader failed, so that a submission has no verdict."""
+    from ..decisions import refuse_strangers
     from .batch_options import read_batch_options
 
     options = read_batch_options(words)
@@ -39,6 +40,7 @@ def main(words: Sequence[str]) -> int:
         ).entries()
         if not entries:
             raise UnusableInput(f'there is nothing to grade in {options.folder}', help='exercises: ' + ', '.join(wanted))
+        refuse_strangers(store.folder, {name for entry in entries for name in (entry.student, entry.id)})
         todo = list(work_to_do(entries, store, how))
         if options.dask:
             from .dask_cluster import grade_there
@@ -56,7 +58,7 @@ def main(words: Sequence[str]) -> int:
 
 
 def _with_decisions(results: Results, store: Store) -> Results:
-    """Return the results with the teacher's decisions, and how long the runs took."""
+    """Return the results with the teacher's decisions and the duration of the runs in seconds."""
     from ..decisions import decided
 
     times = store.times()
@@ -68,7 +70,7 @@ def _with_decisions(results: Results, store: Store) -> Results:
 
 
 def _beside(given: str) -> str:
-    """Return the default directory of the results, which is beside the submissions."""
+    """Return the default directory of the results, which is in the same folder as the submissions."""
     name = given.rstrip(os.sep)
     ending = next((ending for ending in (*ARCHIVES, '.csv') if name.lower().endswith(ending) and os.path.isfile(name)), '')
     return name[: len(name) - len(ending)] + '.results'
@@ -97,7 +99,9 @@ def _closing(results: Results, kept: int, folder: str) -> str:
 
 
 def _reasons(results: Results) -> Iterator[str]:
-    """Yield the reasons why submissions have no mark, with their numbers; the most frequent one comes first."""
+    """Yield the reasons why submissions have no mark, each with the number of submissions. The most frequent reason comes
+    first.
+    """
     from .tables import rows
 
     without = Counter(

@@ -1,8 +1,8 @@
-"""Grades a class on several machines with Dask: each worker receives a submission as text, grades it, and returns the result as
-data.
+"""Grades a class on several machines with Dask. Each worker receives the files of a submission, grades it, and returns the result
+as data.
 
-If a worker dies, another worker grades its submissions. Workers need edulaunch of the same version. Each
-worker keeps a grader, so that it loads the engine once and not for each submission.
+If a worker dies, another worker grades its submissions. All workers need the same version of edulaunch. Each worker keeps a
+grader, so that it loads the engine once and not for each submission.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ Parcel = dict[str, Any]
 def grade_there(address: str, todo: Sequence[tuple[Entry, Work]], store: Store, options: Options) -> None:
     """Grade on the cluster with this scheduler, and store each result when it arrives.
 
-    :raises UnusableInput: when Dask is not installed, or no scheduler answers at the address.
+    :raises UnusableInput: when Dask is not installed, or no scheduler responds at the address.
     """
     try:
         from distributed import Client, as_completed
@@ -70,7 +70,7 @@ def grade_there(address: str, todo: Sequence[tuple[Entry, Work]], store: Store, 
 
 
 def parcel(work: Work, options: Options) -> Parcel:
-    """Return everything that grading a submission needs, as plain data."""
+    """Return everything that is needed to grade a submission, as plain data."""
     submission = work.submission
     name = submission.package.name if submission.package else submission.name
     return {
@@ -92,7 +92,7 @@ def parcel(work: Work, options: Options) -> Parcel:
 
 
 def _workspaces(work: Work, options: Options) -> list[str]:
-    """Return the folders with packages other than the graded one."""
+    """Return the workspace folders that contain packages other than the graded one."""
     own = work.submission.package
     return [
         os.path.abspath(each) for each in (*options.workspaces, *work.submission.workspaces) if own is None or each != own.path
@@ -100,7 +100,7 @@ def _workspaces(work: Work, options: Options) -> list[str]:
 
 
 def _files(folder: str) -> dict[str, bytes]:
-    """Return the regular files of a package, by their path; links are left out, as the grader's own reading does."""
+    """Return the regular files of a package by path. Links are left out, as in the grader."""
     found = {}
     for place, folders, names in os.walk(folder):
         folders[:] = sorted(

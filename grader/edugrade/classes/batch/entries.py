@@ -31,11 +31,12 @@ MOST_NAMES = 5  # names of files that a message lists
 class Entry(NamedTuple):
     """A submission of a class.
 
-    :ivar path: its path relative to the directory of all submissions. An archive counts as a directory.
-    :ivar student: the student who submitted it; `id` is the student's number or name on a learning platform.
-    :ivar file: the path of its file, unpacked if necessary, or '' for a rejected submission. `refused` and `help` explain why.
+    :ivar path: the path of the submission, relative to the directory of all submissions. An archive counts as a directory.
+    :ivar student: the student who submitted it. The attribute `id` is the student's number or name on a learning platform.
+    :ivar file: the path of the file to grade, unpacked if necessary. It is '' for a rejected submission, whose problem `refused`
+        and `help` explain.
     :ivar origin: repository and commit of a cloned submission.
-    :ivar root: the folder with everything that the student submitted, perhaps unpacked.
+    :ivar root: the folder with everything that the student submitted, unpacked if necessary.
     """
 
     path: str
@@ -49,9 +50,9 @@ class Entry(NamedTuple):
 
 
 def refuse_nothing(given: str) -> None:
-    """Reject a path that is not a directory, an archive or a table, before a directory for the results is created.
+    """Check that a path is a directory, an archive or a table, before a directory for the results is created.
 
-    :raises UnusableInput: with the path.
+    :raises UnusableInput: when the path is something else. The message contains the path.
     """
     if not os.path.isdir(given) and not (given.lower().endswith(('.csv', *ARCHIVES)) and os.path.isfile(given)):
         is_there = os.path.lexists(given)
@@ -62,13 +63,13 @@ def refuse_nothing(given: str) -> None:
 
 
 class Finder:
-    """Finds the submissions.
+    """Finds the submissions of a class.
 
     :param given: a folder with a folder, an archive or a launch file for each student, an archive of such a folder, or a table
         (.csv).
     :param unpacked: a new directory for archives and repositories.
-    :param is_wanted: returns whether the name of a launch file or package belongs to an exercise to grade.
-    :param pattern: see `namer`.
+    :param is_wanted: a function that returns whether the name of a launch file or package belongs to an exercise to grade.
+    :param pattern: the pattern that finds the student in a path; see `namer`.
     """
 
     def __init__(self, given: str, unpacked: str, is_wanted: Callable[[str], bool], pattern: str | None = None) -> None:
@@ -105,7 +106,7 @@ class Finder:
         return [entry._replace(origin=origin, root=self._root_of(entry, folder)) for entry in found]
 
     def _of_item(self, item: os.DirEntry[str], student_of: Callable[[str], Student]) -> Iterator[Entry]:
-        """Return the submissions of one student. Only directories, archives and launch files count."""
+        """Yield the submissions of one student. Only directories, archives and launch files count."""
         folder = os.path.dirname(item.path)
         if item.is_symlink():
             yield Entry(item.name, *student_of(item.name), refused=LINK)
@@ -196,7 +197,7 @@ class Finder:
 
 
 def _nothing_in(folder: str) -> str:
-    """Return that a folder contains no submission, and the names of its first files."""
+    """Return a message that a folder contains no submission, with the names of its first files."""
     names: list[str] = []
     for _, folders, files in os.walk(folder):
         folders.sort()

@@ -1,4 +1,4 @@
-"""The results of a class: one file for each submission, which is written completely or not at all."""
+"""The results of a class: one file for each submission. A file is written completely or not at all."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ Result = dict[str, Any]
 
 
 class Store:
-    """A folder of results: for each submission ``<its path>.json``.
+    """A folder of results. The file of each submission is ``<path of the submission>.json``.
 
     :ivar unkept: paths of submissions whose new results could not be written. An older stored result does not belong to them.
     """
@@ -40,14 +40,16 @@ class Store:
 
     @property
     def unpacked(self) -> str:
-        """The folder for unpacked archives and cloned repositories. It is kept, so that teachers can look into it."""
+        """The folder for unpacked archives and cloned repositories. It remains after grading, so that teachers can inspect
+        the files.
+        """
         return os.path.join(self.folder, UNPACKED)
 
     @contextmanager
     def locked(self) -> Iterator[None]:
         """Lock these results against other batches, and remove incomplete files of a killed batch.
 
-        :raises UnusableInput: when another batch uses them, or they cannot be written.
+        :raises UnusableInput: when another batch uses the results, or they cannot be written.
         """
         is_new = not os.path.lexists(self.folder)
         try:
@@ -55,7 +57,8 @@ class Store:
             lock = os.open(os.path.join(self.folder, LOCK), os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
         except OSError as error:
             raise UnusableInput(
-                f'results cannot be written to {self.folder}: {error.strerror}', help='give --out FOLDER'
+                f'results cannot be written to {self.folder}: {error.strerror}',
+                help='add --out FOLDER with a folder that you may write to',
             ) from None
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -75,8 +78,8 @@ class Store:
             os.close(lock)
 
     def path(self, entry: Entry, ending: str = '.json', folder: str | None = None) -> str:
-        """Return where something about a submission is stored: under a number if its own name is too long or has another
-        meaning here.
+        """Return the path of a stored file for a submission. The file name is a hash if the submission's path is too long, or if
+        it has another meaning in this folder.
         """
         name = entry.path
         is_ours = name.split(os.sep)[0].lower() in OURS
@@ -85,13 +88,13 @@ class Store:
         return os.path.join(folder or self.folder, name + ending)
 
     def result(self, entry: Entry) -> Result | None:
-        """Return the stored result, or None when there is no complete one."""
+        """Return the stored result, or None when there is no complete result."""
         return None if entry.path in self.unkept else _read(self.path(entry))
 
     def save(self, entry: Entry, content: Result) -> None:
         """Write one result.
 
-        :raises UnusableInput: when it cannot be written.
+        :raises UnusableInput: when the result cannot be written.
         """
         path = self.path(entry)
         with suppress(OSError):  # the error is reported when the file is written
@@ -100,11 +103,13 @@ class Store:
         write_whole(path, json_text({**about, **content}))
 
     def record_duration(self, entry: Entry, seconds: float) -> None:
-        """Record how long the runs of a submission took. Results do not contain this time, so equal runs have equal results."""
+        """Record the duration of a submission's runs. Results do not contain this time, so equal runs have equal results."""
         self._times[entry.path] = round(seconds, 2)
 
     def times(self) -> dict[str, float]:
-        """Return how long the runs of submissions took, by path, in this batch or in an earlier one, and store these times."""
+        """Store the durations of this batch. Return the duration of each submission's runs in this batch or an earlier one,
+        by path.
+        """
         path = os.path.join(self.folder, TIMES)
         known: dict[str, float] = {}
         with suppress(OSError, ValueError, RecursionError):
@@ -124,7 +129,9 @@ class Store:
             folders[:] = sorted(name for name in folders if name != UNPACKED)
             found += [result for name in names if name.endswith('.json') and (result := _read(os.path.join(place, name)))]
         if not found:
-            raise UnusableInput(f'there are no results in {self.folder}', help='give the folder that edugrade batch has written')
+            raise UnusableInput(
+                f'there are no results in {self.folder}', help='name the folder that `edugrade batch` has written'
+            )
         return sorted(found, key=lambda result: str(result['path']))
 
 
@@ -137,8 +144,7 @@ def _read(path: str) -> Result | None:
 
 
 def merged(earlier: dict[str, Any], again: dict[str, Any], name: str) -> dict[str, Any]:
-    """Return the earlier result with one check and its points replaced, and everything that depends on them. The rest is
-    unchanged.
+    """Return the earlier result with one check replaced, and everything that depends on it, such as the points.
 
     :param again: the report of the check and of the checks that it needs.
     """

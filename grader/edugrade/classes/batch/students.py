@@ -1,4 +1,4 @@
-"""Finds the student of a submission: from a path of a learning platform, from a pattern, or from a table of repositories."""
+"""Finds the student of a submission: in a path from a learning platform, with a pattern, or in a table of repositories."""
 
 from __future__ import annotations
 
@@ -33,14 +33,14 @@ class Student(NamedTuple):
 
 
 def namer(folder: str, pattern: str | None = None) -> Callable[[str], Student]:
-    """Return a function that finds the student of a path relative to the folder of all submissions (written with ``/``).
+    """Return a function that finds the student in a path, which is relative to the folder of all submissions and uses ``/``.
 
-    A pattern comes first. Then come the paths of Moodle (``Ada Lovelace_123_assignsubmission_file_/``), of Gradescope
-    (``submission_123/`` with the names of ``submission_metadata.yml``) and of Canvas
-    (``lovelaceada_123_456_circle.launch.py``). The last resort is the first part of the path.
+    The function tries the pattern first. Then it tries the paths of Moodle (``Ada Lovelace_123_assignsubmission_file_/``), of
+    Gradescope (``submission_123/`` with the names of ``submission_metadata.yml``) and of Canvas
+    (``lovelaceada_123_456_circle.launch.py``). If none of them matches, it uses the first part of the path.
 
-    :param pattern: a regular expression with a group ``student`` and perhaps a group ``id``, found anywhere in the path.
-    :raises UnusableInput: when it is not a valid regular expression, or has no such group.
+    :param pattern: a regular expression with a group ``student`` and optionally a group ``id``, searched anywhere in the path.
+    :raises UnusableInput: when the pattern is not a valid regular expression, or has no such group.
     """
     own = _compiled(pattern) if pattern else None
     people = _gradescope_people(folder)
@@ -91,7 +91,7 @@ def _compiled(pattern: str) -> re.Pattern[str]:
 
 
 def _gradescope_people(folder: str) -> Mapping[str, Student]:
-    """Return the submitters by the folder of their submission, from the file that Gradescope exports with them."""
+    """Return the submitters by the folder of their submission, from the file that Gradescope exports with the submissions."""
     for place in ('', *_folders(folder)):
         try:
             text = read_regular(os.path.join(folder, place, 'submission_metadata.yml'), LARGEST_METADATA)
@@ -115,7 +115,7 @@ def _folders(folder: str) -> list[str]:
 
 
 def _person(key: Any, value: Any) -> tuple[str, Student] | None:
-    """Return all students who submitted it. Gradescope writes the keys as Ruby symbols."""
+    """Return all students who submitted one submission. Gradescope writes the keys as Ruby symbols."""
     submitters = value.get(':submitters') if isinstance(value, dict) else None
     if not isinstance(submitters, list) or not all(isinstance(each, dict) for each in submitters):
         return None
@@ -131,13 +131,13 @@ _URL = re.compile(r'(?:https?|ssh|git|file)://|[\w.-]+@[\w.-]+:')
 
 
 def clone_all(table: str, folder: str) -> Iterator[tuple[Student, str, str, str]]:
-    """Clone or find the submission of each line of a table. Yield the student, the folder, its origin, and why it is refused or
-    ''.
+    """Clone or find the submission of each line of a table.
 
-    The table is CSV with a header. It has a column ``student``, and a column ``url`` (of a git repository) or ``path`` (a
-    directory, relative to the table). The columns ``id`` and ``ref`` (a branch or tag) are optional.
+    Yield the student, the folder, the origin of the submission, and the reason why it is refused, or ''. The table is CSV with a
+    header. It has a column ``student``, and a column ``url`` (of a git repository) or ``path`` (a directory, relative to the
+    table). The columns ``id`` and ``ref`` (a branch or tag) are optional.
 
-    :param folder: where repositories are cloned to.
+    :param folder: the folder for cloned repositories.
     :raises UnusableInput: when the table lacks a column or cannot be read.
     """
     for number, row in enumerate(_rows(table), 1):
@@ -169,7 +169,7 @@ def _rows(table: str) -> list[Mapping[str, str]]:
 
 
 def _clone(url: str, ref: str, target: str) -> str:
-    """Clone one repository without hooks, links, submodules or questions. Return why that failed, or ''."""
+    """Clone one repository without hooks, links, submodules or questions. Return the reason of a failure, or ''."""
     if not (_URL.match(url) or os.path.isdir(url)) or ref.startswith('-'):
         return f'{url!r} is not an address of a git repository'
     os.makedirs(os.path.dirname(target), exist_ok=True)

@@ -1,4 +1,4 @@
-"""Writes the results of a class for people: a table for spreadsheets, a page for the class, and a page for each student."""
+"""Writes the results of a class: a table for spreadsheets, a page for the class, and a page for each student."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def _row(entry: Entry, found: Result) -> dict[str, str]:
 
 
 def confined_by(found: Result) -> str:
-    """Return which layers of the sandbox confined the runs of a submission, and which failed and why."""
+    """Return the layers of the sandbox that confined the runs of a submission, and the layers that failed, with the reason."""
     layers = found.get('sandbox') or {}
     if 'checks' not in found or (not layers and found.get('exit_code') == BROKEN_GRADER):
         return ''
@@ -78,8 +78,9 @@ def confined_by(found: Result) -> str:
 
 
 def one_line(text: str) -> str:
-    """Return the first line of a string. If it ends in a colon, add the second line, or return only that line of a list of
-    exceptions.
+    """Return the first line of a string. If it ends in a colon, append the second line.
+
+    For a list of exceptions, return only the second line.
     """
     lines = [line.strip().removeprefix('- ') for line in text.splitlines() if line.strip()]
     if lines[1:] and lines[0].endswith(':'):
@@ -88,23 +89,25 @@ def one_line(text: str) -> str:
 
 
 def first_problem(found: Result) -> str | None:
-    """Return in one line why the submission was not graded, or why its first failed check did not pass."""
+    """Return in one line why the submission was not graded, or why its first failed check did not pass. Return None if all
+    passed.
+    """
     broken = next((check for check in found.get('checks', ()) if check['status'] not in ('passed', 'not_run')), None)
     words = found.get('refused') or (broken and broken['reason'])
     return one_line(words) if words else None
 
 
 def class_csv(results: Results) -> str:
-    """Return one line for each submission."""
+    """Return a CSV table with one line for each submission."""
     return csv_text(COLUMNS, rows(results))
 
 
 def csv_text(columns: Sequence[str], lines: Sequence[dict[str, str]], separator: str = ',') -> str:
-    """Return a table as CSV. An apostrophe precedes every string that a spreadsheet could read as a formula, also after another
-    separator of cells.
+    """Return a table as CSV. An apostrophe precedes every string that a spreadsheet could read as a formula. This also applies
+    after any other separator of cells within the string.
 
-    :param separator: the separator of the cells. With a semicolon, numbers have a decimal comma: such a spreadsheet reads 9.6
-        as a date.
+    :param separator: the separator of the cells. With a semicolon, numbers have a decimal comma, because such a spreadsheet reads
+        9.6 as a date.
     """
     file = io.StringIO()
     writer = csv.DictWriter(file, columns, lineterminator='\n', delimiter=separator)
@@ -118,7 +121,7 @@ def csv_text(columns: Sequence[str], lines: Sequence[dict[str, str]], separator:
 
 
 def plain(value: str) -> str:
-    """Return a string that a spreadsheet shows and never evaluates."""
+    """Return the string in a form that a spreadsheet shows and never evaluates."""
     value = ''.join(sign if sign.isprintable() or sign in '\n\t' else '?' for sign in value)
     value = BEHIND_A_SEPARATOR.sub(r"\1'", value)
     return f"'{value}" if value.startswith(FORMULA) else value
@@ -144,7 +147,7 @@ LONGEST_STEM = 80  # characters in the name of a student's page
 
 
 def write_pages(folder: str, results: Results, store: Store) -> None:
-    """Write ``index.html`` and ``students/*.html``; they link to the pages of the submissions, which exist already."""
+    """Write ``index.html`` and ``students/*.html``. They link to the pages of the submissions, which already exist."""
     os.makedirs(os.path.join(folder, 'students'), exist_ok=True)
     pages = {entry.path: os.path.relpath(store.path(entry, '.html', folder), folder) for entry, _ in results}
     pages = {path: page for path, page in pages.items() if os.path.exists(os.path.join(folder, page))}
@@ -155,13 +158,13 @@ def write_pages(folder: str, results: Results, store: Store) -> None:
 
 
 def student_file(name: str, number: str = '') -> str:
-    """Return the path of a student's page: it is readable and unique."""
+    """Return the path of a student's page. The path is readable and unique."""
     readable = ''.join(sign if sign.isalnum() else '_' for sign in name)[:LONGEST_STEM]
     return f'students/{readable}-{sha256(f"{name}/{number}".encode("utf-8", "surrogateescape")).hexdigest()[:8]}.html'
 
 
 def class_page(results: Results, pages: dict[str, str]) -> str:
-    """Return all marks, what went wrong most often, and how often each check passed and failed."""
+    """Return the page with all marks, the most frequent problems, and the numbers of passes and failures of each check."""
     table = [table_row('student', 'submission', *SHOWN.values(), kind='th')]
     for (entry, found), row in zip(results, rows(results), strict=True):
         if found and set((found.get('sandbox') or {}).values()) == {'held'}:
@@ -202,7 +205,7 @@ def student_page(name: str, results: Results, pages: dict[str, str]) -> str:
 
 
 def _marks(results: Results) -> Iterator[str]:
-    """Yield the number of marks of each exercise, with their range, median and mean."""
+    """Yield the number of marks of each exercise, with the range, median and mean of these marks."""
     marks: dict[str, list[float]] = {}
     for _, found in results:
         if found and found.get('points', {}).get('earned') is not None:
@@ -220,7 +223,7 @@ def _marks(results: Results) -> Iterator[str]:
 
 
 def _causes(results: Results) -> list[Markup]:
-    """Return the first problem of each submission, the most frequent one first."""
+    """Return the first problems of the submissions, the most frequent problem first."""
     counts: Counter[tuple[str, str, str]] = Counter()
     for (_, found), row in zip(results, rows(results), strict=True):
         if row['first_problem']:

@@ -1,4 +1,4 @@
-"""Unpack untrusted archives: only regular files and folders, only inside the given folder, and within limits on the
+"""Unpacks untrusted archives: only regular files and folders, only inside the given folder, and within limits on the
 measured size.
 """
 
@@ -27,7 +27,7 @@ END_OF_ZIP = b'PK\x05\x06'
 
 
 class Bounds(NamedTuple):
-    """The limits of an archive: number of files, unpacked bytes, packed bytes."""
+    """The limits of an archive: the number of files, the unpacked bytes, and the packed bytes."""
 
     files: int
     unpacked: int
@@ -39,7 +39,7 @@ OF_A_CLASS = Bounds(200_000, 4096 * MEBI, 4096 * MEBI)
 
 
 class Member(NamedTuple):
-    """An entry in the list of an archive. `kind` is 'file', 'folder', or a description of anything else."""
+    """An entry in the list of an archive. `kind` is 'file', 'folder', or a description of any other kind."""
 
     name: str
     kind: str
@@ -49,8 +49,9 @@ class Member(NamedTuple):
 def unpack(archive: str, folder: str, bounds: Bounds = OF_A_STUDENT) -> None:
     """Unpack a zip or tar archive into a new folder.
 
-    :raises UnusableInput: with the name of a refused member. It is not a file or directory, leads out of the directory, has an
-        invalid name, appears twice, or is too large. Files that were written before it remain.
+    :raises UnusableInput: when a member is refused. Reasons are another kind than file or folder, a path outside of the given
+        folder, an invalid or repeated name, and the size. The message names the member. Files that were written before it
+        remain.
     """
     try:
         _refuse_size(archive, bounds)

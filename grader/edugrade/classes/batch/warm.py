@@ -1,6 +1,6 @@
-"""A grader that continues to run: it grades one submission after the other, and its starter has loaded the engine.
+"""A grader process that continues to run. It grades one submission after another, and its starter has loaded the engine.
 
-A Dask worker has threads, so it cannot fork safely. It keeps graders of this kind as child processes, one for each of its
+A Dask worker has threads, so it cannot fork safely. It keeps such graders as child processes, one for each of its
 threads, and sends each request as a line of JSON. As in a batch, each run is a fork of the starter and sees no other
 submission.
 """
@@ -29,13 +29,13 @@ COMMAND = 'from edugrade.classes.batch.warm import main; main()'
 
 
 class Lost(Exception):
-    """The grader ended, or did not answer in time."""
+    """The grader process has ended, or did not reply in time."""
 
 
 class WarmProcess:
     """A grader in a process of its own.
 
-    :ivar is_there: whether it accepts more requests.
+    :ivar is_there: whether the process accepts more requests.
     """
 
     def __init__(self) -> None:
@@ -46,11 +46,11 @@ class WarmProcess:
         )
 
     def ask(self, request: Request, patience_s: float) -> Answer:
-        """Return the answer to a request.
+        """Send a request, and return the reply.
 
-        :raises Lost: when the process ends first, or does not answer within `patience_s`. Then the process no longer exists.
+        :raises Lost: when the process ends first, or does not reply within `patience_s`. Then the process no longer exists.
         :raises UnusableInput: when the submission cannot be graded.
-        :raises RuntimeError: with the fault of the grader.
+        :raises RuntimeError: when the grader fails, with the error of the grader.
         """
         process = self._process
         assert process.stdin is not None and process.stdout is not None
@@ -99,7 +99,7 @@ def ask_warm(request: Request, patience_s: float) -> Answer:
 
 
 def main() -> None:
-    """Answer each line of the standard input until it ends."""
+    """Reply to each line of the standard input until the input ends."""
     answers = os.fdopen(os.dup(1), 'wb')
     os.dup2(2, 1)  # printed output is not part of the reply
     grader: WarmGrader | None = None

@@ -42,7 +42,7 @@ class Options(NamedTuple):
 
     @classmethod
     def of(cls, words: argparse.Namespace) -> Options:
-        """Return the options of a command line."""
+        """Return the options for the parsed arguments of a command line."""
         secret = CourseSecret(words.course_secret_file) if words.course_secret_file else None
         limits = Limits(words.limit, sandbox=words.sandbox)
         common = (words.rubric, words.seed, secret, words.only, words.resume, limits, words.workspace, words.jobs, words.html)
@@ -52,7 +52,7 @@ class Options(NamedTuple):
 def plan(entry: Entry, options: Options) -> Work:
     """Return the work for a submission: rubric, seed and scenarios.
 
-    :raises UnusableInput: when it cannot be graded, with the reason.
+    :raises UnusableInput: when the submission cannot be graded, with the reason.
     """
     if entry.refused:
         raise UnusableInput(entry.refused, help=entry.help)
@@ -64,9 +64,10 @@ def plan(entry: Entry, options: Options) -> Work:
 
 
 def work_to_do(entries: Sequence[Entry], store: Store, options: Options) -> Iterator[tuple[Entry, Work]]:
-    """Return the submissions that are not graded yet. A submission that cannot be graded gets its verdict here.
+    """Yield the submissions to grade. If a submission cannot be graded, store a result with the reason instead.
 
-    With a single check, submissions of exercises without this check are left out, and keep their results.
+    With the option `resume`, submissions with a current result are left out. With a single check, submissions of exercises
+    without this check are left out, and their results do not change.
 
     :raises UnusableInput: when no exercise has the check.
     """
@@ -88,7 +89,7 @@ def work_to_do(entries: Sequence[Entry], store: Store, options: Options) -> Iter
 
 
 def is_current(store: Store, entry: Entry, work: Work, options: Options) -> bool:
-    """Return whether there is a result for this text, rubric, engine and seed, with a page if the user wants one."""
+    """Return whether there is a result for this submission, rubric, engine and seed, with a page if the user wants pages."""
     found = store.result(entry)
     if found is None or found.get('receipt') != receipt(work) or found.get('exit_code') == BROKEN_GRADER:
         return False
@@ -96,12 +97,12 @@ def is_current(store: Store, entry: Entry, work: Work, options: Options) -> bool
 
 
 def refusal(exit_code: int, reason: str, help: str | None = None) -> Result:
-    """Return the result of a submission that could not be graded. It has no mark, which differs from zero points."""
+    """Return the result of a submission that could not be graded. It has no mark, which is different from zero points."""
     return {'exit_code': exit_code, 'verdict': VERDICTS[exit_code], 'refused': reason, 'help': help}
 
 
 def keep(store: Store, entry: Entry, result: Result) -> bool:
-    """Write a result, and return whether it was possible. A failure prints a message and affects only this result."""
+    """Write a result, and return whether this succeeded. A failure prints a message and affects only this result."""
     try:
         store.save(entry, result)
     except (ComputerFault, UnusableInput) as error:
@@ -135,7 +136,7 @@ def keep_report(store: Store, entry: Entry, report: Report, options: Options) ->
 
 
 def keep_page(path: str, text: str) -> None:
-    """Write a page. A failure prints a message, and the mark stays."""
+    """Write a page. A failure prints a message, and does not change the mark."""
     try:
         os.makedirs(os.path.dirname(path), exist_ok=True)
         write_whole(path, text)

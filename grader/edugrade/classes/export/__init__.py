@@ -1,1 +1,1 @@
-"""Marks in the formats of learning platforms; each file names the document that describes its format."""
+"""Exports marks in the formats of learning platforms. Each module names the document that describes its format."""

@@ -1,4 +1,4 @@
-"""GitHub Classroom: ``edugrade classroom EXERCISE...`` writes the autograding of an assignment's template repository.
+"""GitHub Classroom: ``edugrade classroom EXERCISE...`` writes the autograding files for an assignment's template repository.
 
 Formats: github.com/education/autograding (``.github/classroom/autograding.json``) and github.com/classroom-resources
 (``autograding-command-grader``, ``autograding-grading-reporter``), one test for each check that has points.
@@ -34,8 +34,8 @@ class Test(NamedTuple):
     points: int
 
 
-def main(words: Sequence[str]) -> int:
-    """Run the command, and return its exit code."""
+def classroom_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade classroom``."""
     parser = argparse.ArgumentParser(
         prog='edugrade classroom', description='Write the autograding of a GitHub Classroom assignment.'
     )
@@ -51,7 +51,12 @@ def main(words: Sequence[str]) -> int:
         default=f'pip install edulaunch=={__version__}',
         help='installs edulaunch (default: %(default)s). edulaunch is not on PyPI yet: name a wheel or a repository',
     )
-    options = parser.parse_args(words)
+    return parser
+
+
+def main(words: Sequence[str]) -> int:
+    """Run the command, and return its exit code."""
+    options = classroom_parser().parse_args(words)
     found = [test for exercise in options.exercises for test in tests(exercise)]
     files = {
         'workflows/classroom.yml': workflow(found, options.install),
@@ -91,7 +96,7 @@ def tests(exercise: str) -> list[Test]:
 
 
 def workflow(found: Sequence[Test], install: str) -> str:
-    """Return ``.github/workflows/classroom.yml``, which GitHub Classroom runs today."""
+    """Return the content of ``.github/workflows/classroom.yml``, which GitHub Classroom runs today."""
     steps: list[dict[str, object]] = [
         {'name': 'Checkout code', 'uses': 'actions/checkout@v4'},
         {'uses': 'actions/setup-python@v5', 'with': {'python-version': '3.12'}},
@@ -122,7 +127,7 @@ def workflow(found: Sequence[Test], install: str) -> str:
 
 
 def autograding(found: Sequence[Test], install: str) -> str:
-    """Return ``.github/classroom/autograding.json``, the older form, which other tools still read."""
+    """Return the content of ``.github/classroom/autograding.json``, the older form, which other tools still read."""
     tests = [
         {
             'name': test.name,

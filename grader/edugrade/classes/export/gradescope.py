@@ -1,4 +1,4 @@
-"""Gradescope: ``edugrade gradescope build`` packs an autograder, and the autograder runs ``edugrade gradescope run``.
+"""Gradescope: ``edugrade gradescope build`` packs an autograder, which runs ``edugrade gradescope run``.
 
 Formats: gradescope-autograders.readthedocs.io, "Autograder Specifications" (``results.json``) and "Submission Metadata".
 """
@@ -47,8 +47,8 @@ PATH="/opt/edugrade/bin:$PATH" exec edugrade gradescope run "${AUTOGRADER:-/auto
 """
 
 
-def main(words: Sequence[str]) -> int:
-    """Run the command, and return its exit code."""
+def gradescope_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade gradescope``."""
     parser = argparse.ArgumentParser(prog='edugrade gradescope', description='Grade on Gradescope.')
     verbs = parser.add_subparsers(dest='verb', required=True)
     build_ = verbs.add_parser('build', help='pack an autograder for one exercise')
@@ -65,7 +65,12 @@ def main(words: Sequence[str]) -> int:
     build_.add_argument('--limit', type=float, default=30.0, metavar='SECONDS', help='real time for each run (default: 30)')
     run_ = verbs.add_parser('run', help='grade the submission in this folder, as Gradescope lays it out')
     run_.add_argument('folder', nargs='?', default='/autograder')
-    options = parser.parse_args(words)
+    return parser
+
+
+def main(words: Sequence[str]) -> int:
+    """Run the command, and return its exit code."""
+    options = gradescope_parser().parse_args(words)
     if options.verb == 'run':
         return run(options.folder)
     build(options.exercise, options.out, options.wheel, options.course_secret_file, options.limit)
@@ -80,7 +85,8 @@ def main(words: Sequence[str]) -> int:
 
 
 def build(exercise: str, out: str, wheel: str | None = None, secret: str | None = None, limit_s: float = 30.0) -> None:
-    """Write the zip file for Gradescope with setup.sh, run_autograder and their files. Equal input gives equal bytes.
+    """Write the zip file for Gradescope with setup.sh, run_autograder and the files that they need. Equal input gives equal
+    bytes.
 
     :raises UnusableInput: when there is no such rubric, wheel or secret.
     """
@@ -109,7 +115,7 @@ def build(exercise: str, out: str, wheel: str | None = None, secret: str | None 
 def run(folder: str) -> int:
     """Grade ``submission/`` with the rubric in ``source/``, and write ``results/results.json``.
 
-    If the grader failed, this writes nothing and the exit code is 3. Gradescope then reports a failed autograder without a
+    If the grader fails, write nothing, and return the exit code 3. Gradescope then reports a failed autograder without a
     mark.
     """
     source = os.path.join(folder, 'source')
@@ -138,7 +144,7 @@ def run(folder: str) -> int:
 
 
 def results(found: dict[str, Any], note: str = '') -> dict[str, Any]:
-    """Return a JSON report as Gradescope's ``results.json``, with a test and the points for each check."""
+    """Return a JSON report in the form of Gradescope's ``results.json``, with a test and the points for each check."""
     return {
         'score': found['points']['earned'],
         'output': f'{found["rubric"]["title"]}: {found["verdict"]}. Seed {found["seed"]}. {note}'.strip(),
@@ -176,7 +182,9 @@ def _test(check: dict[str, Any]) -> dict[str, Any]:
 
 
 def _student(folder: str) -> tuple[str, str, int]:
-    """Return the numbers and names of the submitting students and the attempt, from Gradescope's metadata, or ''."""
+    """Return the numbers and names of the submitting students and the attempt, from Gradescope's metadata. Unknown values are
+    ''.
+    """
     try:
         found = json.loads(read_regular(os.path.join(folder, 'submission_metadata.json'), LARGEST_WHEEL))
         known = sorted((str(user['id']), str(user.get('name', ''))) for user in found['users'])
@@ -187,7 +195,7 @@ def _student(folder: str) -> tuple[str, str, int]:
 
 
 def _find(folder: str, unpacked: str, exercise: str) -> str:
-    """Return the launch file or package of the exercise, somewhere in the submission."""
+    """Return the launch file or package of the exercise, anywhere in the submission."""
     entries = Finder(folder, unpacked, lambda name: exercise_of(name) == exercise).entries()
     found = next((entry.file for entry in entries if entry.file), None)
     if found is None:

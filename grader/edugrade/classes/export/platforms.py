@@ -1,4 +1,4 @@
-"""``edugrade export moodle|canvas RESULTS/``: the marks of a class, one for each student, as a learning platform imports them.
+"""``edugrade export moodle|canvas RESULTS/`` exports the marks of a class, one for each student, for import into a platform.
 
 Canvas imports its own gradebook with one more column (Canvas Guides, "How do I import grades in the Gradebook?"). The first
 columns are Student, ID, SIS User ID, SIS Login ID and Section. The line "Points Possible" comes before the students.
@@ -34,16 +34,16 @@ class Mark(NamedTuple):
 
 
 def marks_of(results: Sequence[dict[str, Any]], exercise: str | None = None) -> tuple[str, list[Mark]]:
-    """Return the exercise and its marks. If a student has several submissions, the best one counts.
+    """Return the exercise and its marks. If a student has several submissions, the best submission counts.
 
-    :param exercise: its name; optional if all results belong to one exercise.
+    :param exercise: the name of the exercise; optional if all results belong to one exercise.
     :raises UnusableInput: when the exercise is not clear, or no student submitted it.
     """
     known = sorted({result['rubric']['name'] for result in results if 'rubric' in result})
     if exercise is None and len(known) == 1:
         exercise = known[0]
     if exercise is None or exercise not in known:
-        raise UnusableInput(f'the results have the exercises {", ".join(known) or "(none)"}', help='give --exercise NAME')
+        raise UnusableInput(f'the results have the exercises {", ".join(known) or "(none)"}', help='add --exercise NAME')
     possible = max(result['points']['possible'] for result in results if result.get('rubric', {}).get('name') == exercise)
     best: dict[tuple[str, str], Mark] = {}
     for result in results:
@@ -65,7 +65,7 @@ def _mark(result: dict[str, Any], possible: int) -> Mark:
 
 
 def sentence(text: str) -> str:
-    """Return a string that ends like a sentence, so that another one can follow it."""
+    """Return the string with the end of a sentence, so that another sentence can follow it."""
     text = text.rstrip()
     return text if text.endswith(('.', '!', '?')) else f'{text}.'
 
@@ -93,7 +93,7 @@ LARGEST_BYTES = 20_000_000
 def read_list(path: str) -> tuple[list[str], list[dict[str, str]], str]:
     """Return the first row, the other rows, and the separator of the cells, which is a semicolon in some languages.
 
-    :raises UnusableInput: when it cannot be read.
+    :raises UnusableInput: when the list cannot be read.
     """
     try:
         text = read_regular(path, LARGEST_BYTES).decode('utf-8-sig')
@@ -107,7 +107,7 @@ def read_list(path: str) -> tuple[list[str], list[dict[str, str]], str]:
 
 
 def list_text(head: Sequence[str], rows: Sequence[dict[str, str]], separator: str) -> str:
-    """Return the list with its original form and the new values."""
+    """Return the list as CSV, with its original columns and separator and the new values."""
     file = io.StringIO()
     writer = csv.DictWriter(file, head, lineterminator='\r\n', extrasaction='ignore', delimiter=separator)
     writer.writeheader()
@@ -116,12 +116,12 @@ def list_text(head: Sequence[str], rows: Sequence[dict[str, str]], separator: st
 
 
 def points(mark: Mark) -> str:
-    """Return the mark as a number, or '' without a mark."""
+    """Return the points of a mark as a string, or '' without a mark."""
     return '' if mark.earned is None else f'{mark.earned:g}'
 
 
 class People:
-    """Finds the mark of a student by a number, or by a unique name. 'Lovelace, Ada' equals 'Ada Lovelace'."""
+    """Finds the mark of a student by a number, or by a unique name. 'Lovelace, Ada' and 'Ada Lovelace' are the same name."""
 
     def __init__(self, marks: Sequence[Mark]) -> None:
         self._marks = marks
@@ -141,7 +141,7 @@ class People:
 
     @property
     def unmet(self) -> list[str]:
-        """Return the names of students with a mark, or without a submission, that the platform's file does not list."""
+        """Return the names of students that the platform's file does not list, with or without a mark."""
         return [mark.student for mark in self._marks if (mark.student, mark.id) not in self._met]
 
 
@@ -155,12 +155,12 @@ KEPT = (STUDENT, *NUMBERS, 'Section')
 
 
 def canvas_csv(path: str, title: str, marks: Sequence[Mark]) -> tuple[str, list[str]]:
-    """Return the gradebook with the marks in the column of that title, and the students who are not in it. The column may be
-    new, or called ``title (1234)``. A student is found by the number that Canvas writes into the names of downloads, or by
-    name.
-    Other columns are left out, because Canvas would import them.
+    """Return the gradebook with the marks in the column of that title, and the students who are not in the gradebook.
 
-    :raises UnusableInput: when it is not a gradebook of Canvas.
+    The column may be new, or called ``title (1234)``. A student is found by the number that Canvas writes into the names of
+    downloads, or by name. Other columns are left out, because Canvas would import them.
+
+    :raises UnusableInput: when the file is not a gradebook of Canvas.
     """
     head, rows, separator = read_list(path)
     if not {STUDENT, 'ID', 'Section'} <= set(head):
@@ -183,18 +183,18 @@ MAXIMUM = ('Maximum Grade', 'Maximum grade')
 
 
 def moodle_csv(title: str, marks: Sequence[Mark], separator: str = ',') -> str:
-    """Return the file for *Grades, Import, CSV file*: name and number of each student, the mark, and feedback."""
+    """Return the file for *Grades, Import, CSV file*: the name and number of each student, the mark, and feedback."""
     columns = (NAME, 'ID number', title, f'{title} (feedback)')
     lines = [dict(zip(columns, (mark.student, mark.id, points(mark), mark.feedback), strict=True)) for mark in marks]
     return csv_text(columns, lines, separator)
 
 
 def moodle_worksheet(path: str, marks: Sequence[Mark]) -> tuple[str, list[str]]:
-    """Return the worksheet with grades and feedback filled in, and the students that it does not name.
+    """Return the worksheet with grades and feedback filled in, and the students that the worksheet does not name.
 
     A student is found by the number after "Participant", which is also in the names of downloads, or by name.
 
-    :raises UnusableInput: when it is not a worksheet, or its maximum is not that of the exercise.
+    :raises UnusableInput: when the file is not a worksheet, or its maximum grade is not that of the exercise.
     """
     head, rows, separator = read_list(path)
     lacking = [name for name in (IDENTIFIER, NAME, GRADE) if name not in head]
@@ -218,7 +218,7 @@ def moodle_worksheet(path: str, marks: Sequence[Mark]) -> tuple[str, list[str]]:
 
 
 def table_csv(results: Sequence[dict[str, Any]], separator: str = ',') -> str:
-    """Return one line for each student, with the points of every exercise; no mark is an empty cell."""
+    """Return a CSV table with one line for each student and the points of every exercise. A missing mark is an empty cell."""
     exercises = sorted({result['rubric']['name'] for result in results if 'rubric' in result})
     marks = {name: {(mark.student, mark.id): mark for mark in marks_of(results, name)[1]} for name in exercises}
     possible = sum(next(iter(found.values())).possible for found in marks.values())
@@ -245,8 +245,8 @@ def _is(text: str, number: int) -> bool:
         return False
 
 
-def main(words: Sequence[str]) -> int:
-    """Run the command. Name the students who are missing from the list of the platform."""
+def export_parser() -> argparse.ArgumentParser:
+    """Return the parser of the words after ``edugrade export``."""
     parser = argparse.ArgumentParser(
         prog='edugrade export',
         description='Write the marks of a batch for a learning platform. A submission without a mark has an empty cell.',
@@ -267,7 +267,12 @@ def main(words: Sequence[str]) -> int:
     parser.add_argument('--due', metavar='TIME', help='the due date, such as 2026-11-20T23:59; each later day costs points')
     parser.add_argument('--late-per-day', type=float, default=10.0, metavar='PERCENT', help='for each late day (default: 10)')
     parser.add_argument('--submitted', metavar='FILE', help='a table with the times of submission: student,submitted')
-    options = parser.parse_args(words)
+    return parser
+
+
+def main(words: Sequence[str]) -> int:
+    """Run the command. Name the students who are missing from the list of the platform."""
+    options = export_parser().parse_args(words)
     if (options.due is None) != (options.submitted is None):
         raise UnusableInput('--due needs --submitted, and the reverse', help='write --submitted FILE with student,submitted')
     late = read_late(options.due, options.late_per_day, options.submitted) if options.due else None

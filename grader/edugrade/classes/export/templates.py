@@ -1,4 +1,4 @@
-"""`edulaunch course template classroom|gradescope`: write the files that these platforms need to grade the exercises of a
+"""`edulaunch course template classroom|gradescope` writes the files that these platforms need to grade the exercises of a
 course.
 """
 
@@ -13,9 +13,9 @@ REQUIREMENTS = 'requirements.txt'
 
 
 def classroom(requirements: str, exercises: Sequence[tuple[str, str]]) -> dict[str, bytes]:
-    """Return a command for each check of each exercise.
+    """Return the files of GitHub Classroom, with a command for each check of each exercise.
 
-    :param requirements: the text of requirements.txt, for a course without one.
+    :param requirements: the content of requirements.txt, for a course without such a file.
     :param exercises: the name of each exercise, and its path relative to the current folder, which is the course.
     """
     from .classroom import autograding, tests, workflow
@@ -30,7 +30,7 @@ def classroom(requirements: str, exercises: Sequence[tuple[str, str]]) -> dict[s
 
 
 def gradescope(requirements: str, exercises: Sequence[tuple[str, str]]) -> dict[str, bytes]:
-    """Return an autograder for each exercise; see :func:`classroom`."""
+    """Return the files of an autograder for each exercise; :func:`classroom` explains the parameters."""
     from .gradescope import build
 
     files = {}

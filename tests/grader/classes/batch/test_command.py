@@ -105,6 +105,18 @@ def test_a_killed_grader_goes_on_where_it_was(group: Path, tmp_path: Path, monke
     assert not {f'{name}/static_frame.launch.py.json' for name in saved if name != 'peter'} & before
 
 
+def test_a_strange_name_in_the_teachers_file_is_found_before_anything_runs(
+    group: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    results_folder = Path(f'{group}.results')
+    results_folder.mkdir()
+    (results_folder / 'teacher.csv').write_text('student,points\nana,3\n')
+    assert main(['batch', str(group)]) == 2
+    said = f'edugrade: {results_folder}/teacher.csv names ana, who has no result\n  help: write anna, or remove the line\n'
+    assert capsys.readouterr().err == said
+    assert results(group) == {}
+
+
 @pytest.mark.processes
 def test_an_edit_is_graded_again_and_the_rest_is_kept(group: Path, capsys: pytest.CaptureFixture[str]) -> None:
     main(['batch', str(group)])

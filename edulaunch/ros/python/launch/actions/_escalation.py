@@ -1,4 +1,4 @@
-"""End a process that does not end after the first signal."""
+"""Timers that end a process if the first signal does not end it."""
 
 from __future__ import annotations
 
@@ -23,7 +23,10 @@ Timeout = list[Substitution]
 
 
 def escalation_timers(action: ExecuteLocal, logger: Any) -> list[TimerAction]:
-    """Return two timers: SIGTERM after `sigterm_timeout`, SIGKILL after `sigterm_timeout + sigkill_timeout` seconds."""
+    """Return two timers. One sends SIGTERM after `sigterm_timeout` seconds.
+
+    The other timer sends SIGKILL after `sigterm_timeout + sigkill_timeout` seconds.
+    """
     kill_after = PythonExpression(['float(', *action.sigterm_timeout, ') + float(', *action.sigkill_timeout, ')'])
     return [
         _timer(action, logger, action.sigterm_timeout, Signals.SIGINT, Signals.SIGTERM),

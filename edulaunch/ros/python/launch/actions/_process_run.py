@@ -1,4 +1,4 @@
-"""One run of a program as launch sees it. Its output and its end arrive on launch's own loop."""
+"""One run of a program as launch handles it. Its output and its end are reported on launch's own loop."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 class ProcessRun:
     """A program that was started through the simulation's host.
 
-    :param on_output: called on the loop as on_output('stdout' | 'stderr', text). Pieces that were written
-        without a pause arrive as one, as they would from a pipe.
+    :param on_output: a function that is called on the loop as on_output('stdout' | 'stderr', text). Output that the program
+        writes without a pause arrives in one call, as from a pipe.
     :raises OSError: when the program cannot be started.
     """
 
@@ -30,16 +30,16 @@ class ProcessRun:
 
     @property
     def pid(self) -> int:
-        """The process number."""
+        """The process ID."""
         pid: int = self._process.pid
         return pid
 
     def send_signal(self, signum: int) -> None:
-        """Send a signal."""
+        """Send a signal to the process."""
         self._process.send_signal(signum)
 
     def _take(self, stream: str, text: str) -> None:
-        """Receive output of the program; the program calls this in its own turn."""
+        """Receive output of the program, which calls this method."""
         if self._loop.is_closed():
             return
         self._pending.append((stream, text))
@@ -66,8 +66,8 @@ class ProcessRun:
 class OutputLines:
     """Splits output that arrives in pieces into lines, and passes each complete line on.
 
-    :param emit: called with each line, without its end.
-    :param cached: keep everything, for :attr:`text`.
+    :param emit: a function that is called with each line, without its line end.
+    :param cached: whether to store all output for :attr:`text`.
     """
 
     def __init__(self, emit: Callable[[str], object], cached: bool) -> None:
@@ -91,7 +91,7 @@ class OutputLines:
             self._emit(line)
 
     def flush(self) -> None:
-        """Pass on the rest of an incomplete line."""
+        """Pass on the remaining incomplete line, if there is one."""
         rest, self._rest = self._rest, ''
         if rest:
             self._emit(rest)
@@ -101,8 +101,9 @@ DEFAULT_OUTPUT_FORMAT = '[{this.process_description.final_name}] {line}'
 
 
 class ProcessOptions(NamedTuple):
-    """See :class:`launch.actions.ExecuteLocal`. Only `respawn` may be substitutions before the action is prepared. As in
-    upstream, the other arguments are used unchanged.
+    """The options of :class:`launch.actions.ExecuteLocal` for one process.
+
+    Only `respawn` may contain substitutions before the action is prepared. As in upstream, the other options are used unchanged.
     """
 
     shell: Any = False
@@ -117,8 +118,8 @@ class ProcessOptions(NamedTuple):
     def wants_respawn(self, retries: int) -> bool:
         """Return whether a process that has ended should be started again.
 
-        :param retries: how often it has been started again already.
-        :raises TypeError: when the number of retries is invalid.
+        :param retries: the number of restarts so far.
+        :raises TypeError: when `respawn_max_retries` is not a number.
         """
         return bool(self.respawn) and (self.respawn_max_retries < 0 or retries < self.respawn_max_retries)
 

@@ -1,4 +1,4 @@
-"""Watches a process after its action was executed: its start, output, signals, respawn and end."""
+"""Watches a process after its action was executed: its start, output, signals, restarts and end."""
 
 from __future__ import annotations
 
@@ -46,11 +46,11 @@ as long. Without it, a program with `respawn` and a missing module would start f
 
 
 class ProcessWatch(BaseEventHandler):
-    """Runs the program of one action, and handles all events that concern it.
+    """Runs the program of one action, and handles all events for this program.
 
-    :param details: the action's `process_details`; gets `pid` when the process runs.
-    :ivar completed: done when the process has ended for good.
-    :ivar return_code: of the last run, None before its end.
+    :param details: the `process_details` of the action; `pid` is added when the process runs.
+    :ivar completed: a future that is done when the process has ended and will not be restarted.
+    :ivar return_code: the exit code of the last run; None before the first run has ended.
     """
 
     def __init__(
@@ -82,12 +82,12 @@ class ProcessWatch(BaseEventHandler):
         return get_logger(self._details['name'])
 
     def text_of(self, stream: str) -> str:
-        """Return the output on 'stdout' or 'stderr' so far."""
+        """Return the output so far on the stream 'stdout' or 'stderr'."""
         lines = self._lines.get(stream)
         return '' if lines is None else lines.text
 
     def _lines_of(self, stream: str) -> OutputLines:
-        """Return the lines of a stream. The object is created with the first output, because many programs never print."""
+        """Return the line splitter of a stream. It is created at the first output, because many programs never print."""
         lines = self._lines.get(stream)
         if lines is None:
             stdout, stderr = get_output_loggers(self._details['name'], self._output)
@@ -105,9 +105,9 @@ class ProcessWatch(BaseEventHandler):
     # -- running
 
     def begin(self, context: LaunchContext) -> None:
-        """Start the program, unless launch has cancelled all waiting starts. Launch's loop calls this method.
+        """Start the program, unless launch has cancelled all starts that have not happened yet. Launch's loop calls this method.
 
-        An error here ends the action, and the launch service reports it.
+        An error here ends the action, and the launch service reports the error.
         """
         self._respawn = None
         self._began_s = self._loop.time()
@@ -139,9 +139,10 @@ class ProcessWatch(BaseEventHandler):
         self._run.complete.add_done_callback(lambda complete: self._end(context, complete.result()))
 
     def _end(self, context: LaunchContext, returncode: int, patience: int = PATIENCE) -> None:
-        """Log the end of the program if its output goes to the screen, and start it again if requested.
+        """Log the end of the program if its output goes to the screen, and start the program again if requested.
 
-        :param patience: how many more rounds of the loop to wait for output events, because launch handles none after the end.
+        :param patience: the number of further rounds of the loop in which to wait for output events, because launch handles none
+            after the end.
         """
         if self._unshown and patience:
             self._loop.call_soon(self._end, context, returncode, patience - 1)
@@ -190,7 +191,7 @@ class ProcessWatch(BaseEventHandler):
             self.begin(context)
 
     def _finish(self, error: Exception | None = None) -> None:
-        """End the action."""
+        """End the action: mark its future as done."""
         if not self.completed.done():
             if error is None:
                 self.completed.set_result(None)
@@ -278,7 +279,7 @@ class ProcessWatch(BaseEventHandler):
         self._run.send_signal(Signals[event.signal_name])
 
     def _shut_down(self, context: LaunchContext, *, send_sigint: bool) -> Entities | None:
-        """Start to end the process: send the first signal, and return the timers for stronger signals."""
+        """Send the first signal to the process, and return the timers that send stronger signals."""
         if self._is_asked_to_end or self.completed.done():
             return None
         if self._run is None:
@@ -298,7 +299,10 @@ class ProcessWatch(BaseEventHandler):
 
 
 def _wants_terminal(context: LaunchContext, options: ProcessOptions) -> bool:
-    """Return the action's setting, unless a launch configuration `emulate_tty` exists. Its value must be a boolean."""
+    """Return whether the program runs in a terminal: the launch configuration `emulate_tty`, or else the action's setting.
+
+    The launch configuration must be a boolean.
+    """
     wanted = context.launch_configurations.get('emulate_tty')
     if wanted is None:
         return bool(options.emulate_tty)
@@ -306,7 +310,7 @@ def _wants_terminal(context: LaunchContext, options: ProcessOptions) -> bool:
 
 
 def start_failure(error: Exception, action: ExecuteLocal, details: dict[str, Any]) -> str:
-    """Return Python's own last line about `error`, and a line of help with the place of the action.
+    """Return the last line of Python's report about `error`, and a line of help with the place of the action.
 
     ROS 2 shows a traceback of launch instead, which contains no code of the student.
     """

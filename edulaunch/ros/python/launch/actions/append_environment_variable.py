@@ -16,10 +16,11 @@ if TYPE_CHECKING:
 
 
 class AppendEnvironmentVariable(Action):
-    """Append a value to an environment variable that is a list, or prepend it. Create the variable if it does not exist.
+    """Add a value at the end or the beginning of an environment variable that is a list. Create the variable if it does not
+    exist.
 
-    :param prepend: add at the beginning; a boolean, or substitutions for one.
-    :param separator: between the values, by default that of search paths.
+    :param prepend: whether to add at the beginning; a boolean, or substitutions for one.
+    :param separator: the string between the values. The default is the separator of search paths.
     """
 
     def __init__(
@@ -47,14 +48,14 @@ class AppendEnvironmentVariable(Action):
 
     @property
     def prepend(self) -> bool | list[Substitution]:
-        """Whether the value goes to the beginning."""
+        """Whether the value is added at the beginning."""
         prepend: bool | list[Substitution] = self.__prepend
         return prepend
 
-    separator: ReadOnly[list[Substitution]] = ReadOnly('Return the separator of the values, as substitutions.')
+    separator: ReadOnly[list[Substitution]] = ReadOnly('The separator of the values, as substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
-        """Add the value."""
+        """Add the value to the variable."""
         name = perform_substitutions(context, self.__name)
         value = perform_substitutions(context, self.__value)
         if name in context.environment:

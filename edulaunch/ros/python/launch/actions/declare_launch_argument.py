@@ -18,13 +18,14 @@ if TYPE_CHECKING:
 class DeclareLaunchArgument(Action):
     """Declare a launch argument. Users set it with `ros2 launch ... name:=value`, and includes set it with `launch_arguments`.
 
-    Its value is the launch configuration of that name. If it is already set, it does not change; otherwise, it gets the default.
+    The value of the argument is the launch configuration with the same name. If this configuration is already set, it does not
+    change. Otherwise, it is set to the default.
 
     :param name: a plain string.
     :param default_value: a string or substitutions (so '3', not 3). Without a default, the argument is required.
-    :param description: for `ros2 launch -s`.
-    :param choices: the only values allowed.
-    :raises RuntimeError: for empty `choices`, or a literal default outside of them.
+    :param description: the explanation that `ros2 launch -s` shows.
+    :param choices: the only allowed values.
+    :raises RuntimeError: for empty `choices`, or a literal default that is not among them.
     """
 
     _search_role: ClassVar[str] = 'argument'
@@ -47,13 +48,13 @@ class DeclareLaunchArgument(Action):
         self.__description = _describe(description, self.__choices)
         self._conditionally_included = False
 
-    name: ReadOnly[str] = ReadOnly('The name.')
+    name: ReadOnly[str] = ReadOnly('The name of the launch argument.')
     default_value: ReadOnly[list[Substitution] | None] = ReadOnly('The default, as substitutions, or None.')
-    description: ReadOnly[str] = ReadOnly('For people; names the choices.')
-    choices: ReadOnly[list[str] | None] = ReadOnly('The only values allowed, or None.')
+    description: ReadOnly[str] = ReadOnly('The explanation that `ros2 launch -s` shows, with the choices.')
+    choices: ReadOnly[list[str] | None] = ReadOnly('The only allowed values; None allows any value.')
 
     def execute(self, context: LaunchContext) -> None:
-        """Set the launch configuration to the default unless it is set; check the choices.
+        """Set the launch configuration to the default if it is not set, and check the choices.
 
         :raises RuntimeError: when there is neither a value nor a default, or the value is not allowed.
         """

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class EmitEvent(Action):
-    """Emit an event, which handlers can handle.
+    """Emit an event for the registered event handlers.
 
     :raises RuntimeError: when `event` is not an event.
     """

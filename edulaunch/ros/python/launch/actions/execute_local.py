@@ -32,17 +32,19 @@ class ExecuteLocal(Action):
     """Run a program. Its output and its end become events and log lines.
 
     :param process_description: the command line, working directory and environment.
-    :param shell: let a shell run the joined command line.
-    :param sigterm_timeout, sigkill_timeout: seconds between SIGINT and SIGTERM, and then SIGKILL, at shutdown.
-    :param emulate_tty: run in a terminal; simulated programs print as if in one anyway.
+    :param shell: whether a shell runs the joined command line.
+    :param sigterm_timeout: the seconds between SIGINT and SIGTERM at shutdown.
+    :param sigkill_timeout: the seconds between SIGTERM and SIGKILL at shutdown.
+    :param emulate_tty: whether the program runs in a terminal. Simulated programs always print as in a terminal.
     :param output: 'log', 'screen', 'both', 'own_log', 'full', or a dictionary; see `launch.logging.get_output_loggers`.
-        OVERRIDE_LAUNCH_PROCESS_OUTPUT in the environment comes first.
-    :param output_format: of lines on the screen; may use `line` and `this` (this action).
-    :param cached_output: keep what is printed, for :meth:`get_stdout` and :meth:`get_stderr`.
-    :param log_cmd: log the command line.
-    :param on_exit: an entity, several, or a callable (event, context), visited or called when the process has ended.
-    :param respawn: start it again whenever it ends, `respawn_delay` seconds later, at most `respawn_max_retries` times (negative:
-        without limit), until the launch is shut down.
+        The environment variable OVERRIDE_LAUNCH_PROCESS_OUTPUT has priority.
+    :param output_format: the format of lines on the screen. It may contain the fields `line` and `this` (this action).
+    :param cached_output: whether to store the output for :meth:`get_stdout` and :meth:`get_stderr`.
+    :param log_cmd: whether to log the command line.
+    :param on_exit: what to do when the process has ended: an entity or several to visit, or a callable (event, context).
+    :param respawn: whether to start the program again when it ends, until the launch is shut down.
+    :param respawn_delay: the seconds between the end and the restart. None means no delay.
+    :param respawn_max_retries: the maximum number of restarts. A negative number means no limit.
     """
 
     def __init__(
@@ -85,7 +87,7 @@ class ExecuteLocal(Action):
     __watch: ProcessWatch | None = None
     __executed = False
 
-    process_description: ReadOnly[Executable] = ReadOnly('The command line and what belongs to it.')
+    process_description: ReadOnly[Executable] = ReadOnly('The command line, working directory and environment.')
 
     @property
     def shell(self) -> bool:
@@ -102,7 +104,9 @@ class ExecuteLocal(Action):
         """Whether the program is started again when it ends. Before execution, this may be substitutions. (edulaunch only.)"""
         return self.__options.respawn
 
-    respawn_delay: ReadOnly[Any] = ReadOnly('Seconds until then; None for at once. (edulaunch only.)', '__options.respawn_delay')
+    respawn_delay: ReadOnly[Any] = ReadOnly(
+        'Seconds before a restart; None means no delay. (edulaunch only.)', '__options.respawn_delay'
+    )
 
     @property
     def respawn_limit(self) -> int:
@@ -114,33 +118,35 @@ class ExecuteLocal(Action):
 
     @property
     def output(self) -> Any:
-        """The target of the output: a dictionary, or substitutions for a name (after execution, the name)."""
+        """The target of the output: a dictionary or a name. Before execution, substitutions stand for the name."""
         is_given_name = isinstance(self.__output, str) and not self.__executed
         return normalize_to_list_of_substitutions(self.__output) if is_given_name else self.__output
 
     @property
     def process_details(self) -> dict[str, Any] | None:
-        """None before execution, then `action`, `name`, `cmd`, `cwd` and `env`, and `pid` once the process runs."""
+        """The details of the process: `action`, `name`, `cmd`, `cwd` and `env`, and `pid` once the process runs. None before
+        execution.
+        """
         if self.__process_details is not None:
             self.__process_details['cmd'] = self.__process_description.final_cmd
         return self.__process_details
 
     @property
     def return_code(self) -> int | None:
-        """The exit code of the last run; None before its end."""
+        """The exit code of the last run; None before the first run has ended."""
         return None if self.__watch is None else self.__watch.return_code
 
     def get_stdout(self) -> str:
         """Return the standard output so far.
 
-        :raises RuntimeError: without `cached_output`.
+        :raises RuntimeError: when `cached_output` is not set.
         """
         return self.__cached_text('stdout')
 
     def get_stderr(self) -> str:
         """Return the standard error output so far.
 
-        :raises RuntimeError: without `cached_output`.
+        :raises RuntimeError: when `cached_output` is not set.
         """
         return self.__cached_text('stderr')
 
@@ -152,11 +158,11 @@ class ExecuteLocal(Action):
         return '' if self.__watch is None else self.__watch.text_of(stream)
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the entities of `on_exit`, if it is a list."""
+        """Return the entities of `on_exit`. If `on_exit` is a callable, return an empty list."""
         return self.__on_exit if isinstance(self.__on_exit, list) else []
 
     def prepare(self, context: LaunchContext) -> None:
-        """Evaluate all substitutions, and number the process."""
+        """Evaluate all substitutions, and assign a number to the process."""
         description = self.__process_description
         description.prepare(context, self)
         self.__process_details = {
@@ -175,7 +181,7 @@ class ExecuteLocal(Action):
         return {}
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Resolve the command line. The process starts after everything has been visited.
+        """Resolve the command line. The process starts after launch has visited all entities.
 
         :raises RuntimeError: when this action was executed before.
         """
@@ -207,19 +213,19 @@ class ExecuteLocal(Action):
     def start_again(self, context: LaunchContext) -> None:
         """Start the program again, even without `respawn`. A running program receives SIGINT first.
 
-        It is called on launch's loop. (edulaunch only.)
+        Call this method on launch's loop. (edulaunch only.)
         """
         if self.__watch is not None:
             self.__watch.start_again(context)
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
-        """Return a future that is done when the process has ended for good."""
+        """Return a future that is done when the process has ended and will not be restarted."""
         return None if self.__watch is None else self.__watch.completed
 
 
 @lru_cache(maxsize=1)
 def _watch_type() -> type[ProcessWatch]:
-    """Import the class when the first process is scheduled, because the statement takes time."""
+    """Import and return the class when the first process is scheduled, because the import takes time."""
     from ._process_watch import ProcessWatch
 
     return ProcessWatch

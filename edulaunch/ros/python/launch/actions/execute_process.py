@@ -16,15 +16,15 @@ Pairs = list[tuple[Substitutions, Substitutions]]
 
 
 class ExecuteProcess(ExecuteLocal):
-    """Run a command. `ros2 ...` and programs of known packages run in the simulation, and any other command runs on the computer.
+    """Run a command. `ros2 ...` and programs of known packages run in the simulation. Any other command runs on the computer.
 
-    :param cmd: the words, each a string or substitutions. With a plain string instead of a list, each letter would be a word.
-    :param prefix: put in front of the command, such as 'xterm -e' (default: the launch configuration `launch-prefix`).
-    :param name: name of the process in the log, without its number (default: the program's file name).
-    :param cwd: working directory.
-    :param env: the whole environment.
-    :param additional_env: added to the environment.
-    :param kwargs: those of :class:`ExecuteLocal`, except `process_description`.
+    :param cmd: the words of the command, each a string or substitutions. If `cmd` is a plain string, each letter becomes a word.
+    :param prefix: the words before the command, such as 'xterm -e'. The default is the launch configuration `launch-prefix`.
+    :param name: the name of the process in the log, without its number. The default is the file name of the program.
+    :param cwd: the working directory. The default is that of launch.
+    :param env: the complete environment. The default is that of launch.
+    :param additional_env: variables to add to the environment.
+    :param kwargs: the arguments of :class:`ExecuteLocal`, except `process_description`.
     """
 
     def __init__(
@@ -43,7 +43,9 @@ class ExecuteProcess(ExecuteLocal):
 
     @classmethod
     def _parse_cmdline(cls, cmd: str, parser: ParserProtocol) -> list[Substitutions]:
-        """Return the words of a command line as XML and YAML write it; extensions of launch call this by upstream's name."""
+        """Return the words of a command line in the form of XML and YAML. Extensions of launch call this method by upstream's
+        name.
+        """
         from ..frontend.elements import words_of
 
         return words_of(cmd, parser)

@@ -23,10 +23,10 @@ if TYPE_CHECKING:
 class GroupAction(Action):
     """Visit several actions together, with one condition for all.
 
-    :param scoped: restore the launch configurations, which include the pushed namespace, and the environment variables at the
-        end.
-    :param forwarding: let the actions see the configurations and variables set outside. Without it, they see only
-        `launch_configurations`.
+    :param scoped: whether the end of the group restores the environment variables and the launch configurations, which include
+        the pushed namespace.
+    :param forwarding: whether the actions can read the configurations and variables set outside the group. Without it, they can
+        read only `launch_configurations`.
     :param launch_configurations: the configurations to set at the beginning.
     """
 
@@ -47,7 +47,7 @@ class GroupAction(Action):
         self.__actions_to_return: list[LaunchDescriptionEntity] | None = None
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the actions, between the actions that create and end the scope."""
+        """Return the actions of the group. If the group is scoped, they are between the actions that create and end the scope."""
         if self.__actions_to_return is None:
             self.__actions_to_return = self.__with_scope(list(self.__actions))
         return self.__actions_to_return

@@ -30,12 +30,13 @@ LaunchArguments = Iterable[tuple[SomeSubstitutionsType, SomeSubstitutionsType]]
 
 
 class IncludeLaunchDescription(Action):
-    """Visit another launch description here.
+    """Visit another launch description.
 
-    It is not scoped: later actions see its arguments and everything that it sets. Put it into a `GroupAction` to prevent that.
+    An include has no scope of its own: later actions see its arguments and everything that it sets. Put the include into a
+    `GroupAction` to prevent that.
 
     :param launch_description_source: a source, or the path of a launch file of any format.
-    :param launch_arguments: (name, value) pairs, such as `{'name': 'value'}.items()`; set before the
+    :param launch_arguments: (name, value) pairs, such as `{'name': 'value'}.items()`. They are set before the
         description is visited.
     """
 
@@ -56,18 +57,18 @@ class IncludeLaunchDescription(Action):
         )
         self.__launch_arguments = () if launch_arguments is None else tuple(launch_arguments)
 
-    launch_description_source: ReadOnly[LaunchDescriptionSource] = ReadOnly('Where the description comes from.', '__source')
+    launch_description_source: ReadOnly[LaunchDescriptionSource] = ReadOnly('The source of the description.', '__source')
 
     launch_arguments: ReadOnly[tuple[tuple[SomeSubstitutionsType, SomeSubstitutionsType], ...]] = ReadOnly(
-        'The (name, value) pairs.'
+        'The launch arguments as (name, value) pairs.'
     )
 
     def describe(self) -> str:
-        """Return `IncludeLaunchDescription(/path/to/the.launch.py)`."""
+        """Return a description such as `IncludeLaunchDescription(/path/to/the.launch.py)`."""
         return f'IncludeLaunchDescription({self.__source.described_location})'
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the description, if its file can be found and loaded without a running launch."""
+        """Return the launch description, if its file can be found and loaded without a running launch."""
         description = self.__source.try_get_launch_description_without_context()
         return [description] if description is not None else []
 
@@ -82,10 +83,11 @@ class IncludeLaunchDescription(Action):
         return [perform_substitutions(context, normalize_to_list_of_substitutions(name)) for name, _ in self.__launch_arguments]
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
-        """Load the description, set its arguments, and visit it. A file of a package that edulaunch does not have, such as
-        Gazebo, is left out.
+        """Load the description, set its arguments, and visit it.
 
-        :raises RuntimeError: when an argument without default is missing.
+        If the file belongs to a missing well-known package, such as one of Gazebo, log an error and do not include it.
+
+        :raises RuntimeError: when a launch argument has neither a value nor a default.
         """
         try:
             description = self.__source.get_launch_description(context)

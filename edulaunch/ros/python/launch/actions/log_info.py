@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class LogInfo(Action):
-    """Write a message: `[INFO] [launch.user]: ...`."""
+    """Log a message as `[INFO] [launch.user]: ...`."""
 
     def __init__(self, *, msg: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)
@@ -23,7 +23,7 @@ class LogInfo(Action):
     msg: ReadOnly[list[Substitution]] = ReadOnly('The message, as substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
-        """Write the message."""
+        """Log the message."""
         from ..logging import get_logger
 
         get_logger('launch.user').info(perform_substitutions(context, self.__msg))

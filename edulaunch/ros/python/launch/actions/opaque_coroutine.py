@@ -20,11 +20,11 @@ if TYPE_CHECKING:
 class OpaqueCoroutine(Action):
     """Run `coroutine(context, *args, **kwargs)` as a task of launch's loop. Launch is not idle until the task has ended.
 
-    It is cancelled when the launch is shut down. `asyncio.sleep` in it takes simulated time.
+    A shutdown of the launch cancels the task. `asyncio.sleep` in the coroutine takes simulated time.
 
     :param coroutine: a coroutine function (`async def`).
-    :param ignore_context: do not pass the context.
-    :raises TypeError: when `coroutine` is something else, or another argument has the wrong type.
+    :param ignore_context: whether to call the coroutine without the context.
+    :raises TypeError: when `coroutine` is not a coroutine function, or another argument has the wrong type.
     """
 
     def __init__(
@@ -61,5 +61,5 @@ class OpaqueCoroutine(Action):
         context.register_event_handler(OnShutdown(on_shutdown=self.__on_shutdown))
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
-        """Return the task."""
+        """Return the task, or None before execution."""
         return self.__future

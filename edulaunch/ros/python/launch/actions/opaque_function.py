@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 
 
 class OpaqueFunction(Action):
-    """Call `function(context, *args, **kwargs)` when launch visits it. Launch then visits the returned entities.
+    """Call `function(context, *args, **kwargs)` when launch visits this action. Launch then visits the returned entities.
 
     The function can read launch configurations, so it can build actions from plain Python values. Its result is unknown before
-    the call (opaque), so `ros2 launch -s` does not list launch arguments that it declares.
+    the call (opaque), so `ros2 launch -s` does not list launch arguments that the function declares.
 
     :raises TypeError: when `function` is not callable, or `args` or `kwargs` have the wrong type.
     """
@@ -41,7 +41,7 @@ class OpaqueFunction(Action):
         self.__kwargs = kwargs if kwargs is not None else {}
 
     def execute(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
-        """Call the function."""
+        """Call the function, and return its entities."""
         entities = self.__function(context, *self.__args, **self.__kwargs)
         if entities is not None:
             iter(

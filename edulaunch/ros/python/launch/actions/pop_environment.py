@@ -14,5 +14,8 @@ class PopEnvironment(Action):
     """Restore the environment variables saved by the last `PushEnvironment`."""
 
     def execute(self, context: LaunchContext) -> None:
-        """Restore the variables of the last PushEnvironment. Raise RuntimeError if there was none."""
+        """Restore the environment variables saved by the last `PushEnvironment`.
+
+        :raises RuntimeError: when there is no earlier `PushEnvironment`.
+        """
         context._pop_environment()

@@ -14,5 +14,8 @@ class PopLaunchConfigurations(Action):
     """Restore the launch configurations saved by the last `PushLaunchConfigurations`."""
 
     def execute(self, context: LaunchContext) -> None:
-        """Restore the configurations of the last push. Raise RuntimeError if there was none."""
+        """Restore the launch configurations saved by the last `PushLaunchConfigurations`.
+
+        :raises RuntimeError: when there is no earlier `PushLaunchConfigurations`.
+        """
         context._pop_launch_configurations()

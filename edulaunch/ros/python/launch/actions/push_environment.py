@@ -14,5 +14,5 @@ class PushEnvironment(Action):
     """Save all environment variables until the matching `PopEnvironment`."""
 
     def execute(self, context: LaunchContext) -> None:
-        """Store the environment variables for a later PopEnvironment."""
+        """Save the environment variables for a later `PopEnvironment`."""
         context._push_environment()

@@ -14,5 +14,5 @@ class PushLaunchConfigurations(Action):
     """Save all launch configurations until the matching `PopLaunchConfigurations`."""
 
     def execute(self, context: LaunchContext) -> None:
-        """Store the launch configurations for a later PopLaunchConfigurations."""
+        """Save the launch configurations for a later `PopLaunchConfigurations`."""
         context._push_launch_configurations()

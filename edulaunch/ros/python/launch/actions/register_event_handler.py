@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class RegisterEventHandler(Action):
-    """Register an event handler. It sees events that happen later."""
+    """Register an event handler. It handles events that happen after the registration."""
 
     def __init__(self, event_handler: BaseEventHandler, **kwargs: Any) -> None:
         super().__init__(**kwargs)

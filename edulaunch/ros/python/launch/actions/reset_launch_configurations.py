@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 class ResetLaunchConfigurations(Action):
     """Delete all launch configurations, and then set the given ones.
 
-    :param launch_configurations: name -> value, both strings or substitutions, which are evaluated before the configurations are
-        removed.
+    :param launch_configurations: names and values, each a string or substitutions. They are evaluated before the configurations
+        are deleted.
     """
 
     _search_role: ClassVar[str] = 'reset'
@@ -30,7 +30,7 @@ class ResetLaunchConfigurations(Action):
         self.__launch_configurations = dict(launch_configurations) if launch_configurations is not None else {}
 
     launch_configurations: ReadOnly[dict[SomeSubstitutionsType, SomeSubstitutionsType]] = ReadOnly(
-        'The ones that are set afterwards.'
+        'The launch configurations to set afterwards.'
     )
 
     def execute(self, context: LaunchContext) -> None:

@@ -14,9 +14,10 @@ if TYPE_CHECKING:
 
 
 class SetLaunchConfiguration(Action):
-    """Set a launch configuration, even if it is already set. It also overrides `name:=value` of a user.
+    """Set a launch configuration, even if it is already set. It also overrides a user's `name:=value`.
 
-    :param name, value: strings or substitutions.
+    :param name: the name of the launch configuration; a string or substitutions.
+    :param value: the new value; a string or substitutions.
     """
 
     def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **kwargs: Any) -> None:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 class Shutdown(EmitEvent):
     """End the whole launch. With `on_exit=Shutdown()`, the end of a process ends the launch.
 
-    :param reason: for people; a string or substitutions.
+    :param reason: the reason shown in the log; a string or substitutions.
     """
 
     def __init__(self, *, reason: SomeSubstitutionsType = 'reason not given', **kwargs: Any) -> None:

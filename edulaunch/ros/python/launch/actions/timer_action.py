@@ -24,13 +24,13 @@ if TYPE_CHECKING:
 
 
 class TimerAction(Action):
-    """Visit the actions once, after `period` seconds of simulated time, unless the timer is cancelled first.
+    """Visit actions once, after `period` seconds of simulated time, unless the timer is cancelled first.
 
-    They see the locals from the time when the timer was executed, but the launch configurations from the time when it fires. The
-    configurations of an enclosing group no longer exist then.
+    The actions see the locals from the time when the timer was executed, but the launch configurations from the time when the
+    timer fires. By then, the configurations of an enclosing group no longer exist.
 
-    :param period: a float (not an int), or substitutions.
-    :param actions: what to visit then.
+    :param period: the seconds to wait; a float (not an int), or substitutions.
+    :param actions: the actions to visit when the timer fires.
     :param cancel_on_shutdown: whether a shutdown cancels the timer; a boolean or substitutions.
     :raises TypeError: when an argument has the wrong type.
     """
@@ -59,11 +59,11 @@ class TimerAction(Action):
         self._completed_future: asyncio.Future[Any] | None = None
         self._canceled_future: asyncio.Future[Any] | None = None
 
-    period: ReadOnly[Any] = ReadOnly('Seconds, or substitutions.')
-    actions: ReadOnly[Iterable[LaunchDescriptionEntity]] = ReadOnly('What is visited then.')
+    period: ReadOnly[Any] = ReadOnly('The seconds to wait, or substitutions.')
+    actions: ReadOnly[Iterable[LaunchDescriptionEntity]] = ReadOnly('The actions to visit when the timer fires.')
 
     def describe(self) -> str:
-        """Return `TimerAction(period=2.0, actions=<actions>)`."""
+        """Return a description such as `TimerAction(period=2.0, actions=<actions>)`."""
         return f'TimerAction(period={self.__period}, actions=<actions>)'
 
     def describe_conditional_sub_entities(self) -> ConditionalEntities:
@@ -76,7 +76,7 @@ class TimerAction(Action):
         return self.__actions
 
     def cancel(self) -> None:
-        """Do not visit the actions, if they have not been visited yet."""
+        """Cancel the timer, so that its actions are not visited. After the timer has fired, this call has no effect."""
         self.__canceled = True
         if self._canceled_future is not None and not self._canceled_future.done():
             self._canceled_future.set_result(True)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 class UnregisterEventHandler(Action):
     """Unregister an event handler.
 
-    :raises ValueError: when executed while the handler is not registered.
+    :raises ValueError: on execution, when the handler is not registered.
     """
 
     def __init__(self, event_handler: BaseEventHandler, **kwargs: Any) -> None:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class UnsetEnvironmentVariable(Action):
-    """Remove an environment variable of launch's process. An unknown name has no effect."""
+    """Remove an environment variable of launch's process. The action has no effect if the variable is not set."""
 
     def __init__(self, name: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class UnsetLaunchConfiguration(Action):
-    """Remove a launch configuration. An unknown name has no effect."""
+    """Remove a launch configuration. The action has no effect if the configuration is not set."""
 
     def __init__(self, name: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

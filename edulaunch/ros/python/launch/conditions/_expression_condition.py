@@ -1,4 +1,4 @@
-"""The base class of conditions that read a string as a boolean."""
+"""The base class of conditions that convert a string to a boolean."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class _ExpressionCondition(Condition):
         return f'{self._word} {describe_all(self._expression)}'
 
     def describe(self) -> str:
-        """Return `IfCondition(LaunchConfig('x'))`."""
+        """Return a description such as `IfCondition(LaunchConfig('x'))`."""
         return f'{self._word.capitalize()}Condition({describe_all(self._expression)})'
 
     def _predicate_func(self, context: LaunchContext) -> bool:

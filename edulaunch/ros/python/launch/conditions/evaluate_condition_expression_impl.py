@@ -1,4 +1,4 @@
-"""Read a string as a boolean, for conditions."""
+"""Convert a string to a boolean for conditions."""
 
 from __future__ import annotations
 
@@ -19,8 +19,9 @@ VALID_FALSE_EXPRESSIONS = ['false', '0']
 
 
 def evaluate_condition_expression(context: LaunchContext, expression: Iterable[Substitution]) -> bool:
-    """Join the substitutions and return their boolean value: `true` and `1`, or `false` and `0`, in upper or lower case, with
-    spaces around them.
+    """Join the substitutions and return the boolean value of the result.
+
+    The result must be `true`, `1`, `false` or `0`. Upper and lower case are equal, and spaces around the word are ignored.
 
     :raises InvalidConditionExpressionError: for any other string, including 'yes' and 'on'.
     """

@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
 
 class LaunchConfigurationEquals(Condition):
-    """True if the launch configuration equals the expected string. With None instead of a string, true if it is not set.
+    """True if the launch configuration equals the expected string. If None is expected, true if the configuration is not set.
 
-    Upstream has deprecated it in favour of `IfCondition(EqualsSubstitution(...))`. Creating one logs a warning.
+    Upstream has deprecated this class in favour of `IfCondition(EqualsSubstitution(...))`. Creating an instance logs a warning.
     """
 
     def __init__(self, launch_configuration_name: str, expected_value: SomeSubstitutionsType | None) -> None:

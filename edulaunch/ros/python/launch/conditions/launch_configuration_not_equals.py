@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class LaunchConfigurationNotEquals(LaunchConfigurationEquals):
-    """True if the launch configuration does not equal the given string. With None instead of a string, true if it is set."""
+    """True if the launch configuration does not equal the given string. If None is given, true if the configuration is set."""
 
     _sign = 'is not'
 

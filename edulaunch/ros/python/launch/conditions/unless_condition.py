@@ -6,9 +6,9 @@ from ._expression_condition import _ExpressionCondition
 
 
 class UnlessCondition(_ExpressionCondition):
-    """Execute the action only if the expression is `false` or `0` (any case).
+    """Execute the action only if the expression is `false` or `0`. The only other allowed values are `true` and `1`.
 
-    :raises InvalidConditionExpressionError: on evaluation, for a string that is neither true nor false.
+    :raises InvalidConditionExpressionError: on evaluation, when the expression is any other string.
     """
 
     _word = 'unless'

@@ -35,15 +35,15 @@ Variables = Mapping[SomeSubstitutionsType, SomeSubstitutionsType]
 
 
 class Executable:
-    """A program to run. :meth:`prepare` makes the `final_...` values from the substitutions.
+    """A program to run. :meth:`prepare` computes the `final_...` values from the substitutions.
 
     :param cmd: the words of the command line, each a string or substitutions.
-    :param prefix: put in front of the command, split as in a shell. The default is the launch configuration `launch-prefix`, for
+    :param prefix: the words before the command, split as in a shell. The default is the launch configuration `launch-prefix`, for
         programs whose name matches the regular expression in `launch-prefix-filter`.
-    :param name: the name of the process without its number. The default is the program's file name.
+    :param name: the name of the process without its number. The default is the file name of the program.
     :param cwd: the working directory. The default is that of launch.
-    :param env: the whole environment. The default is that of launch.
-    :param additional_env: added to the environment.
+    :param env: the complete environment. The default is that of launch.
+    :param additional_env: variables to add to the environment.
     :param arguments: further words of the command line.
     """
 
@@ -83,13 +83,13 @@ class Executable:
 
     @property
     def cmd(self) -> list[Substitutions]:
-        """The words of the command line, as substitutions. Changes of this list affect the command."""
+        """The words of the command line, as substitutions. Changes of this list change the command."""
         words = self.__words
         words[:] = [word if isinstance(word, list) else normalize_to_list_of_substitutions(word) for word in words]
         return words  # type: ignore[return-value]
 
     def add_words(self, words: Iterable[SomeSubstitutionsType]) -> None:
-        """Append words to the command line. Strings become substitutions when they are first read."""
+        """Append words to the command line. A string becomes a substitution when it is first read."""
         self.__words += [
             word if type(word) is str or isinstance(word, Substitution) else normalize_to_list_of_substitutions(word)
             for word in words
@@ -98,17 +98,17 @@ class Executable:
     cwd: ReadOnly[Substitutions | None] = ReadOnly('The working directory, as substitutions.')
     env: ReadOnly[list[tuple[Substitutions, Substitutions]] | None] = ReadOnly('The environment, as substitutions.')
     additional_env: ReadOnly[list[tuple[Substitutions, Substitutions]] | None] = ReadOnly(
-        'What is added to the environment, as substitutions.'
+        'The variables to add to the environment, as substitutions.'
     )
 
-    arguments: ReadOnly[list[SomeSubstitutionsType] | None] = ReadOnly('The further words, as given.')
+    arguments: ReadOnly[list[SomeSubstitutionsType] | None] = ReadOnly('The further words of the command line, as given.')
     final_name: ReadOnly[str | None] = ReadOnly("The unique name, such as 'talker-1'; None before :meth:`prepare`.")
 
     @property
     def final_cmd(self) -> list[str] | None:
-        """The arguments of the command line, or None before :meth:`prepare`.
+        """The words of the command line, or None before :meth:`prepare`.
 
-        Reading it writes the generated files that the command names.
+        Reading this property writes the generated files that the command names.
         """
         if self._named_files is not None:
             self._named_files()
@@ -117,23 +117,27 @@ class Executable:
 
     @property
     def command(self) -> list[str] | None:
-        """Return :attr:`final_cmd` for callers that do not read the files in it. (edulaunch only.)"""
+        """The value of :attr:`final_cmd` for callers that do not read the files that the command names. (edulaunch only.)"""
         return self._command
 
     @property
     def word_count(self) -> int:
-        """The number of words of the command line without a prefix. Reading it creates no substitution. (edulaunch only.)"""
+        """The number of words of the command line without a prefix. Reading this property creates no substitution. (edulaunch
+        only.)
+        """
         return len(self.__words)
 
     def write_before_look(self, write: Callable[[], object]) -> None:
-        """Let `write` create the files that the command names at their first use. (edulaunch only.)"""
+        """Set `write` as the function that creates the files that the command names. It is called on first use. (edulaunch
+        only.)
+        """
         self._named_files = write
 
-    final_cwd: ReadOnly[str | None] = ReadOnly("The working directory, None for launch's own.")
+    final_cwd: ReadOnly[str | None] = ReadOnly('The working directory; None means that of launch.')
     final_env: ReadOnly[dict[str, str] | None] = ReadOnly('The environment; None before :meth:`prepare`.')
 
     def prepare(self, context: LaunchContext, action: Action | None) -> None:
-        """Evaluate everything in `context`, and assign the next number to the process."""
+        """Evaluate all substitutions in `context`, and assign the next process number."""
         cmd = [word if isinstance(word, str) else _performed(context, word) for word in self.__words]
         prefix = self.__prefix_words(context, cmd[0])
         self._command = [*prefix, *cmd] if prefix else cmd
@@ -147,7 +151,7 @@ class Executable:
             self.__final_env.update(_perform_variables(context, self.__additional_env))
 
     def __prefix_words(self, context: LaunchContext, program: str) -> list[str]:
-        """Return the prefix of this program. The filter does not apply to the argument `prefix`."""
+        """Return the prefix of this program. The filter does not apply to a prefix given as the argument `prefix`."""
         if self.__given_prefix is not None:
             return shlex.split(perform_substitutions(context, self.__given_prefix))
         if 'launch-prefix' not in context.launch_configurations:

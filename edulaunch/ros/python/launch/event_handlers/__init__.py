@@ -1,4 +1,4 @@
-"""Handlers for the usual events."""
+"""Handlers for common events."""
 
 from typing import TYPE_CHECKING
 

@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 class OnActionEventBase(BaseEventHandler):
     """The base class of handlers for events that have an `action`.
 
-    :param action_matcher: an action (exactly that object), a callable that gets the action, or None for every action.
-    :param on_event: an entity, several, or a callable that gets the event and the context and may return entities.
-    :param target_event_cls: the type of events.
+    :param action_matcher: an action (exactly that object), a callable that receives the action, or None for every action.
+    :param on_event: an entity, several, or a callable that receives the event and the context and may return entities.
+    :param target_event_cls: the type of the events to handle.
     :param target_action_cls: the type that the action must have.
     :raises TypeError: for an `action_matcher` or an item of `on_event` of another type.
     """
@@ -66,19 +66,19 @@ class OnActionEventBase(BaseEventHandler):
 
     @property
     def handler_description(self) -> str:
-        """`<actions>`, or the callable."""
+        """The string `<actions>`, or a description of the callable."""
         return '<actions>' if self.__on_event is None else str(self.__on_event)
 
     @property
     def matcher_description(self) -> str:
-        """A description of the handled events."""
+        """A description of the events that the handler handles."""
         event = self.__target_event_cls.__name__
         if self.__action_matcher is None:
             return f'event == {event}'
         return f'event == {event} and {self.__target_action_cls.__name__}(event.action)'
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
-        """Return a description of the handler, and its entities."""
+        """Return a description of the handler, and the entities that it visits."""
         text = super().describe()[0]
         return text, list(self.__actions_on_event)
 

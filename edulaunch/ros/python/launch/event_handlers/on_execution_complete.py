@@ -12,9 +12,9 @@ if TYPE_CHECKING:
 
 
 class OnExecutionComplete(OnActionEventBase):
-    """Handles the end of an action: a process has ended, or a timer has fired.
+    """Handles the completion of an action: a process has ended, or a timer has fired.
 
-    :param target_action: the action, a callable that decides, or None for every action.
+    :param target_action: the action, a callable that decides whether an action matches, or None for every action.
     :param on_completion: an entity, several, or a callable (event, context) that may return entities.
     """
 

@@ -27,10 +27,10 @@ class OnIncludeLaunchDescription(BaseEventHandler):
 
     @property
     def handler_description(self) -> str:
-        """A description of the handler's action."""
+        """A description of what the handler does."""
         return 'returns the launch_description in the event'
 
     @property
     def matcher_description(self) -> str:
-        """A description of the handled events."""
+        """A description of the events that the handler handles."""
         return 'event issubclass of launch.events.IncludeLaunchDescription'

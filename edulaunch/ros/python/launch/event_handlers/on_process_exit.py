@@ -14,7 +14,8 @@ if TYPE_CHECKING:
 class OnProcessExit(OnActionEventBase):
     """Handles the end of a process.
 
-    :param target_action: the `ExecuteProcess` or `Node`, a callable that decides, or None for every process.
+    :param target_action: the `ExecuteProcess` or `Node`, a callable that decides whether an action matches, or None for every
+        process.
     :param on_exit: an entity, several, or a callable (event, context) that may return entities.
     """
 

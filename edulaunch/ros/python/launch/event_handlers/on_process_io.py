@@ -19,10 +19,13 @@ OnText = Callable[[ProcessIO], SomeEntitiesType | None]
 
 
 class OnProcessIO(OnActionEventBase):
-    """Handles input and output of a process, in the pieces in which it arrives.
+    """Handles input and output of a process. Each event contains the bytes that arrived together.
 
-    :param target_action: the `ExecuteProcess` or `Node`, a callable that decides, or None for every process.
-    :param on_stdin, on_stdout, on_stderr: each called with the event; may return entities.
+    :param target_action: the `ExecuteProcess` or `Node`, a callable that decides whether an action matches, or None for every
+        process.
+    :param on_stdin: a callable for the event of each input; it may return entities.
+    :param on_stdout: a callable for the event of each standard output; it may return entities.
+    :param on_stderr: a callable for the event of each standard error output; it may return entities.
     """
 
     def __init__(
@@ -58,6 +61,6 @@ class OnProcessIO(OnActionEventBase):
 
     @property
     def handler_description(self) -> str:
-        """The handled streams."""
+        """A description of the streams that the handler handles."""
         streams = {'on_stdin': self.__on_stdin, 'on_stdout': self.__on_stdout, 'on_stderr': self.__on_stderr}
         return ' '.join(f"{name}: '{reaction}'" for name, reaction in streams.items() if reaction is not None)

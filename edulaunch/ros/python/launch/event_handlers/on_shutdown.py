@@ -36,16 +36,16 @@ class OnShutdown(BaseEventHandler):
 
     @property
     def handler_description(self) -> str:
-        """The callable, or the entities."""
+        """A description of the callable, or of the entities."""
         return str(self.__on_shutdown)
 
     @property
     def matcher_description(self) -> str:
-        """A description of the handled events."""
+        """A description of the events that the handler handles."""
         return 'event issubclass of launch.events.Shutdown'
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
-        """Return a description of the handler, and its entities."""
+        """Return a description of the handler, and the entities that it visits."""
         text = super().describe()[0]
         if callable(self.__on_shutdown):
             return text, []

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class ExecutionComplete(Event):
-    """Emitted after an action's `execute`, or when its future is done. For a process, this is the end of the process."""
+    """Emitted after an action's `execute`, or when the action's future is done. For a process, this is the end of the process."""
 
     name = 'launch.events.ExecutionComplete'
 

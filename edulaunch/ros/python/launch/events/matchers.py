@@ -10,5 +10,5 @@ if TYPE_CHECKING:
 
 
 def matches_action(target_action: Action) -> Callable[[Action], bool]:
-    """Return a matcher for exactly this action."""
+    """Return a matcher for events of exactly this action."""
     return lambda action: action is target_action

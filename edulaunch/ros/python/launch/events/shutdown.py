@@ -9,8 +9,8 @@ from ..event import Event
 class Shutdown(Event):
     """Ends the whole launch. Processes receive signals, timers are cancelled, and no new process starts.
 
-    :param reason: for people, and for `LocalSubstitution('event.reason')`.
-    :param due_to_sigint: the user pressed Ctrl-C, so a terminal has already signalled the processes.
+    :param reason: the reason that the log and `LocalSubstitution('event.reason')` show.
+    :param due_to_sigint: whether the user pressed Ctrl-C. In a terminal, the processes have then already received SIGINT.
     """
 
     name = 'launch.events.Shutdown'
@@ -19,5 +19,5 @@ class Shutdown(Event):
         self.__reason = reason
         self.__due_to_sigint = due_to_sigint
 
-    reason: ReadOnly[str] = ReadOnly('Why.')
-    due_to_sigint: ReadOnly[bool] = ReadOnly('Whether ctrl-c was pressed.')
+    reason: ReadOnly[str] = ReadOnly('The reason for the shutdown.')
+    due_to_sigint: ReadOnly[bool] = ReadOnly('Whether the user pressed Ctrl-C.')

@@ -1,4 +1,4 @@
-"""Launch files in formats other than Python: the common parts of XML and YAML, and functions to extend both."""
+"""Launch files in formats other than Python: code that XML and YAML share, and functions to extend both formats."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""Read `if` and `unless`, which every element of a launch file may have."""
+"""Parse `if` and `unless`, which every element of a launch file may have."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from .parser_protocol import ParserProtocol
 
 
 def condition_of(entity: Entity, parser: ParserProtocol) -> dict[str, Any]:
-    """Return the keyword argument `condition` if the element has `if` or `unless`.
+    """Return the keyword argument `condition` if the element has `if` or `unless`, and otherwise an empty dictionary.
 
-    :raises RuntimeError: when it has both.
+    :raises RuntimeError: when the element has both.
     """
     given = entity.given(('if', 'unless'))
     if not given:

@@ -1,4 +1,6 @@
-"""The elements of launch: their content, and the action that each creates. `launch_ros.launch_extension` has those of ROS."""
+"""The elements of launch: their content, and the action that each creates. The module `launch_ros.launch_extension` contains the
+elements of ROS.
+"""
 
 from __future__ import annotations
 
@@ -19,13 +21,13 @@ Word = list[Substitution]
 
 
 def words_of(text: str, parser: ParserProtocol) -> list[Word]:
-    """Return the words of a command line; each is a list of substitutions.
+    """Return the words of a command line. Each word is a list of substitutions.
 
-    Substitutions are found first, then the literal parts between them are split as in a shell. Text next to a substitution stays
-    in one word with it, and the value of a substitution is never split. As in upstream, an empty string, and blanks before the
-    first substitution, are one empty word.
+    Substitutions are found first, and then the literal parts between them are split as in a shell. Text next to a substitution
+    stays in one word with the substitution. The value of a substitution is never split. As in upstream, an empty string, and
+    blanks before the first substitution, become one empty word.
 
-    :raises ValueError: when a quote is not closed within one literal piece.
+    :raises ValueError: when a quote is not closed within one literal part.
     """
     words: list[Word] = []
     word: Word = []
@@ -71,13 +73,13 @@ NOTHING: Attributes = {}
 
 
 class Element:
-    """Reads one kind of element. The class that it creates is imported when the first such element is read.
+    """Parses one kind of element. The class that the element creates is imported when the first such element is parsed.
 
-    :param made_by: module and class, such as 'launch.actions.log_info.LogInfo'.
-    :param needed: attributes and children that it must have.
-    :param optional: attributes that it may have.
-    :param children: child elements that it may have.
-    :param holds_actions: all other children are actions.
+    :param made_by: the module and name of the class, such as 'launch.actions.log_info.LogInfo'.
+    :param needed: the attributes and children that the element must have.
+    :param optional: the attributes that the element may have.
+    :param children: the child elements that the element may have.
+    :param holds_actions: whether all other children are actions.
     """
 
     def __init__(
@@ -97,9 +99,9 @@ class Element:
         self._class: Any = None
 
     def __call__(self, entity: Entity, parser: ParserProtocol, ignore: Collection[str] = ()) -> Parsed:
-        """Return the class, and its keyword arguments.
+        """Return the class and the keyword arguments for the element.
 
-        :param ignore: attributes and children that other code reads.
+        :param ignore: names of attributes and children that other code parses.
         """
         if self._class is None:
             self._class = getattr(import_module(self.module), self.class_name)
@@ -132,19 +134,19 @@ def literal(entity: Entity, parser: ParserProtocol, name: str) -> str:
 
 
 def typed(data_type: type) -> Reader:
-    """Return an attribute of that type, or a string with substitutions."""
+    """Return an attribute of the given type, or a string with substitutions."""
     return lambda entity, parser, name: parser.parse_if_substitutions(entity.get_attr(name, data_type=data_type))
 
 
 def as_given(data_type: type, *, can_be_str: bool = True) -> Reader:
-    """Return an attribute of that type. As in upstream, substitutions in a string are not evaluated."""
+    """Return an attribute of the given type. As in upstream, substitutions in a string are not evaluated."""
     return lambda entity, parser, name: entity.get_attr(name, data_type=data_type, can_be_str=can_be_str)
 
 
 def pairs(
     entity: Entity, parser: ParserProtocol, tag: str, first: str = 'name', second: str = 'value'
 ) -> list[tuple[Substitutions, Substitutions]]:
-    """Return children like `<arg name="a" value="b"/>`, in order."""
+    """Return child elements such as `<arg name="a" value="b"/>` as pairs, in order."""
     parse = parser.parse_substitution
     plain = entity.plain_pairs(tag, first, second)
     if plain is not None:
@@ -157,12 +159,12 @@ def pairs(
 
 
 def mapping(entity: Entity, parser: ParserProtocol, tag: str) -> dict[tuple[Substitution, ...], Substitutions]:
-    """Return child elements like :func:`pairs`, as a dictionary."""
+    """Return child elements as a dictionary. :func:`pairs` explains the elements."""
     return {tuple(name): value for name, value in pairs(entity, parser, tag)}
 
 
 def words(entity: Entity, parser: ParserProtocol, name: str) -> list[Substitutions]:
-    """Return an attribute that is a command line."""
+    """Return the words of an attribute that is a command line."""
     return words_of(entity.get_attr(name), parser)
 
 

@@ -18,7 +18,7 @@ Pair = tuple[str, Any, int]
 class Entity(ABC):
     """One element: its name, its attributes and the elements inside it.
 
-    Attributes and children that no parse function asks for are errors, because they are usually misspelt.
+    If no parse function requests an attribute or a child, parsing raises an error, because the name is usually misspelt.
     """
 
     __slots__ = ('asked',)
@@ -39,16 +39,16 @@ class Entity(ABC):
     @property
     @abstractmethod
     def children(self) -> list[Entity]:
-        """The elements inside. Reading this property marks them as requested."""
+        """The elements inside this element. Reading this property marks them as requested."""
 
     @property
     def line(self) -> int:
-        """The line in the file, from 1; 0 if it is unknown. (edulaunch only.)"""
+        """The line of the element in the file, from 1; 0 if the line is unknown. (edulaunch only.)"""
         return 0
 
     @property
     def shown(self) -> str:
-        """The name of the element for people. (edulaunch only.)"""
+        """The element as error messages show it. (edulaunch only.)"""
         return f"'{self.type_name}'"
 
     @abstractmethod
@@ -56,26 +56,26 @@ class Entity(ABC):
         """Return the attribute `name`.
 
         :param data_type: one of launch's allowed types, None for any of them, or `List[Entity]` for children.
-        :param optional: return None when it is missing.
-        :param can_be_str: a string is also allowed (it may contain a substitution).
-        :raises AttributeError: when it is missing.
-        :raises TypeError: when it is of another type.
+        :param optional: return None when the attribute is missing.
+        :param can_be_str: whether a string is also allowed. It may contain substitutions.
+        :raises AttributeError: when the attribute is missing and not optional.
+        :raises TypeError: when the attribute has another type.
         """
 
     def given(self, attributes: Collection[str], children: Collection[str] = ()) -> list[str]:
         """Return the existing `attributes` and then the existing `children`, and mark all of them as requested.
 
-        (edulaunch only.) A format can override it, which is much faster than one request for each name.
+        A format can override this method. This is much faster than one request for each name. (edulaunch only.)
         """
         return [name for name in attributes if self._has(name, None)] + [name for name in children if self._has(name, Entities)]
 
     def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
-        """Return (first, second, line) of each child called `tag`, if each has exactly these two attributes and nothing else.
+        """Return (first, second, line) for each child called `tag`, if each has exactly these two attributes and nothing else.
 
-        (edulaunch only.) Return None if the caller must request each attribute. Most elements of a long file have this form, so
-        formats answer quickly without creating entities.
+        Return None if the caller must request each attribute. Most elements of a long file have this form, so formats can return
+        quickly without creating entities. (edulaunch only.)
 
-        :param is_typed: the second one is a scalar by YAML's rules; otherwise, both are strings.
+        :param is_typed: whether the second value is converted by YAML's rules. Otherwise, both values are strings.
         """
         return None
 
@@ -87,12 +87,13 @@ class Entity(ABC):
 
     @abstractmethod
     def assert_entity_completely_parsed(self) -> None:
-        """Raise ValueError with the names of attributes or children that were not requested."""
+        """Raise ValueError if attributes or children were not requested. The message contains their names."""
 
     def _unexpected(self, what: str, names: list[str], kind: str | None = None) -> ValueError:
-        """Return the error for unread names; the format is Python's format of a set, but in order.
+        """Return the error for names that were not requested. The message lists them as Python shows a set, but in order.
 
-        :param kind: 'attribute' or 'element', if the element knows the first of them as that.
+        :param kind: 'attribute' or 'element' if the element has an attribute or element with the first of these names; otherwise
+            None.
         """
         listed = '{' + ', '.join(repr(name) for name in sorted(names)) + '}'
         error = ValueError(f'Unexpected {what} found in `{self.type_name}`: {listed}')
@@ -100,7 +101,7 @@ class Entity(ABC):
         return places.at(error, self, 'launch.unknown-attribute', attribute=name, kind_of=kind, near=nearest(name, self._known))
 
     def _missing(self, error: AttributeError, name: str) -> AttributeError:
-        """Return the error for a required name, with the names that the element has."""
+        """Return the error for a missing required name. The facts list the names in the file that were not requested."""
         kind, _, wanted = name.rpartition(' ')
         present = [str(one) for one in self._names if one not in self.asked]
         return places.at(error, self, 'launch.missing-attribute', needed=wanted.strip("'"), given_names=present)
@@ -112,7 +113,7 @@ class Entity(ABC):
 
     @property
     def _names(self) -> Collection[str]:
-        """The names of all attributes or keys that the file gives."""
+        """The names of all attributes or keys in the file."""
         return ()
 
 
@@ -121,7 +122,7 @@ Entities = typing.List[Entity]  # noqa: UP006 (error messages name exactly this 
 
 
 def check_is_list_entity(data_type: Any) -> bool:
-    """Return whether the data type is `List[Entity]` (or of a kind of entity)."""
+    """Return whether the data type is `List[Entity]`, or a list of a subclass of `Entity`."""
     if data_type is Entities:
         return True
     if getattr(data_type, '__origin__', None) is not list:

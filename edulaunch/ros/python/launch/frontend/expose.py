@@ -1,4 +1,4 @@
-"""The tables of elements and `$(...)`, and of the functions that parse them."""
+"""The tables of elements and substitutions, with the functions that parse them."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ for sibling in SIBLINGS:
 
 
 def __expose_impl(name: str, parse_methods_map: dict[str, ParseMethod], exposed_type: str) -> Callable[[Exposed], Exposed]:
-    """Return the decorator behind :func:`expose_action` and :func:`expose_substitution`.
+    """Return the decorator for :func:`expose_action` and :func:`expose_substitution`.
 
-    It takes a class with a `parse` method, or the parse function itself, and returns it unchanged.
+    The decorator takes a class with a `parse` method, or the parse function itself, and returns it unchanged.
 
-    :raises RuntimeError: for anything else, and when the name is taken by other code.
+    :raises RuntimeError: for anything else, and when other code has already used the name.
     """
 
     def expose(exposed: Exposed) -> Exposed:
@@ -50,12 +50,12 @@ def __expose_impl(name: str, parse_methods_map: dict[str, ParseMethod], exposed_
 
 
 def expose_substitution(name: str) -> Callable[[Exposed], Exposed]:
-    """Decorate a substitution so that `$(name ...)` creates it; its `parse` receives the list of arguments."""
+    """Return a decorator for a substitution that `$(name ...)` creates. Its `parse` receives the list of arguments."""
     return __expose_impl(name, substitution_parse_methods, 'substitution')
 
 
 def expose_action(name: str) -> Callable[[Exposed], Exposed]:
-    """Decorate an action so that the element `name` creates it; its `parse` receives entity and parser."""
+    """Return a decorator for an action that the element `name` creates. Its `parse` receives the entity and the parser."""
     return __expose_impl(name, action_parse_methods, 'action')
 
 
@@ -71,9 +71,9 @@ def _parse_method_of(exposed: Any, name: str, exposed_type: str) -> ParseMethod:
 
 
 def _same_code(known: ParseMethod, new: ParseMethod) -> bool:
-    """Return whether both come from one definition.
+    """Return whether two parse functions have the same definition.
 
-    A launch file that exposes its own element may be executed many times in one interpreter; upstream, each run has a new
+    A launch file that exposes its own element may be executed many times in one interpreter. In upstream, each run has a new
     interpreter. All versions of a notebook's cell count as one definition.
     """
     return _place(known) == _place(new)

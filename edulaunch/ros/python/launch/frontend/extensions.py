@@ -14,7 +14,7 @@ PARSER_GROUP = 'launch.frontend.parser'
 
 
 def entry_points_of(group: str) -> Iterator[Any]:
-    """Return the entry points of a group, of all installed packages."""
+    """Return the entry points of a group in all installed packages."""
     import importlib.metadata
 
     found: Any = importlib.metadata.entry_points()
@@ -31,7 +31,7 @@ def load_launch_extensions() -> None:
 
 
 def load_parsers(known: dict[str, Any]) -> dict[str, Any]:
-    """Return the parsers of installed packages by name, after the `known` ones. A failing import causes a warning."""
+    """Return the `known` parsers, followed by those of installed packages, by name. A failing import causes a warning."""
     parsers = dict(known)
     for entry_point in entry_points_of(PARSER_GROUP):
         if entry_point.name in parsers:

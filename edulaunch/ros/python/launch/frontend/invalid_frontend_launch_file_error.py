@@ -1,4 +1,4 @@
-"""The error for an unreadable launch file in a frontend's format."""
+"""The error for a launch file that no frontend can read."""
 
 from __future__ import annotations
 

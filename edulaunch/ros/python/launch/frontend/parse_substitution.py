@@ -1,4 +1,4 @@
-"""Convert the string of an attribute to substitutions."""
+"""Converts the string of an attribute to substitutions."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ class _Reader:
         return Call(name.group(), tuple(arguments))
 
     def argument(self) -> Template:
-        """Return one argument, bare or in quotes."""
+        """Return one argument, with or without quotes."""
         quote = self.text[self.position : self.position + 1]
         if self.quote or quote not in ("'", '"'):
             pieces = self.pieces(_BARE[self.quote])
@@ -133,16 +133,16 @@ LONGEST_SHOWN = 60
 
 
 class SubstitutionSyntaxError(Exception):
-    """The base class of errors in the text of a `$(...)`."""
+    """The base class of syntax errors in a `$(...)`."""
 
 
 class UnexpectedInput(SubstitutionSyntaxError):
-    """The text does not follow the grammar.
+    """The string does not follow the grammar.
 
     :param position: index of the offending character.
     :param expected: a description of the allowed characters.
-    :ivar line: line of that character within the text, from 1.
-    :ivar column: its column, from 1.
+    :ivar line: line of that character within the string, from 1.
+    :ivar column: column of that character, from 1.
     """
 
     def __init__(self, text: str, position: int, expected: str) -> None:
@@ -154,33 +154,33 @@ class UnexpectedInput(SubstitutionSyntaxError):
         super().__init__(f'{self.first_line(text)}Expected one of: \n\t* {expected}\n')
 
     def first_line(self, text: str) -> str:
-        """Return lark's message before its list of expected tokens."""
+        """Return the part of lark's message before the list of expected tokens."""
         return 'Unexpected input. '
 
 
 class UnexpectedCharacters(UnexpectedInput):
-    """The grammar does not allow a character at its place. The message marks the character with a caret."""
+    """The grammar does not allow a character at its position. The message marks the character with a caret."""
 
     def first_line(self, text: str) -> str:
-        """Return the message about an unexpected character, with its place."""
+        """Return the first line of the message: the unexpected character and its place."""
         found = text[self.pos_in_stream]
         place = f'at line {self.line} col {self.column}'
         return f"No terminal matches '{found}' in the current parser context, {place}\n\n{_pointing_at(text, self.pos_in_stream)}"
 
 
 class UnexpectedEOF(UnexpectedInput):
-    """The text ends inside a `$(...)`."""
+    """The string ends inside a `$(...)`."""
 
     def first_line(self, text: str) -> str:
-        """Return '', because there is no such line."""
+        """Return an empty string, because the message has no such line."""
         return 'Unexpected end-of-input. '
 
 
 class VisitError(SubstitutionSyntaxError):
-    """A `$(...)` is well-formed, but its name is unknown or its number of arguments is wrong.
+    """A `$(...)` is well-formed, but its name is unknown or it has the wrong number of arguments.
 
     :ivar rule: the grammar rule, 'substitution'.
-    :ivar orig_exc: the error behind it, which is also the `__cause__`.
+    :ivar orig_exc: the original error, which is also the `__cause__`.
     """
 
     def __init__(self, rule: str, error: Exception) -> None:
@@ -199,11 +199,12 @@ _ESCAPE = re.compile(r'\\(.)', re.DOTALL)
 
 
 def parse_substitution(string: str) -> list[Substitution]:
-    """Return the substitutions in a string like `a$(var b)c`, with literal parts as TextSubstitution.
+    """Return the substitutions in a string such as `a$(var b)c`. Literal parts become TextSubstitution objects.
 
-    Built-in substitutions never change, so equal strings share them; substitutions of extensions are created each time.
+    Built-in substitutions never change, so equal strings share them. Substitutions of extensions are created each time.
 
-    :raises SubstitutionSyntaxError: see its subclasses; facts of the error say what was expected.
+    :raises SubstitutionSyntaxError: when the string is invalid; see the subclasses. The facts of the error contain what was
+        expected.
     """
     if '$(' not in string and '\\' not in string:
         return [_literal(string)]
@@ -212,7 +213,8 @@ def parse_substitution(string: str) -> list[Substitution]:
 
 
 def parse_if_substitutions(value: Any) -> Any:
-    """Parse a string that contains `$(...)` like :func:`parse_substitution`. A plain string remains an (unescaped) string.
+    """Parse a string that contains `$(...)` with :func:`parse_substitution`. Any other string remains a string without its
+    backslashes.
 
     Other scalars are returned unchanged, and each item of a list is parsed.
 
@@ -253,7 +255,7 @@ _shared = lru_cache(maxsize=4096)(_built)
 
 @lru_cache(maxsize=4096)
 def _is_built_in(template: Template) -> bool:
-    """Return whether all calls are of built-in substitutions, whose names nothing else can take."""
+    """Return whether all calls are calls of built-in substitutions. No other code can take their names."""
     return all(
         isinstance(substitution_parse_methods.get(piece.name), LateSubstitution) and all(map(_is_built_in, piece.arguments))
         for piece in template

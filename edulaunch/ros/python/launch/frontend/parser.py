@@ -1,4 +1,4 @@
-"""Read launch files in formats other than Python."""
+"""Reads launch files in formats other than Python."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def __getattr__(name: str) -> Any:
 
 
 class Parser:
-    """Makes a launch description from the elements of a file. Each format has a subclass that reads the text.
+    """Creates a launch description from the elements of a file. Each format has a subclass that reads the text.
 
     :cvar extensions_loaded: whether the parser has searched installed packages for launch extensions.
     :cvar frontend_parsers: all formats found so far, by name; None before the first search.
@@ -53,7 +53,7 @@ class Parser:
     def parse_description(self, entity: Entity) -> LaunchDescription:
         """Return the launch description of a root element.
 
-        :raises RuntimeError: when the root is not `launch`, or an element is unknown.
+        :raises RuntimeError: when the root element is not `launch`, or an element is unknown.
         """
         with collector_paused():
             return self._parse_root(entity)
@@ -75,10 +75,10 @@ class Parser:
         return LaunchDescription(actions, deprecated_reason=deprecated)
 
     def parse_action(self, entity: Entity) -> Action:
-        """Return the action of an element, with the file and line of the element.
+        """Return the action of an element. The action has the file and line of the element.
 
         :raises RuntimeError: when no action has that name.
-        :raises ValueError: when the element has attributes or children that its action does not know.
+        :raises ValueError: when the element has attributes or children that its action does not accept.
         """
         try:
             parse = action_parse_methods.get(entity.type_name) or self._parse_method_of_extension(entity)
@@ -111,11 +111,11 @@ class Parser:
 
     @classmethod
     def load(cls, file: str | os.PathLike[str] | TextIO) -> tuple[Entity, Parser]:
-        """Return the root element of a file (its path, or an open text stream) and the parser for it.
+        """Return the root element of a file (a path, or an open text stream) and the parser for it.
 
-        Formats that handle the file's name are tried first, and then all others.
+        Formats that match the name of the file are tried first, and then all others.
 
-        :raises InvalidFrontendLaunchFileError: when no format reads it.
+        :raises InvalidFrontendLaunchFileError: when no format can read the file.
         :raises FileNotFoundError: when there is no such file.
         """
         if isinstance(file, (str, os.PathLike)):
@@ -125,9 +125,10 @@ class Parser:
 
     @classmethod
     def load_with(cls, file: str | os.PathLike[str] | TextIO, root_of: Callable[[str], Entity]) -> tuple[Entity, Parser]:
-        """Load a file with a function of the subclass, as part of its :meth:`load`. (edulaunch only.)
+        """Load a file with a function of the subclass, as part of the :meth:`load` of the subclass. (edulaunch only.)
 
-        :param root_of: creates the root element from the content of the file; its errors get their place in the file.
+        :param root_of: a function that creates the root element from the content of the file. The place in the file is added to
+            the errors of this function.
         """
         if isinstance(file, (str, os.PathLike)):
             with open(inside(file), encoding='utf-8') as stream:
@@ -184,14 +185,14 @@ class Parser:
 
     @classmethod
     def load_launch_extensions(cls) -> None:
-        """Import the modules of installed packages that expose actions and substitutions, once."""
+        """Import the modules of installed packages that expose actions and substitutions. Later calls have no effect."""
         if not Parser.extensions_loaded:
             Parser.extensions_loaded = True
             load_launch_extensions()
 
     @classmethod
     def load_parser_implementations(cls) -> None:
-        """Find the parsers of installed packages, once. The parsers for XML and YAML always exist."""
+        """Find the parsers of installed packages. Later calls have no effect. The parsers for XML and YAML are always present."""
         if Parser.frontend_parsers is None:
             Parser.frontend_parsers = load_parsers(cls._built_in_parsers())
 
@@ -202,8 +203,9 @@ class Parser:
 
     @classmethod
     def get_parsers_from_filename(cls, filename: str) -> list[type[Parser]]:
-        """Return the parsers that handle such a name. Include those of installed packages only if neither XML nor
-        YAML matches.
+        """Return the parsers that handle a file with such a name.
+
+        The result includes those of installed packages only if neither XML nor YAML matches.
         """
         claiming = [parser for parser in cls._built_in_parsers().values() if parser.may_parse(filename)]
         return claiming or [parser for parser in cls._all_parsers(filename) if parser.may_parse(filename)]

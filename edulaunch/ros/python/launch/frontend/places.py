@@ -1,7 +1,7 @@
 """Places and facts that edulaunch attaches to errors of ROS in XML and YAML launch files.
 
 The attributes of the error are `edulaunch_file`, `edulaunch_line`, and its facts (`edulaunch.engine.facts`). `edulaunch.advice`
-turns the facts into messages.
+creates messages from the facts.
 """
 
 from __future__ import annotations
@@ -19,13 +19,16 @@ Error = TypeVar('Error', bound=BaseException)
 
 
 def at(error: Error, entity: Entity, about: str = 'launch.element', **facts: Any) -> Error:
-    """Return the error with its element, and facts about it."""
+    """Attach the line of the element, and facts about it, to the error. Return the error."""
     error.edulaunch_line = entity.line  # type: ignore[attr-defined]
     return with_facts(error, about, element=str(entity.type_name), shown=entity.shown, **facts)
 
 
 def complete(error: BaseException, file: str, entity: Entity) -> None:
-    """Add the missing facts to an `error` that leaves `entity`. The innermost element sets them first."""
+    """Add the file, and the facts that are still missing, to an `error` raised while `entity` was parsed.
+
+    The innermost element is the first to add them.
+    """
     if hasattr(error, 'edulaunch_file'):
         return
     if not hasattr(error, 'edulaunch_line'):
@@ -37,7 +40,7 @@ def complete(error: BaseException, file: str, entity: Entity) -> None:
 
 
 def complete_unreadable(error: Any, file: str) -> None:
-    """Add the place and the problem to the error for a string in an invalid format."""
+    """Add the place and the problem to the error for a file in an invalid format."""
     mark = getattr(error, 'problem_mark', None)
     line = getattr(error, 'edulaunch_line', 0) or (mark.line + 1 if mark is not None else _first_or_bad_line(error))
     if not facts_of(error) and not isinstance(error, UnicodeDecodeError):
@@ -47,7 +50,7 @@ def complete_unreadable(error: Any, file: str) -> None:
 
 
 def _first_or_bad_line(error: Exception) -> int:
-    """Return the place of a byte that is not UTF-8. Any other problem concerns the whole file, so its place is line 1."""
+    """Return the line of a byte that is not UTF-8. Any other problem concerns the whole file, so return line 1."""
     return error.object.count(b'\n', 0, error.start) + 1 if isinstance(error, UnicodeDecodeError) else 1
 
 

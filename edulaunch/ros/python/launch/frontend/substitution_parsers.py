@@ -1,6 +1,6 @@
 """The built-in `$(name ...)`: the class that each creates, and its number of arguments.
 
-An argument is a list of substitutions. A wrong number of arguments raises the errors of upstream, which have two types.
+An argument is a list of substitutions. As in upstream, a wrong number of arguments raises one of two error types.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ Keywords = Callable[[list[Argument]], dict[str, Any]]
 class LateSubstitution:
     """Parses `$(name ...)` for a class that is imported on first use.
 
-    :param keywords: converts the arguments of the `$(...)` to the keyword arguments of the class.
+    :param keywords: a function that converts the arguments of the `$(...)` to the keyword arguments of the class.
     """
 
     def __init__(self, module: str, class_name: str, keywords: Keywords) -> None:
@@ -35,7 +35,9 @@ class LateSubstitution:
 
 
 def takes(text: str, minimum: int, *names: str, error: type[Exception] = TypeError) -> Keywords:
-    """Return keyword arguments by position, from `minimum` up to all of `names`. Raise `error` with `text` for another number."""
+    """Return keyword arguments by position, from `minimum` up to the length of `names`. Raise `error` with `text` for any other
+    number.
+    """
 
     def keywords(arguments: list[Argument]) -> dict[str, Any]:
         if not minimum <= len(arguments) <= len(names):
@@ -61,7 +63,7 @@ def _takes_expression(arguments: list[Argument]) -> dict[str, Any]:
 
 
 def _module_names(argument: Argument) -> list[str]:
-    """Return the modules in a comma-separated literal; substitutions are not possible there."""
+    """Return the modules in a comma-separated literal. Substitutions are not possible in this argument."""
     text = argument[0].perform(None) if argument else ''
     return [name.strip() for name in text.split(',')] if text else []
 

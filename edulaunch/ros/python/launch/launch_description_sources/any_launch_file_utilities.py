@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
 
 def get_launch_description_from_any_launch_file(launch_file_path: str) -> LaunchDescription:
-    """Return the description in the file. Python is the first format for `.py` files, and the last one for others.
+    """Return the launch description in the file. Python is tried first for `.py` files, and last for all others.
 
-    :raises InvalidLaunchFileError: when no loader can read it, with the message of each.
+    :raises InvalidLaunchFileError: when no loader can read the file. The message contains the message of each loader.
     """
     extension = os.path.splitext(launch_file_path)[1].lower().lstrip('.')
     loaders: list[Callable[[str], LaunchDescription]] = [

@@ -14,10 +14,11 @@ if TYPE_CHECKING:
 def get_launch_description_from_frontend_launch_file(
     frontend_launch_file_path: str, *, parser: type[Parser] | None = None
 ) -> LaunchDescription:
-    """Return the description in the file.
+    """Return the launch description in the file.
 
-    :param parser: the parser for its format. By default, all are tried, and those for the file's extension come first.
-    :raises InvalidFrontendLaunchFileError: when no parser can read it.
+    :param parser: the parser for the format of the file. By default, all parsers are tried, and those for the file's extension
+        come first.
+    :raises InvalidFrontendLaunchFileError: when no parser can read the file.
     """
     from ..frontend.parser import Parser
 

@@ -18,23 +18,23 @@ TEST = 'generate_test_description'
 
 
 class InvalidPythonLaunchFileError(Exception):
-    """A Python launch file lacks `generate_launch_description()`."""
+    """A Python launch file does not define `generate_launch_description()`."""
 
 
 def load_python_launch_file_as_module(python_launch_file_path: str) -> ModuleType:
     """Execute the file as the module `python_launch_file`.
 
-    The file's folder is not put on `sys.path`. `print`, `time`, `random` and the like are those of the
+    The file's folder is not added to `sys.path`. The file uses the `print`, `time`, `random` and similar modules of the
     running simulation.
     """
     return load_module(python_launch_file_path, 'python_launch_file')
 
 
 def get_launch_description_from_python_launch_file(python_launch_file_path: str) -> LaunchDescription:
-    """Return what the file's `generate_launch_description()` returns.
+    """Return the result of the file's `generate_launch_description()`.
 
-    :raises InvalidPythonLaunchFileError: when it has no such function.
-    :raises Exception: whatever the file raises.
+    :raises InvalidPythonLaunchFileError: when the file does not define this function.
+    :raises Exception: any exception that the file raises.
     """
     module = load_python_launch_file_as_module(python_launch_file_path)
     if not hasattr(module, GENERATE):
@@ -46,7 +46,7 @@ def get_launch_description_from_python_launch_file(python_launch_file_path: str)
 
 
 def _no_function(path: str, module: ModuleType) -> InvalidPythonLaunchFileError:
-    """Return the error, with the line of a function whose name is nearly right."""
+    """Return the error for a missing function, with the line of a function with a similar name."""
     from edulaunch.engine.facts import with_facts
     from edulaunch.engine.nearest import nearest
 

@@ -1,15 +1,15 @@
-"""Launch's log lines, on the screen and, on request, in files.
+"""Launch's log lines on the screen and, on request, in files.
 
-As in upstream, `launch_config` decides formats, level and places. `get_logger(name)` and `get_output_loggers(process, output)`
-return loggers with these settings. Differences from upstream:
+As in upstream, `launch_config` contains formats, level and destinations. `get_logger(name)` and `get_output_loggers(process,
+output)` return loggers with these settings. Differences from upstream:
 
 * Loggers, handlers and `launch_config` belong to the running process (`LoggingState`), not to the
-  interpreter, so two simulations do not share them. `launch_config` represents that of the running
+  interpreter, so two simulations do not share them. `launch_config` represents the configuration of the running
   process.
 * The screen is the process's own standard output.
-* **Log files are written only when asked for**: when ROS_LOG_DIR or ROS_HOME is set in the process's
+* **Log files are written only on request**: when ROS_LOG_DIR or ROS_HOME is set in the process's
   environment, or `launch_config.log_dir` or `launch_config.log_handler_factory` was set. A command in a
-  terminal always has ROS_HOME. Otherwise, no file appears below `~/.ros`, and the line "All log files can be found
+  terminal always has ROS_HOME. Otherwise, no file is created below `~/.ros`, and the line "All log files can be found
   below ..." is not printed. Reading `launch_config.log_dir` creates the folder.
 * Times in log lines are simulated.
 """
@@ -65,7 +65,7 @@ def __getattr__(name: str) -> Any:
 
 
 def get_logger(name: str | None = None) -> logging.Logger:
-    """Return the logger of that name (the root logger without one), writing to the screen and to launch.log."""
+    """Return the logger with this name, or the root logger without a name. It writes to the screen and to launch.log."""
     state = logging_state()
     logger = state.get_logger(name)
     for handler in (state.config.get_screen_handler(), state.config.get_log_file_handler()):
@@ -77,7 +77,7 @@ def get_logger(name: str | None = None) -> logging.Logger:
 def get_output_loggers(
     process_name: str, output_config: OutputConfig, main_log_file_name: str = 'launch.log'
 ) -> tuple[logging.Logger, logging.Logger]:
-    """Return the loggers `<process>-stdout` and `<process>-stderr` for what a program prints.
+    """Return the loggers `<process>-stdout` and `<process>-stderr` for the output of a program.
 
     :param output_config: 'screen', 'log', 'both', 'own_log', 'full', or a dictionary from 'stdout', 'stderr'
         and 'both' to one or more of 'screen', 'log' and 'own_log'.
@@ -106,7 +106,7 @@ def _add(logger: logging.Logger, handler: Any, formatter: logging.Formatter) -> 
 
 
 def log_launch_config(*, logger: logging.Logger | None = None) -> None:
-    """Log the place of the log files, if they exist, and the log level."""
+    """Log the folder of the log files, if they exist, and the log level."""
     logger = logging_state().root if logger is None else logger
     config = logging_state().config
     if config.file_handlers:

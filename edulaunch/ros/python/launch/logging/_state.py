@@ -23,8 +23,8 @@ def _get_logging_directory() -> str:
 
 
 def _make_unique_log_dir(*, base_path: str) -> str:
-    """Create `base_path/YYYY-MM-DD-HH-MM-SS-microseconds-HOST-PID` with the simulated time, and append `-2`, `-3` ... if it
-    already exists.
+    """Create `base_path/YYYY-MM-DD-HH-MM-SS-microseconds-HOST-PID` with the simulated time. Append `-2`, `-3` and so on if the
+    folder already exists.
     """
     from socket import gethostname
 
@@ -64,7 +64,9 @@ def _free_number(first: str) -> int:
 
 
 def _renew_latest_log_dir(*, log_dir: str) -> bool:
-    """Let the link `latest` beside `log_dir` point to it. Return False if another file has that name."""
+    """Set the link `latest` in the parent folder of `log_dir` to `log_dir`. Return False if that name belongs to a file that
+    is not a link.
+    """
     link = os.path.join(os.path.dirname(log_dir), 'latest')
     if os.path.lexists(link):
         if not os.path.islink(link):
@@ -80,7 +82,8 @@ ALIASES = {'default': '[{levelname}] [{name}]: {msg}', 'default_with_timestamp':
 class LaunchConfig:
     """The logging configuration of one process.
 
-    :ivar log_handler_factory: called with the path of a log file; returns its handler. None means the usual file handler.
+    :ivar log_handler_factory: a function that is called with the path of a log file and returns the handler for it. None means
+        the default file handler.
     """
 
     def __init__(self, root: logging.Logger) -> None:
@@ -113,7 +116,7 @@ class LaunchConfig:
 
     @property
     def log_dir(self) -> str:
-        """The folder of this launch's log files; it is created on first use, with the link `latest` beside it."""
+        """The folder of this launch's log files. It is created on first use, together with the symbolic link `latest` to it."""
         if self._log_dir is None:
             self._log_dir = _make_unique_log_dir(base_path=_get_logging_directory())
             _renew_latest_log_dir(log_dir=self._log_dir)
@@ -138,10 +141,10 @@ class LaunchConfig:
         return bool(env.get('ROS_LOG_DIR') or env.get('ROS_HOME'))
 
     def set_screen_format(self, screen_format: str | None, *, screen_style: str | None = None) -> None:
-        """Set the format of lines on the screen. OVERRIDE_LAUNCH_SCREEN_FORMAT in the environment comes first.
+        """Set the format of lines on the screen. OVERRIDE_LAUNCH_SCREEN_FORMAT in the environment has priority.
 
         :param screen_format: 'default', 'default_with_timestamp', or a format; None changes nothing.
-        :raises ValueError: when a style is given for one of the two names.
+        :raises ValueError: when a style is given for 'default' or 'default_with_timestamp'.
         """
         formatter = _formatter('screen', 'OVERRIDE_LAUNCH_SCREEN_FORMAT', screen_format, screen_style, ALIASES)
         if formatter is not None:
@@ -150,7 +153,7 @@ class LaunchConfig:
                 self.screen_handler.setFormatter(formatter)
 
     def set_log_format(self, log_format: str | None, *, log_style: str | None = None) -> None:
-        """Set the format of lines in log files. OVERRIDE_LAUNCH_LOG_FORMAT in the environment comes first.
+        """Set the format of lines in log files. OVERRIDE_LAUNCH_LOG_FORMAT in the environment has priority.
 
         :param log_format: 'default' or a format; None changes nothing.
         :raises ValueError: when a style is given for 'default'.
@@ -163,7 +166,7 @@ class LaunchConfig:
                 handler.setFormatter(formatter)
 
     def get_screen_handler(self) -> Any:
-        """Return the handler that writes to the standard output of the process that asked first."""
+        """Return the handler that writes to the standard output of the process that first requested the handler."""
         if self.screen_handler is None:
             self.screen_handler = handlers.StreamHandler(running_process().streams.stdout)
             self.screen_handler.setFormatter(self._screen_formatter)
@@ -174,7 +177,7 @@ class LaunchConfig:
         return os.path.join(self.log_dir, file_name)
 
     def get_log_file_handler(self, file_name: str = 'launch.log') -> Any:
-        """Return the handler that writes to that file; without log files, it does nothing."""
+        """Return the handler that writes to the log file with this name. Without log files, the handler does nothing."""
         if not self._writes_files:
             return self._silent_handlers.setdefault(file_name, handlers.NullHandler())
         handler = self.file_handlers.get(file_name)
@@ -205,7 +208,7 @@ def _formatter(
 
 
 class LaunchLogger(logging.Logger):
-    """A logger that does not pass records to other loggers, and stamps them with simulated time."""
+    """A logger that does not pass records to other loggers. Its records have simulated times."""
 
     def __init__(self, name: str, level: int = logging.NOTSET) -> None:
         super().__init__(name, level)
@@ -213,7 +216,7 @@ class LaunchLogger(logging.Logger):
         self._is_output = name.endswith(('-stdout', '-stderr'))
 
     def findCaller(self, stack_info: bool = False, stacklevel: int = 1) -> tuple[str, int, str, str | None]:
-        """Return placeholders: no format of launch shows the caller, and a search for it would be slow."""
+        """Return placeholders. No format of launch shows the caller, and finding it would be slow."""
         return '(unknown file)', 0, '(unknown function)', None
 
     def makeRecord(self, *args: Any, **kwargs: Any) -> logging.LogRecord:
@@ -225,14 +228,14 @@ class LaunchLogger(logging.Logger):
         return record
 
     def handle(self, record: logging.LogRecord) -> None:
-        """Write the record. Also let the simulation record it, unless it is a line that a program printed."""
+        """Write the record. Unless it is a line of a program's output, also add it to the recording of the simulation."""
         if not self._is_output:
             running_process().log(record.levelno, record.name, record.getMessage())
         super().handle(record)
 
 
 class LoggingState:
-    """The values that upstream stores in globals: `root`, the loggers below it, and the `config`."""
+    """The values that upstream stores in globals: the logger `root`, the loggers below it, and the configuration `config`."""
 
     def __init__(self) -> None:
         self.config: LaunchConfig

@@ -11,12 +11,12 @@ from typing import Any
 
 
 def with_per_logger_formatting(cls: type[logging.Handler]) -> type[Any]:
-    """Return a sub-class of a handler class that has `setFormatterFor(logger, formatter)` and
+    """Return a subclass of a handler class with the methods `setFormatterFor(logger, formatter)` and
     `unsetFormatterFor(logger)`.
     """
 
     class Trait(cls):  # type: ignore[misc,valid-type]
-        """A handler that can have another format for some loggers."""
+        """A handler that can use a separate format for some loggers."""
 
         def __init__(self, *args: Any, **kwargs: Any) -> None:
             super().__init__(*args, **kwargs)
@@ -31,7 +31,7 @@ def with_per_logger_formatting(cls: type[logging.Handler]) -> type[Any]:
             self._formatters.pop(logger.name, None)
 
         def format(self, record: logging.LogRecord) -> str:
-            """Return the text of a record."""
+            """Return the formatted line of a record."""
             formatter = self._formatters.get(record.name)
             return super().format(record) if formatter is None else formatter.format(record)
 

@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
 
 class AnonName(Substitution):
-    """The name, followed by the host, the process number and a random number. Equal names give equal results within one launch.
+    """The name, followed by the host, the process ID and a random number. Equal names give equal results within one launch.
 
-    The host is called `edulaunch` and the number comes from the simulation's seed, so that runs repeat.
+    The host is called `edulaunch`, and the number comes from the simulation's seed, so that results are the same in each run.
     """
 
     def __init__(self, name: SomeSubstitutionsType) -> None:
@@ -26,7 +26,7 @@ class AnonName(Substitution):
     name: ReadOnly[list[Substitution]] = ReadOnly('The name to make unique, as substitutions.')
 
     def describe(self) -> str:
-        """`AnonName('name')`."""
+        """Return a description such as `AnonName('name')`."""
         return f'AnonName({describe_all(self.__name)})'
 
     def perform(self, context: LaunchContext) -> str:

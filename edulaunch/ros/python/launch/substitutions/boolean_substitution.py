@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def truth(context: LaunchContext, substitutions: Iterable[Substitution]) -> bool:
-    """Return the value of a boolean of YAML (true, yes, on ...), 1 or 0.
+    """Return the boolean value of a string: a boolean of YAML (true, yes, on ...), 1 or 0.
 
     :raises SubstitutionFailure: for any other string.
     """
@@ -28,7 +28,7 @@ def truth(context: LaunchContext, substitutions: Iterable[Substitution]) -> bool
 
 
 class NotSubstitution(Substitution):
-    """The negation of a boolean."""
+    """The negation of a boolean, as 'true' or 'false'."""
 
     def __init__(self, value: SomeSubstitutionsType) -> None:
         self.__value = normalize_to_list_of_substitutions(value)
@@ -36,7 +36,7 @@ class NotSubstitution(Substitution):
     value: ReadOnly[list[Substitution]] = ReadOnly('The operand.')
 
     def describe(self) -> str:
-        """`NotSubstitution(value)`."""
+        """Return a description such as `NotSubstitution(value)`."""
         return f'NotSubstitution({describe_all(self.__value)})'
 
     def perform(self, context: LaunchContext) -> str:
@@ -53,7 +53,7 @@ class _Combined(Substitution):
         self._operands = [normalize_to_list_of_substitutions(arg) for arg in args]
 
     def describe(self) -> str:
-        """`AndSubstitution(left right)`."""
+        """Return a description such as `AndSubstitution(left right)`."""
         return f'{type(self).__name__}({" ".join(describe_all(operand) for operand in self._operands)})'
 
     def perform(self, context: LaunchContext) -> str:
@@ -103,7 +103,7 @@ class AnySubstitution(_CombinedMany):
 
 
 class AllSubstitution(_CombinedMany):
-    """'true' if all booleans are true, also for an empty list."""
+    """'true' if all booleans are true, and also for an empty list."""
 
     _combine = all
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 class Command(Substitution):
     """The output of a command, including its last newline. The command line is split as in a shell, but no shell runs.
 
-    :param on_stderr: how to treat output on standard error: 'fail', 'ignore', 'warn', or 'capture' (add it to the output).
+    :param on_stderr: how to treat output on standard error: 'fail', 'ignore', 'warn', or 'capture' (add it to the result).
     :raises SubstitutionFailure: on evaluation, when the command is missing, fails, or prints to standard error with 'fail'.
     """
 
@@ -32,14 +32,14 @@ class Command(Substitution):
         self.__on_stderr = normalize_to_list_of_substitutions(on_stderr)
 
     command: ReadOnly[list[Substitution]] = ReadOnly('The command, as substitutions.')
-    on_stderr: ReadOnly[list[Substitution]] = ReadOnly('What output on standard error means, as substitutions.')
+    on_stderr: ReadOnly[list[Substitution]] = ReadOnly('How to treat output on standard error, as substitutions.')
 
     def describe(self) -> str:
-        """`Command('ls')`."""
+        """Return a description such as `Command('ls')`."""
         return f'Command({describe_all(self.__command)})'
 
     def perform(self, context: LaunchContext) -> str:
-        """Run the command to its end."""
+        """Run the command until it ends, and return its output."""
         command = perform_substitutions(context, self.__command)
         on_stderr = perform_substitutions(context, self.__on_stderr)
         if on_stderr not in ('fail', 'ignore', 'warn', 'capture'):

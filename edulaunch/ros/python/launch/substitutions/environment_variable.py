@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 class EnvironmentVariable(Substitution):
     """The current value of an environment variable of launch's process.
 
-    :raises SubstitutionFailure: on evaluation, when it is not set and has no default.
+    :raises SubstitutionFailure: on evaluation, when the variable is not set and there is no default.
     """
 
     def __init__(self, name: SomeSubstitutionsType, *, default_value: SomeSubstitutionsType | None = None) -> None:
@@ -31,7 +31,7 @@ class EnvironmentVariable(Substitution):
     default_value: ReadOnly[list[Substitution] | None] = ReadOnly('The default, as substitutions, or None.')
 
     def describe(self) -> str:
-        """`EnvVar('NAME')`."""
+        """Return a description such as `EnvVar('NAME')`."""
         return f'EnvVar({describe_all(self.__name)})'
 
     def perform(self, context: LaunchContext) -> str:

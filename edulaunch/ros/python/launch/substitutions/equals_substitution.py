@@ -19,10 +19,13 @@ _BOOLEANS = {'true': True, '1': True, 'false': False, '0': False}
 
 
 class EqualsSubstitution(Substitution):
-    """'true' if two values are equal. True, False, 1 and 0 compare as booleans, numbers as numbers (nearly equal counts as
-    equal), and other values as strings.
+    """'true' if two values are equal.
 
-    :param left, right: substitutions, or plain values: None is the empty string, booleans are 'true' and 'false'.
+    True, False, 1 and 0 are compared as booleans, and numbers as numbers. Nearly equal numbers count as equal. Other values are
+    compared as strings.
+
+    :param left: the first operand: substitutions or a plain value. None is the empty string; booleans are 'true' and 'false'.
+    :param right: the second operand, with the same types as `left`.
     """
 
     def __init__(self, left: Any | None, right: Any | None) -> None:
@@ -33,7 +36,7 @@ class EqualsSubstitution(Substitution):
     right: ReadOnly[list[Substitution]] = ReadOnly('The right operand.')
 
     def describe(self) -> str:
-        """`EqualsSubstitution('a' 'b')`."""
+        """Return a description such as `EqualsSubstitution('a' 'b')`."""
         return f'{type(self).__name__}({describe_all(self.__left)} {describe_all(self.__right)})'
 
     def perform(self, context: LaunchContext) -> str:

@@ -27,7 +27,7 @@ class FileContent(Substitution):
     path: ReadOnly[list[Substitution]] = ReadOnly('The path, as substitutions.')
 
     def describe(self) -> str:
-        """`FileContent('path')`."""
+        """Return a description such as `FileContent('path')`."""
         return f'FileContent({describe_all(self.__path)})'
 
     def perform(self, context: LaunchContext) -> str:

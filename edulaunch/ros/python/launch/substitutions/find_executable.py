@@ -25,20 +25,20 @@ if TYPE_CHECKING:
 class FindExecutable(Substitution):
     """The path of a program on the PATH of launch's process.
 
-    :raises SubstitutionFailure: on evaluation, when it does not exist.
+    :raises SubstitutionFailure: on evaluation, when the program does not exist.
     """
 
     def __init__(self, *, name: SomeSubstitutionsType) -> None:
         self.__name = normalize_to_list_of_substitutions(name)
 
-    name: ReadOnly[list[Substitution]] = ReadOnly("The program's name, as substitutions.")
+    name: ReadOnly[list[Substitution]] = ReadOnly('The name of the program, as substitutions.')
 
     def describe(self) -> str:
-        """`FindExec('ls')`."""
+        """Return a description such as `FindExec('ls')`."""
         return f'FindExec({describe_all(self.__name)})'
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the path."""
+        """Return the path of the program."""
         name = perform_substitutions(context, self.__name)
         path = which(name)
         assumed = assumptions() if path is None else None
@@ -52,6 +52,6 @@ class FindExecutable(Substitution):
 
 
 def near_program(name: str) -> str | None:
-    """Return the program on the PATH of which a name is a misspelling; otherwise None."""
+    """Return the program on the PATH that a misspelt name probably means. Return None for names of up to four characters."""
     folders = [folder for folder in os.environ.get('PATH', '').split(os.pathsep) if os.path.isdir(folder)]
     return nearest_spelling(name, {program for folder in folders for program in os.listdir(folder)}) if len(name) > 4 else None

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 class IfElseSubstitution(Substitution):
     """`if_value` if the condition is true, and otherwise `else_value`. A condition is a boolean of YAML, 1 or 0.
 
-    :raises RuntimeError: when both values are empty.
+    :raises RuntimeError: on creation, when both values are empty.
     """
 
     def __init__(
@@ -30,14 +30,14 @@ class IfElseSubstitution(Substitution):
         self.__else_value = normalize_to_list_of_substitutions(else_value)
 
     condition: ReadOnly[list[Substitution]] = ReadOnly('The condition, as substitutions.')
-    if_value: ReadOnly[list[Substitution]] = ReadOnly('The text when true, as substitutions.')
-    else_value: ReadOnly[list[Substitution]] = ReadOnly('The text when false, as substitutions.')
+    if_value: ReadOnly[list[Substitution]] = ReadOnly('The value if the condition is true, as substitutions.')
+    else_value: ReadOnly[list[Substitution]] = ReadOnly('The value if the condition is false, as substitutions.')
 
     def describe(self) -> str:
-        """`IfElseSubstitution(condition, if_value, else_value)`."""
+        """Return a description such as `IfElseSubstitution(condition, if_value, else_value)`."""
         parts = (self.__condition, self.__if_value, self.__else_value)
         return f'IfElseSubstitution({", ".join(describe_all(part) for part in parts)})'
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the chosen string."""
+        """Return the value that the condition selects."""
         return perform_substitutions(context, self.__if_value if truth(context, self.__condition) else self.__else_value)

@@ -23,8 +23,9 @@ if TYPE_CHECKING:
 class LaunchConfiguration(Substitution):
     """The current value of a launch configuration, such as a launch argument.
 
-    :param default: used if it is not set: a string, substitutions, or any scalar, which is converted with `str`.
-    :raises SubstitutionFailure: on evaluation, when it is not set and has no default.
+    :param default: the value if the configuration is not set: a string, substitutions, or any scalar, which is converted with
+        `str`.
+    :raises SubstitutionFailure: on evaluation, when the configuration is not set and there is no default.
     """
 
     def __init__(self, variable_name: SomeSubstitutionsType, *, default: Any = None) -> None:
@@ -34,7 +35,7 @@ class LaunchConfiguration(Substitution):
     variable_name: ReadOnly[list[Substitution]] = ReadOnly('The name, as substitutions.')
 
     def describe(self) -> str:
-        """`LaunchConfig('name')`."""
+        """Return a description such as `LaunchConfig('name')`."""
         return f'LaunchConfig({describe_all(self.__variable_name)})'
 
     def perform(self, context: LaunchContext) -> str:

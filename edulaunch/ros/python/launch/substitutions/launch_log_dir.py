@@ -11,10 +11,10 @@ if TYPE_CHECKING:
 
 
 class LaunchLogDir(Substitution):
-    """The folder of this launch's log files. Its first use creates it."""
+    """The folder of this launch's log files. The first use creates the folder."""
 
     def describe(self) -> str:
-        """`LaunchLogDir()`."""
+        """Return the description `LaunchLogDir()`."""
         return 'LaunchLogDir()'
 
     def perform(self, context: LaunchContext) -> str:

@@ -17,7 +17,7 @@ class LocalSubstitution(Substitution):
     """The value of `context.locals.<expression>`, such as `event.<something>` inside an event handler.
 
     :param expression: a name, optionally followed by `.attribute` or `['key']` as in Python.
-    :param description: for people, instead of the expression.
+    :param description: the description for `ros2 launch -s`, instead of the expression.
     :raises AttributeError: on evaluation, when there is no such local.
     """
 
@@ -25,10 +25,10 @@ class LocalSubstitution(Substitution):
         self.__expression = expression
         self.__description = description
 
-    expression: ReadOnly[str] = ReadOnly('The Python expression behind `context.locals.`.')
+    expression: ReadOnly[str] = ReadOnly('The Python expression after `context.locals.`.')
 
     def describe(self) -> str:
-        """`LocalVar('event.reason')`."""
+        """Return a description such as `LocalVar('event.reason')`."""
         return f"LocalVar('{self.__expression if self.__description is None else self.__description}')"
 
     def perform(self, context: LaunchContext) -> str:

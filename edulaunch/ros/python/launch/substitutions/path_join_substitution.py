@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class PathJoinSubstitution(Substitution):
     """The parts, joined as `os.path.join` does.
 
-    :param substitutions: each a string or one substitution (a list inside the list is a TypeError in Jazzy).
+    :param substitutions: the parts, each a string or one substitution. A list inside the list is a TypeError in Jazzy.
     """
 
     def __init__(self, substitutions: Iterable[str | Substitution]) -> None:
@@ -27,7 +27,7 @@ class PathJoinSubstitution(Substitution):
     substitutions: ReadOnly[list[Substitution]] = ReadOnly('The parts.')
 
     def describe(self) -> str:
-        """`PathJoin(''a' + LaunchConfig('b')')`."""
+        """Return a description such as `PathJoin(''a' + LaunchConfig('b')')`."""
         return f"PathJoin('{describe_all(self.__substitutions)}')"
 
     def perform(self, context: LaunchContext) -> str:

@@ -8,10 +8,10 @@ from .string_join_substitution import StringJoinSubstitution
 
 
 class PathSubstitution(PathJoinSubstitution):
-    """A path that is joined with `/`, as in pathlib: `PathSubstitution(FindPackageShare('p')) / 'launch' / ['robot_', name,
-    '.launch.py']`.
+    """A path whose parts are joined with `/`, as in pathlib: `PathSubstitution(FindPackageShare('p')) / 'launch' / ['robot_',
+    name, '.launch.py']`.
 
-    The class is newer than Jazzy's first release. It is here so that files that use it run.
+    The class is newer than Jazzy's first release. It is included so that files that use it run.
     """
 
     def __init__(self, path: SomeSubstitutionsType) -> None:

@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 class PythonExpression(Substitution):
     """The result of `str(eval(text))`, where `text` is the joined expression.
 
-    Names of the `math` module need no prefix; other modules are used by their names. Put values of launch configurations in
-    quotation marks inside the expression; otherwise, Python reads them as names.
+    Names of the `math` module need no prefix. Names of other modules need the name of their module as a prefix. Put values of
+    launch configurations in quotation marks inside the expression. Otherwise, Python reads them as names.
 
     :param python_modules: the modules that the expression may use.
-    :raises Exception: on evaluation, whatever the expression raises, such as NameError or SyntaxError.
+    :raises Exception: on evaluation, any exception that the expression raises, such as NameError or SyntaxError.
     """
 
     def __init__(self, expression: SomeSubstitutionsType, python_modules: SomeSubstitutionsType = ('math',)) -> None:
@@ -31,10 +31,10 @@ class PythonExpression(Substitution):
         self.__python_modules = normalize_to_list_of_substitutions(python_modules)
 
     expression: ReadOnly[list[Substitution]] = ReadOnly('The expression, as substitutions.')
-    python_modules: ReadOnly[list[Substitution]] = ReadOnly('The modules the expression may use.')
+    python_modules: ReadOnly[list[Substitution]] = ReadOnly('The modules that the expression may use, as substitutions.')
 
     def describe(self) -> str:
-        """`PythonExpr('1+1', ['math'])`."""
+        """Return a description such as `PythonExpr('1+1', ['math'])`."""
         modules = ', '.join(module.describe() for module in self.__python_modules)
         return f'PythonExpr({describe_all(self.__expression)}, [{modules}])'
 

@@ -15,17 +15,17 @@ if TYPE_CHECKING:
 
 
 class StringJoinSubstitution(Substitution):
-    """The parts joined with `delimiter` between them. The class is newer than Jazzy's first release."""
+    """The parts, joined with `delimiter` between them. The class is newer than Jazzy's first release."""
 
     def __init__(self, substitutions: Iterable[SomeSubstitutionsType], delimiter: SomeSubstitutionsType = '') -> None:
         self.__substitutions = [normalize_to_list_of_substitutions(part) for part in substitutions]
         self.__delimiter = normalize_to_list_of_substitutions(delimiter)
 
     substitutions: ReadOnly[list[list[Substitution]]] = ReadOnly('The parts, each a list of substitutions.')
-    delimiter: ReadOnly[list[Substitution]] = ReadOnly('Return the separator of the parts.')
+    delimiter: ReadOnly[list[Substitution]] = ReadOnly('The separator of the parts, as substitutions.')
 
     def describe(self) -> str:
-        """`StringJoin('a' + 'b')`."""
+        """Return a description such as `StringJoin('a' + 'b')`."""
         return f'StringJoin({" + ".join(describe_all(part) for part in self.__substitutions)})'
 
     def perform(self, context: LaunchContext) -> str:

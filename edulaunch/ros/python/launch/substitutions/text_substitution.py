@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class TextSubstitution(Substitution):
-    """A literal string. Plain strings become one of these wherever substitutions are allowed.
+    """A literal string. Wherever substitutions are allowed, a plain string is converted to this class.
 
     :raises TypeError: when `text` is not a string.
     """
@@ -24,17 +24,17 @@ class TextSubstitution(Substitution):
             raise TypeError(f"TextSubstitution expected Text object got '{type(text)}' instead.")
         self._text = text
 
-    text: ReadOnly[str] = ReadOnly('The text.', '_text')
+    text: ReadOnly[str] = ReadOnly('The string.', '_text')
 
     def describe(self) -> str:
-        """Return the text in quotes."""
+        """Return the string in quotes."""
         return f"'{self._text}'"
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the text."""
+        """Return the string."""
         return self._text
 
 
 def describe_all(substitutions: Iterable[Substitution]) -> str:
-    """Return the description of several joined substitutions, such as `'a' + LaunchConfig('b')`."""
+    """Return the joined descriptions of several substitutions, such as `'a' + LaunchConfig('b')`."""
     return ' + '.join([substitution.describe() for substitution in substitutions])

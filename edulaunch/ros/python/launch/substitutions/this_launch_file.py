@@ -22,7 +22,7 @@ class ThisLaunchFile(Substitution):
     _local: ClassVar[str] = 'current_launch_file_path'
 
     def describe(self) -> str:
-        """`ThisLaunchFile()`."""
+        """Return the description `ThisLaunchFile()`."""
         return f'{type(self).__name__}()'
 
     def perform(self, context: LaunchContext) -> str:

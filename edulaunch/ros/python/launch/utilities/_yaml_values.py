@@ -1,4 +1,4 @@
-"""Read single values by the rules of YAML 1.1."""
+"""Converts single values by the rules of YAML 1.1."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ _NULLS = ('null', 'Null', 'NULL')
 
 
 def load_yaml_value(text: str) -> Any:
-    """Return a value as `yaml.safe_load` does. Words and plain numbers, which are nearly all values, are read without the parser
-    (50 us each).
+    """Return a value as `yaml.safe_load` does. Words and plain numbers, which are nearly all values, are converted without the
+    parser, which takes 50 us for each value.
 
     :raises yaml.YAMLError: when the text is not YAML.
-    :raises ValueError: when it is nested too deeply, or its aliases make it too large.
+    :raises ValueError: when the data are nested too deeply, or aliases make them too large.
     """
     if _WORD.match(text):
         if text in YAML_BOOLEANS:

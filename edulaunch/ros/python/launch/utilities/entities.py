@@ -40,7 +40,7 @@ EntityFuturePairs = list[tuple[LaunchDescriptionEntity, 'asyncio.Future[Any]']]
 
 
 def visit_all_entities_and_collect_futures(entity: LaunchDescriptionEntity, context: LaunchContext) -> EntityFuturePairs:
-    """Visit the entity, and then every entity that a visit returns, in order and depth first.
+    """Visit the entity, and then every entity that a visit returns, depth first and in order.
 
     :returns: each visited entity that has a future, with that future.
     """

@@ -1,4 +1,4 @@
-"""Handle signals as events of launch's loop."""
+"""Handles signals as events of launch's loop."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ SignalHandler = Callable[[int], object]
 class AsyncSafeSignalManager:
     """Handles signals of the running process as callbacks of an asyncio loop.
 
-    It does so inside a `with` block, whose end restores the previous handlers. As in upstream, a plain script receives the real
-    signals for which Python has a handler. That handler is called as well. If it raises KeyboardInterrupt, it is called only when
-    the signal comes again before the loop has handled it.
+    The manager is active inside a `with` block, whose end restores the previous handlers. As in upstream, a plain script
+    receives the real signals for which Python has a handler. That handler is called as well. If it raises KeyboardInterrupt, it
+    is called only when the signal arrives again before the loop has handled it.
     """
 
     def __init__(self, loop: asyncio.AbstractEventLoop) -> None:
@@ -49,7 +49,7 @@ class AsyncSafeSignalManager:
             self.__remove(number)
 
     def handle(self, signum: int, handler: SignalHandler | None) -> SignalHandler | None:
-        """Let `handler(signum)` handle this signal, or no handler for None. Return the previous handler.
+        """Set `handler(signum)` as the handler of this signal. None removes the handler. Return the previous handler.
 
         :raises ValueError: for an invalid signal number, and for a handler that cannot be called.
         """

@@ -1,4 +1,4 @@
-"""Convert strings and substitutions to one list, and such a list to one string."""
+"""Converts strings and substitutions to one list, and such a list to one string."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ if TYPE_CHECKING:
 
 
 def plain_text(value: Any) -> str | None:
-    """Return the string of a `str`, or of a list or tuple with exactly one literal string; otherwise, return None.
+    """Return the string itself, or the only item of a list or tuple that contains exactly one literal string. Otherwise, return
+    None.
 
     Nearly all values in launch files have this form, and the general evaluation takes ten times as long.
     """
@@ -28,7 +29,7 @@ def plain_text(value: Any) -> str | None:
 def normalize_to_list_of_substitutions(subs: SomeSubstitutionsType) -> list[Substitution]:
     """Return a string, a substitution, or an iterable of both, as a list. Plain strings become :class:`TextSubstitution`.
 
-    :raises TypeError: for any other item, naming its type.
+    :raises TypeError: for any other item. The message contains the type of the item.
     """
     if isinstance(subs, str):
         return [TextSubstitution(text=subs)]
@@ -46,6 +47,6 @@ def _normalize(item: object) -> Substitution:
 
 
 def perform_substitutions(context: LaunchContext, subs: Iterable[Substitution]) -> str:
-    """Evaluate each item and join the strings without a separator."""
+    """Evaluate each substitution, and join the strings without a separator."""
     text = plain_text(subs)
     return ''.join([context.perform_substitution(sub) for sub in subs]) if text is None else text

@@ -38,7 +38,7 @@ def is_typing_list(data_type: AllowedTypesType) -> bool:
 
 
 def extract_type(data_type: AllowedTypesType) -> tuple[type, bool]:
-    """Return the scalar type, and whether the given type was a list of it.
+    """Return the scalar type, and whether the given type was a list of that type.
 
     :raises ValueError: when `data_type` is not one of :data:`AllowedTypesTuple`.
     """
@@ -57,7 +57,7 @@ def is_valid_scalar_type(data_type: Any) -> bool:
 def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
     """Return whether the value is a scalar of an allowed type, or a list whose items all have the same allowed type.
 
-    :param can_be_str: items of a list may also be strings.
+    :param can_be_str: whether items of a list may also be strings.
     """
     if not isinstance(value, list):
         return isinstance(value, ScalarTypesTuple)
@@ -70,7 +70,7 @@ def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
 def is_instance_of(value: Any, data_type: AllowedTypesType, can_be_str: bool = False) -> bool:
     """Return whether the value has the type. The type None means any allowed type. As in Python, True counts as an int.
 
-    :param can_be_str: a string (or, in a list, strings) is also accepted.
+    :param can_be_str: whether a string (or, in a list, strings) is also accepted.
     :raises ValueError: for a type that is not allowed.
     """
     if data_type is None:
@@ -83,12 +83,12 @@ def is_instance_of(value: Any, data_type: AllowedTypesType, can_be_str: bool = F
 
 
 def coerce_to_type(value: str, data_type: AllowedTypesType = None, can_be_str: bool = False) -> AllowedValueType:
-    """Convert a string.
+    """Convert a string to a value of a type.
 
-    :param data_type: None means any type, by YAML's rules.
-    :param can_be_str: return the string itself if it cannot be converted; a list may contain strings besides its type.
+    :param data_type: the type. None means any type, by YAML's rules.
+    :param can_be_str: whether to return the string itself if it cannot be converted. A list may then contain strings as well.
     :raises TypeError: when `value` is not a string.
-    :raises ValueError: when it cannot be converted.
+    :raises ValueError: when the string cannot be converted.
     """
     if not isinstance(value, str):
         raise TypeError(f"value='{value}' is not a string, it is a {type(value)}")
@@ -147,7 +147,7 @@ def _load(value: str, message: str) -> Any:
 
 
 def coerce_list(value: list[str], data_type: AllowedTypesType = None, can_be_str: bool = False) -> list[Any]:
-    """Convert each string of a list.
+    """Convert each string of a list to a value of a type.
 
     :param data_type: the type of the items, or None for YAML's rules.
     :raises TypeError: when `value` is not a list of strings.
@@ -164,7 +164,7 @@ def coerce_list(value: list[str], data_type: AllowedTypesType = None, can_be_str
 def get_typed_value(value: str | list[str], data_type: AllowedTypesType, can_be_str: bool = True) -> Any:
     """Convert a string or a list of strings; see :func:`coerce_to_type` and :func:`coerce_list`.
 
-    :raises TypeError: for a list when the type is that of a single value, and for a value that is neither a string nor a list.
+    :raises TypeError: when a list is given for a scalar type, or when the value is neither a string nor a list.
     """
     if not isinstance(value, list):
         return coerce_to_type(value, data_type, can_be_str)
@@ -190,10 +190,10 @@ def is_normalized_substitution(x: Any) -> bool:
 
 
 def normalize_typed_substitution(value: SomeValueType, data_type: AllowedTypesType) -> NormalizedValueType:
-    """Check a value as far as possible before launch time, and convert it to one form.
+    """Check the type of a value as far as possible before launch time, and return the value in its normal form.
 
-    A scalar does not change. A substitution, or a list of strings and substitutions, is one value: a list of substitutions. Any
-    other list is a list value, and each of its items is normalized separately.
+    A scalar does not change. A substitution, or a list of strings and substitutions, becomes one value: a list of substitutions.
+    Any other list is a list value, and each of its items is normalized separately.
 
     :raises TypeError: when a literal does not have the type.
     """
@@ -251,7 +251,8 @@ def ensure_argument_type(argument: Any, types: type | Iterable[type], argument_n
     """Check that `argument` is an instance of one of `types`.
 
     :param caller: the function or class named in the message.
-    :raises TypeError: with the caller, the argument, the expected types and the actual type in its message.
+    :raises TypeError: when the type is wrong. The message contains the caller, the argument, the expected types and the actual
+        type.
     """
     expected = types if isinstance(types, tuple) else (types,) if isinstance(types, type) else tuple(types)
     if isinstance(argument, expected):
@@ -262,12 +263,12 @@ def ensure_argument_type(argument: Any, types: type | Iterable[type], argument_n
 
 
 def isclassinstance(obj: Any) -> bool:
-    """Return whether `obj` is an instance of a class. This is always true, and remains for code from Python 2."""
+    """Return whether `obj` is an instance of a class. The result is always true. The function exists for code from Python 2."""
     return hasattr(obj, '__class__')
 
 
 def is_a(obj: Any, entity_type: Any) -> bool:
-    """Return whether `obj` is an instance of exactly `entity_type` (or of a sub-class)."""
+    """Return whether `obj` is an instance of `entity_type` or of a subclass."""
     return isinstance(obj, entity_type)
 
 

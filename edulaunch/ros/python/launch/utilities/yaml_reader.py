@@ -1,6 +1,6 @@
-"""Convert YAML text to plain data whose mappings store their lines.
+"""Converts YAML text to plain data whose mappings contain their lines.
 
-Launch files can come from strangers, so the size of expanded aliases and the depth of nesting are limited.
+Launch files can come from untrusted sources, so the size of expanded aliases and the depth of nesting are limited.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from edulaunch.engine.facts import with_facts
 class Mapping(dict):  # type: ignore[type-arg]
     """A mapping in the file, with its line.
 
-    :ivar line: the line of its first key, from 1.
+    :ivar line: the line of the first key, from 1.
     """
 
     __slots__ = ('line',)
@@ -39,8 +39,8 @@ SAFE_DEPTH = 1_000
 def read(text: str) -> Any:
     """Return the data of the single document in `text`, as `yaml.safe_load` returns it; dicts are :class:`Mapping`.
 
-    :raises yaml.YAMLError: when the text is not (plain, single-document) YAML.
-    :raises ValueError: when it is nested too deeply, its aliases make it too large, or a date is impossible.
+    :raises yaml.YAMLError: when the text is not a single YAML document with plain data.
+    :raises ValueError: when the data are nested too deeply, aliases make them too large, or a date is impossible.
     """
     loader_class: Any = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
     depth = _possible_depth(text)
@@ -61,7 +61,7 @@ def read(text: str) -> Any:
 
 
 def read_file(text: str, name: str) -> Any:
-    """Return the data in a file like :func:`read`. Errors contain the name of the file."""
+    """Return the data in a file, like :func:`read`. Errors contain the name of the file."""
     try:
         return read(text)
     except yaml.YAMLError as error:
@@ -70,7 +70,7 @@ def read_file(text: str, name: str) -> Any:
 
 def _error_in_full(text: str, name: str) -> yaml.YAMLError | None:
     """Return the error that users of upstream see. libyaml reads several times as fast, but the errors of PyYAML's own reader
-    contain more.
+    are more detailed.
     """
     if len(text) > LONGEST_READ_TWICE:
         return None
@@ -88,7 +88,7 @@ def _error_in_full(text: str, name: str) -> yaml.YAMLError | None:
 
 
 def _data_of(node: Any, loader: Any) -> Any:
-    """Return the data that PyYAML's constructor makes of a node. For the usual tags, this function is several times as fast."""
+    """Return the data that PyYAML's constructor creates from a node. For common tags, this function is several times as fast."""
     tag = node.tag
     if tag == 'tag:yaml.org,2002:str' and isinstance(node, yaml.ScalarNode):
         return node.value
@@ -115,7 +115,7 @@ def _mapping_of(node: Any, loader: Any) -> Mapping:
 
 
 def _possible_depth(text: str) -> int:
-    """Return a quick upper bound of the nesting, so that nearly all files need no closer examination.
+    """Return a quickly computed upper bound of the nesting, so that nearly all files need no closer examination.
 
     A bracket opens one level. It does not count if its own line certainly closes it, without a quotation mark or comment nearby.
     An indentation by one column opens two levels at most.
@@ -152,7 +152,7 @@ def _refused(text: str, line: int) -> ValueError:
 
 
 class _Size:
-    """Counts the values below a node. A node to which several aliases refer counts each time, but is visited once."""
+    """Counts the values below a node. A node with several aliases counts once for each alias, but is visited only once."""
 
     def __init__(self, limit: int) -> None:
         self.limit = limit

@@ -1,4 +1,4 @@
-"""Waiting until a process has started, ended or written something."""
+"""Functions that wait until a process has started, has ended or has written something."""
 
 from .process import (
     assert_output,

@@ -1,4 +1,4 @@
-"""Wait until a process has started, has ended, or has written something.
+"""Functions that wait until a process has started, has ended, or has written something.
 
 Each function has two forms: a coroutine, and one ending in `_sync` for tests that are plain functions. Timeouts are in simulated
 seconds; None waits without a limit. Actions whose output is checked need `cached_output=True`.
@@ -21,7 +21,7 @@ Holds = Callable[[], bool]
 
 
 async def _wait(context: LaunchContext, handler: Callable[[Any], Any], holds: Holds, timeout: float | None) -> bool:
-    """Check the condition now and after each event."""
+    """Check the condition now and after each event, until it is true or the timeout is over."""
     news = asyncio.Event()
     on_event = handler(lambda event, context=None: news.set())
     context.register_event_handler(on_event)
@@ -74,7 +74,7 @@ def _look(action: ExecuteLocal, validate: Validate, stream: str) -> tuple[Callab
 
 
 def _complain(action: ExecuteLocal, validate: Validate, stream: str) -> None:
-    """Let the test's own assertions report the problem; otherwise, report the output."""
+    """Raise an error: that of the test's own assertions, or else one that shows the output."""
     written = _written(action, stream)
     validate(written)
     raise AssertionError(f'the {stream} never was as expected; it is {written!r}')
@@ -86,30 +86,30 @@ def _for_output(stream: str) -> tuple[Any, Any, Any, Any]:
     async def wait(
         launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
     ) -> bool:
-        """Wait until the output of a process is as expected. Return False if it is not before the timeout.
+        """Wait until the output of a process is as expected. Return False if this does not happen before the timeout.
 
-        :param validate_output: called with the output. It returns whether the output is as expected, or makes assertions and
-            returns None.
+        :param validate_output: a function that is called with the output. It returns whether the output is as expected, or makes
+            assertions and returns None.
         """
         return await _wait(launch_context, *_look(process_action, validate_output, stream), timeout)
 
     def wait_sync(
         launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
     ) -> bool:
-        """Wait in a plain function; see the coroutine."""
+        """Wait in a plain function; see the coroutine of the same name without `_sync`."""
         return _wait_sync(launch_context, *_look(process_action, validate_output, stream), timeout)
 
     async def check(
         launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
     ) -> None:
-        """Wait as `wait_for_...` does. After the timeout, raise AssertionError: that of `validate_output`, if it raises one."""
+        """Wait as `wait_for_...` does. After the timeout, raise AssertionError, or the error that `validate_output` raises."""
         if not await wait(launch_context, process_action, validate_output, timeout):
             _complain(process_action, validate_output, stream)
 
     def check_sync(
         launch_context: LaunchContext, process_action: ExecuteLocal, validate_output: Validate, timeout: float | None = None
     ) -> None:
-        """Check in a plain function; see the coroutine."""
+        """Check in a plain function; see the coroutine of the same name without `_sync`."""
         if not wait_sync(launch_context, process_action, validate_output, timeout):
             _complain(process_action, validate_output, stream)
 
@@ -123,13 +123,14 @@ def _for_event(handler: Callable[..., Any], argument: str, has_come: Callable[[E
         return lambda tell: handler(target_action=action, **{argument: tell}), lambda: has_come(action)
 
     async def wait(launch_context: LaunchContext, process_action: ExecuteLocal, timeout: float | None = None) -> bool:
-        """Wait until the process has started or ended. Return False if it has not before the timeout. A started process may
-        already have ended.
+        """Wait until the process has started or ended. Return False if this does not happen before the timeout.
+
+        A process that has started may already have ended.
         """
         return await _wait(launch_context, *look(process_action), timeout)
 
     def wait_sync(launch_context: LaunchContext, process_action: ExecuteLocal, timeout: float | None = None) -> bool:
-        """Wait in a plain function; see the coroutine."""
+        """Wait in a plain function; see the coroutine of the same name without `_sync`."""
         return _wait_sync(launch_context, *look(process_action), timeout)
 
     return wait, wait_sync

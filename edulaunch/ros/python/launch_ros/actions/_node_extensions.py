@@ -1,4 +1,6 @@
-"""Extensions of installed packages for each started node: classes that are entry points of `launch_ros.node_action`."""
+"""Extensions of installed packages that change each started node. They are classes in the entry points of
+`launch_ros.node_action`.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +19,7 @@ FOLDER_ENDINGS = ('.dist-info', '.egg-info')
 
 
 class NodeActionExtension:
-    """The base class of such an extension. `NAME` is the name of its entry point."""
+    """The base class of extensions for nodes. `NAME` is the name of the extension's entry point."""
 
     NAME: str | None = None
     EXTENSION_POINT_VERSION = '0.1'
@@ -30,14 +32,15 @@ class NodeActionExtension:
     def prepare_for_execute(
         self, context: LaunchContext, ros_specific_arguments: dict[str, Any], node_action: Node
     ) -> tuple[list[Any], dict[str, Any]]:
-        """Return further words of the command line and the new value of the local variable `ros_specific_arguments`. It is called
-        before a node starts.
+        """Return further words of the command line, and the new value of the local variable `ros_specific_arguments`.
+
+        This method is called before a node starts.
         """
         return [], ros_specific_arguments
 
 
 def get_extensions(logger: Any) -> dict[str, NodeActionExtension]:
-    """Return one extension of each installed class, by name. An extension that cannot be created causes a warning."""
+    """Return an instance of each installed extension, by name. An extension that cannot be created causes a warning."""
     extensions: dict[str, NodeActionExtension] = {}
     if not _are_announced(tuple(sys.path)):
         return extensions
@@ -64,7 +67,7 @@ def instantiate_extension(
 ) -> NodeActionExtension | None:
     """Create an extension and store it in `extensions`. If that fails, log a warning and return None.
 
-    :param unique_instance: always create a new extension, and do not store it.
+    :param unique_instance: whether to create a new extension each time, without storing it.
     """
     if not unique_instance and extension_name in extensions:
         return extensions[extension_name]

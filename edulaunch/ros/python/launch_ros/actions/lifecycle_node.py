@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 class LifecycleNode(Node):
     """A Node whose state launch can observe and change.
 
-    Its transitions arrive as :class:`launch_ros.events.lifecycle.StateTransition`; a
-    :class:`launch_ros.events.lifecycle.ChangeState` event requests a transition. Both work through the node's topic
-        `transition_event` and service `change_state`.
+    Its transitions are emitted as :class:`launch_ros.events.lifecycle.StateTransition` events. A
+    :class:`launch_ros.events.lifecycle.ChangeState` event requests a transition. Both events use the node's topic
+    `transition_event` and service `change_state`.
 
     :raises RuntimeError: on execution, when the launch file does not set the name or the namespace.
     """
@@ -37,7 +37,7 @@ class LifecycleNode(Node):
 
     @property
     def is_lifecycle(self) -> bool:
-        """Always True."""
+        """Whether this is a lifecycle node, which is always true."""
         return True
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
@@ -64,7 +64,7 @@ class LifecycleNode(Node):
 
 
 def _change_state_action(node: LifecycleNode) -> LaunchDescriptionEntity:
-    """Return an action that sends the request of the ChangeState event that is being handled."""
+    """Return an action that sends the request of the current ChangeState event."""
     from launch.actions.opaque_function import OpaqueFunction
 
     def send(context: LaunchContext) -> None:
@@ -88,7 +88,7 @@ async def _change_state(context: LaunchContext, node: LifecycleNode, event: Any)
 
 
 async def _ask(context: LaunchContext, node: LifecycleNode, event: Any) -> bool | None:
-    """Return whether the node has made the transition; None if launch shuts down before the node replies."""
+    """Return whether the node has made the transition. Return None if launch shuts down before the node replies."""
     from lifecycle_msgs.srv import ChangeState as ChangeStateService
 
     request: Any = ChangeStateService.Request()

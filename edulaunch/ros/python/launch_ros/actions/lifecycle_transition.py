@@ -1,4 +1,4 @@
-"""Change the states of lifecycle nodes in several steps."""
+"""The action `LifecycleTransition`, which changes the states of lifecycle nodes in several steps."""
 
 from __future__ import annotations
 
@@ -33,10 +33,10 @@ _STEPS = {
 
 
 class LifecycleTransition(Action):
-    """Trigger transitions of the nodes in order. Each one is requested after the previous one has succeeded. An error ends the
-    transitions of that node.
+    """Trigger transitions of the nodes in order. Each transition is requested after the previous one has succeeded. An error
+    ends the transitions of that node.
 
-    :param lifecycle_node_names: full names.
+    :param lifecycle_node_names: the full names of the nodes.
     :param transition_ids: constants of lifecycle_msgs.msg.Transition, as numbers or strings.
     :raises ValueError: when either list is empty.
     """
@@ -53,7 +53,7 @@ class LifecycleTransition(Action):
         ]
 
     def execute(self, context: LaunchContext) -> list[Action]:
-        """Return the handlers that request each next transition, and the events that request the first ones.
+        """Return the handlers that request each later transition, and the events that request the first transitions.
 
         :raises ValueError: for a transition that is not a number.
         """
@@ -78,9 +78,9 @@ def _number(text: str) -> int:
 class _Sequence:
     """The transitions of one node.
 
-    :ivar asking: the action that requests each transition.
+    :ivar asking: the actions that request the transitions.
     :ivar handlers: the handler for the success of each transition, which requests the next one.
-    :ivar on_error: unregisters the handlers when the node processes an error.
+    :ivar on_error: the handler that unregisters the others when the node processes an error.
     """
 
     def __init__(self, name: str, numbers: list[int]) -> None:

@@ -28,10 +28,10 @@ _LOGGER = 'launch_ros.actions.load_composable_nodes'
 
 
 class ComposableNodeContainer(Node):
-    """A Node into which other nodes are loaded.
+    """A container process into which other nodes are loaded.
 
     :param composable_node_descriptions: the nodes to load; an empty list loads nothing.
-    :param kwargs: those of :class:`launch_ros.actions.Node`.
+    :param kwargs: the arguments of :class:`launch_ros.actions.Node`.
     """
 
     def __init__(
@@ -60,7 +60,7 @@ class ComposableNodeContainer(Node):
 
 
 class LoadComposableNodes(Action):
-    """Load nodes into a container, one after another, with its service `<container>/_container/load_node`.
+    """Load nodes one after another into a container, with the container's service `<container>/_container/load_node`.
 
     :param target_container: the container action, or the container's full name.
     """
@@ -85,11 +85,11 @@ class LoadComposableNodes(Action):
 
     @property
     def descriptions_to_load(self) -> list[ComposableNode]:
-        """The nodes, for code that inspects a launch file without running it."""
+        """The descriptions of the nodes, for code that inspects a launch file without running it."""
         return self.__composable_node_descriptions
 
     def execute(self, context: LaunchContext) -> None:
-        """Build the requests while the scope exists, and send them when the container is available."""
+        """Create the requests while the scope exists, and send them when the container is available."""
         self.__final_target_container_name = self.__container_name(context)
         requests = [get_composable_node_load_request(description, context) for description in self.__composable_node_descriptions]
         wanted = [request for request in requests if request is not None]
@@ -113,7 +113,7 @@ class LoadComposableNodes(Action):
                 return
 
     async def __load(self, context: LaunchContext, request: LoadNode.Request) -> bool:
-        """Load one node. Return False if launch shuts down meanwhile."""
+        """Load one node. Return False if launch shuts down before the reply."""
         from composition_interfaces.srv import LoadNode
 
         logger = launch.logging.get_logger(_LOGGER)
@@ -144,7 +144,7 @@ class LoadComposableNodes(Action):
 def get_composable_node_load_request(
     composable_node_description: ComposableNode, context: LaunchContext
 ) -> LoadNode.Request | None:
-    """Return the request that loads a node, with evaluated substitutions; None if its condition is false."""
+    """Return the request that loads a node, with evaluated substitutions. Return None if the condition of the node is false."""
     condition = composable_node_description.condition()
     if condition is not None and not condition.evaluate(context):
         return None

@@ -39,19 +39,19 @@ class Node(ExecuteProcess):
     """Start a node.
 
     :param executable: the name of the executable in `package`. Without a package, it is a command.
-    :param package: the package that contains it.
+    :param package: the package that contains the executable.
     :param name: the node's name. The default is the name in the program.
-    :param namespace: the node's namespace, relative to the namespaces pushed around it.
+    :param namespace: the node's namespace, relative to the current pushed namespace.
     :param exec_name: the name of the process in the log.
     :param parameters: a list of parameter files, dicts, and :class:`~launch_ros.parameter_descriptions.Parameter`.
     :param remappings: (from, to) pairs for topics and services.
     :param ros_arguments: further arguments after `--ros-args`.
     :param arguments: the program's own arguments.
-    :param kwargs: those of :class:`launch.actions.ExecuteProcess`, except `cmd`.
+    :param kwargs: the arguments of :class:`launch.actions.ExecuteProcess`, except `cmd`.
     :raises TypeError: when `parameters` or `remappings` have the wrong type.
 
-    Its execution can raise PackageNotFoundError, SubstitutionFailure (no such executable), and rclpy's InvalidNodeNameException
-    and InvalidNamespaceException.
+    Executing the action can raise PackageNotFoundError, SubstitutionFailure (no such executable), and rclpy's
+    InvalidNodeNameException and InvalidNamespaceException.
     """
 
     UNSPECIFIED_NODE_NAME = '<node_name_unspecified>'
@@ -99,7 +99,7 @@ class Node(ExecuteProcess):
 
     @property
     def __expanded_parameter_arguments(self) -> list[tuple[str, bool]] | None:
-        """The arguments after execution, in order: (path, True) and (`name:=value`, False). The files exist."""
+        """The parameter arguments after execution, in order: (path, True) and (`name:=value`, False). The files exist."""
         arguments = self.__parameter_arguments
         if arguments is None or not (arguments.items or self.__parameters is not None):
             return None
@@ -112,7 +112,7 @@ class Node(ExecuteProcess):
 
     @property
     def node_name(self) -> str:
-        """Return the full name. The UNSPECIFIED strings replace parts that the launch file does not set.
+        """The full name of the node. The UNSPECIFIED strings replace parts that the launch file does not set.
 
         :raises RuntimeError: before the action was executed.
         """
@@ -124,11 +124,11 @@ class Node(ExecuteProcess):
 
     @property
     def expanded_remapping_rules(self) -> list[tuple[str, str]]:
-        """All (from, to) pairs after execution, global ones first."""
+        """All (from, to) pairs after execution. Global rules come first."""
         return self.__expanded_remappings
 
     def is_node_name_fully_specified(self) -> bool:
-        """Return whether the launch file sets both name and namespace."""
+        """Return whether the launch file sets both the name and the namespace."""
         name = self.node_name
         return self.UNSPECIFIED_NODE_NAME not in name and self.UNSPECIFIED_NODE_NAMESPACE not in name
 
@@ -147,7 +147,7 @@ class Node(ExecuteProcess):
         return result
 
     def __prepared_by_extensions(self, context: LaunchContext) -> dict[str, Any]:
-        """Return the local variable for command lines, in the form that installed extensions expect."""
+        """Return the local variable for command lines, after the installed extensions have changed it."""
         arguments = {'name': f'__node:={self.__expanded_node_name}', 'ns': f'__ns:={self.__expanded_node_namespace}'}
         for extension in process_state('launch_ros.node_extensions', _load_extensions).values():
             words, arguments = extension.prepare_for_execute(context, arguments, self)
@@ -155,17 +155,17 @@ class Node(ExecuteProcess):
         return arguments
 
     def missing_parameter_files(self) -> list[str]:
-        """Return the given parameter files that do not exist. Call it after execution."""
+        """Return the given parameter files that do not exist. Call this method after execution."""
         arguments = self.__parameter_arguments
         return [] if arguments is None else arguments.missing_files
 
     def given_parameters(self) -> list[Given]:
-        """Return all values that are given for its parameters, in rcl's order: a later value replaces an earlier one."""
+        """Return all values that are given for the node's parameters, in rcl's order. A later value replaces an earlier one."""
         arguments = self.__parameter_arguments
         return [] if arguments is None else arguments.in_force(self.origin)
 
     def process_spec_details(self) -> dict[str, Any]:
-        """Return the facts that a checker needs: package, executable, and the places of its parameter values."""
+        """Return the facts that checks need: the package, the executable, and the places of the parameter values."""
         assert self.__parameter_arguments is not None
         package, executable = self.__package_and_executable
         return {
@@ -208,7 +208,7 @@ class Node(ExecuteProcess):
             words += ('-r', NODE_NAMESPACE)
 
     def __expand_parameters(self, context: LaunchContext, words: Words) -> None:
-        """Evaluate global parameters first, so that the node's own parameters replace them."""
+        """Return the evaluated parameters. Global parameters come first, so that the node's own parameters replace them."""
         name = self.node_name
         node_key = name if self.is_node_name_fully_specified() else '/**'
         arguments = self.__parameter_arguments = ParameterArguments(process_counter(context)[0], name, node_key)

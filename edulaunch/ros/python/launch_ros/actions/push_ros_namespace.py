@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 
 
 class PushROSNamespace(Action):
-    """Put later nodes into a namespace, inside the namespace that was pushed before. The end of a GroupAction removes it.
+    """Put later nodes into a namespace, inside the namespace that was pushed before. The end of a GroupAction restores the
+    previous namespace.
 
     :raises SubstitutionFailure: on execution, when the result is not a valid namespace.
     """
@@ -27,7 +28,7 @@ class PushROSNamespace(Action):
         super().__init__(**kwargs)
         self.__namespace = normalize_to_list_of_substitutions(namespace)
 
-    namespace: ReadOnly[list[Substitution]] = ReadOnly('The namespace, to be evaluated.')
+    namespace: ReadOnly[list[Substitution]] = ReadOnly('The namespace, as substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
         """Set the launch configuration `ros_namespace`."""

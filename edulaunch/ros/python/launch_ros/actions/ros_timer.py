@@ -19,9 +19,10 @@ if TYPE_CHECKING:
 
 
 class ROSTimer(TimerAction):
-    """A TimerAction whose period counts on the clock of launch's own node, which is `/clock` after SetUseSimTime(True).
+    """A TimerAction whose period is measured with the clock of launch's own node. After SetUseSimTime(True), this clock is
+    `/clock`.
 
-    :param period: seconds, as a float, a string or substitutions.
+    :param period: the seconds to wait, as a float, a string or substitutions.
     """
 
     def __init__(self, *, period: Any, actions: Iterable[LaunchDescriptionEntity], **kwargs: Any) -> None:

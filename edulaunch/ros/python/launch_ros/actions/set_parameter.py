@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class SetParameter(Action):
-    """Set a parameter for every node that starts later in this scope. A node's own parameters override it.
+    """Set a parameter for every node that starts later in this scope. The node's own parameters override this value.
 
     As in ROS, a list of values is passed on in a form that the node reads as a string.
     """
@@ -28,7 +28,7 @@ class SetParameter(Action):
 
     @property
     def name(self) -> list[Substitution]:
-        """The parameter's name, before its evaluation."""
+        """The name of the parameter before evaluation."""
         return list(next(iter(self.__param_dict)))
 
     @property

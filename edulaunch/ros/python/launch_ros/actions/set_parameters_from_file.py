@@ -23,7 +23,7 @@ class SetParametersFromFile(Action):
         super().__init__(**kwargs)
         self.__filename = normalize_to_list_of_substitutions(filename)
 
-    filename: ReadOnly[list[Substitution]] = ReadOnly('The path, to be evaluated.')
+    filename: ReadOnly[list[Substitution]] = ReadOnly('The path, as substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
         """Add the file to the launch configuration `global_params`."""

@@ -14,15 +14,15 @@ if TYPE_CHECKING:
 
 
 class SetRemap(Action):
-    """Remap `src` to `dst` in nodes that start later in this scope. This rule comes before the nodes' own rules."""
+    """Remap `src` to `dst` in nodes that start later in this scope. This rule has priority over the nodes' own rules."""
 
     def __init__(self, src: SomeSubstitutionsType, dst: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self.__src = normalize_to_list_of_substitutions(src)
         self.__dst = normalize_to_list_of_substitutions(dst)
 
-    src: ReadOnly[list[Substitution]] = ReadOnly('The name to replace, to be evaluated.')
-    dst: ReadOnly[list[Substitution]] = ReadOnly('The new name, to be evaluated.')
+    src: ReadOnly[list[Substitution]] = ReadOnly('The name to replace, as substitutions.')
+    dst: ReadOnly[list[Substitution]] = ReadOnly('The new name, as substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
         """Add the rule to the launch configuration `ros_remaps`."""

@@ -21,10 +21,10 @@ class SetROSLogDir(Action):
         super().__init__(**kwargs)
         self.__log_dir = normalize_to_list_of_substitutions(new_log_dir)
 
-    log_dir: ReadOnly[list[Substitution]] = ReadOnly('The folder, to be evaluated.')
+    log_dir: ReadOnly[list[Substitution]] = ReadOnly('The folder, as substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
-        """Set the environment variable."""
+        """Set the environment variable `ROS_LOG_DIR`."""
         folder = perform_substitutions(context, self.__log_dir)
         if not os.path.isabs(folder):
             folder = os.path.join(context.environment.get('ROS_LOG_DIR') or _launch_log_dir(context), folder)

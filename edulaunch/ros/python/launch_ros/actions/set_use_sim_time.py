@@ -17,14 +17,14 @@ if TYPE_CHECKING:
 class SetUseSimTime(Action):
     """Set `use_sim_time` of launch's own node, whose clock ROSTimer uses.
 
-    :param value: a bool, or a string or substitutions for one.
+    :param value: a bool, a string that contains a bool, or substitutions for one.
     """
 
     def __init__(self, value: Any, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self.__value = normalize_typed_substitution(value, bool)
 
-    value: ReadOnly[Any] = ReadOnly('The value, to be evaluated.')
+    value: ReadOnly[Any] = ReadOnly('The value, which may contain substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
         """Set the parameter."""

@@ -19,9 +19,9 @@ class ComposableNode:
     """A node to load, with its plugin, name, parameters and remappings.
 
     :param package: the package with the plugin.
-    :param plugin: its class name, such as 'composition::Talker'.
+    :param plugin: the class name of the plugin, such as 'composition::Talker'.
     :param extra_arguments: arguments for the container, in the form of parameters (`use_intra_process_comms`).
-    :param condition: by default, the node is always loaded.
+    :param condition: the condition for loading the node. By default, the node is always loaded.
     """
 
     def __init__(
@@ -45,8 +45,8 @@ class ComposableNode:
         self.__extra_arguments = None if not extra_arguments else normalize_parameters(extra_arguments)
         self.__condition = condition
 
-    package: ReadOnly[list[Substitution]] = ReadOnly('The package.')
-    node_plugin: ReadOnly[list[Substitution]] = ReadOnly('The class name.')
+    package: ReadOnly[list[Substitution]] = ReadOnly('The package, as substitutions.')
+    node_plugin: ReadOnly[list[Substitution]] = ReadOnly('The class name of the plugin, as substitutions.')
     node_name: ReadOnly[list[Substitution] | None] = ReadOnly("The node's name, or None for the plugin's own.")
     node_namespace: ReadOnly[list[Substitution] | None] = ReadOnly("The node's namespace, or None.")
     parameters: ReadOnly[Parameters | None] = ReadOnly('Normalized parameters, or None.')

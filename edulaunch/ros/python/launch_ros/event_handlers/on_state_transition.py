@@ -21,9 +21,10 @@ if TYPE_CHECKING:
 class OnStateTransition(EventHandler):
     """Visit entities when a lifecycle node makes a transition.
 
-    :param target_lifecycle_node: only this node's transitions; None means any node.
-    :param transition, start_state, goal_state: only transitions with these labels ('configure', 'inactive' ...); None means any
-        label.
+    :param target_lifecycle_node: the only node whose transitions match; None means any node.
+    :param transition: the label of the transition, such as 'configure'; None means any label.
+    :param start_state: the label of the previous state, such as 'inactive'; None means any label.
+    :param goal_state: the label of the new state; None means any label.
     :param matcher: a matcher in place of all other parameters.
     :raises RuntimeError: when the target is not a LifecycleNode, or `matcher` is combined with other parameters.
     """
@@ -61,7 +62,7 @@ class OnStateTransition(EventHandler):
 
     @property
     def matcher_description(self) -> str:
-        """A description of the handled events."""
+        """A description of the events that the handler handles."""
         return 'event == StateTransition'
 
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 class ExecutableInPackage(FindPackagePrefix):
     """The path `<prefix>/lib/<package>/<executable>`.
 
-    :raises SubstitutionFailure: on evaluation, for an unknown executable; its facts list the known ones.
+    :raises SubstitutionFailure: on evaluation, for an unknown executable. The facts of the error list the known executables.
     """
 
     def __init__(self, executable: SomeSubstitutionsType, package: SomeSubstitutionsType) -> None:
@@ -31,7 +31,7 @@ class ExecutableInPackage(FindPackagePrefix):
 
     @property
     def executable(self) -> list[Substitution]:
-        """The executable's name."""
+        """The name of the executable."""
         return normalize_to_list_of_substitutions(self.__executable)
 
     def describe(self) -> str:
@@ -41,7 +41,9 @@ class ExecutableInPackage(FindPackagePrefix):
         return f'ExecInPkg(pkg={package}, exec={executable})'
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the path. The file of an entry point or a C++ program need not exist, because the index contains both."""
+        """Return the path of the executable. For an entry point or a C++ program, the file need not exist, because the index
+        contains both.
+        """
         unevaluated = self.__executable
         executable = unevaluated if isinstance(unevaluated, str) else perform_substitutions(context, unevaluated)
         package = self._package_name(context)

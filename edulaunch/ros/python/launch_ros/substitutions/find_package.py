@@ -1,4 +1,4 @@
-"""Substitutions for the folders of a package."""
+"""Substitutions for folders of a package."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class FindPackage(Substitution):
-    """The base class of the substitutions below. Subclasses define :meth:`find`."""
+    """The base class of substitutions for folders of a package. Subclasses define :meth:`find`."""
 
     def __init__(self, package: SomeSubstitutionsType) -> None:
         super().__init__()
@@ -22,7 +22,7 @@ class FindPackage(Substitution):
 
     @property
     def package(self) -> list[Substitution]:
-        """The package's name."""
+        """The name of the package."""
         return normalize_to_list_of_substitutions(self.__package)
 
     def _package_name(self, context: LaunchContext) -> str:
@@ -30,7 +30,7 @@ class FindPackage(Substitution):
         return package if isinstance(package, str) else perform_substitutions(context, package)
 
     def find(self, package_name: str) -> str:
-        """Return the path of the package.
+        """Return the folder of the package.
 
         :raises NotImplementedError: in this base class, as in upstream.
         """
@@ -42,10 +42,10 @@ class FindPackage(Substitution):
         return f'{type(self).__name__}(pkg={package})'
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the path.
+        """Return the folder of the package.
 
         :raises PackageNotFoundError: when there is no such package.
-        :raises ValueError: when this cannot be a package name.
+        :raises ValueError: when the string cannot be a package name.
         """
         return self.find(self._package_name(context))
 
@@ -54,7 +54,7 @@ class FindPackagePrefix(FindPackage):
     """The install prefix of a package."""
 
     def find(self, package_name: str) -> str:
-        """Return `<prefix>`."""
+        """Return the install prefix of the package."""
         from ament_index_python.packages import get_package_prefix
 
         return get_package_prefix(package_name)

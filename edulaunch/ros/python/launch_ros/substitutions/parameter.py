@@ -14,9 +14,9 @@ if TYPE_CHECKING:
 
 
 class Parameter(Substitution):
-    """The value that the nearest :class:`~launch_ros.actions.SetParameter` has set for a parameter, as a string.
+    """The value that the most recent :class:`~launch_ros.actions.SetParameter` in scope has set for a parameter, as a string.
 
-    :param default: used if the parameter is not set.
+    :param default: the value if the parameter is not set.
     :raises SubstitutionFailure: on evaluation, when there is neither a value nor a default.
     """
 
@@ -25,8 +25,8 @@ class Parameter(Substitution):
         self.__name = normalize_to_list_of_substitutions(name)
         self.__default = None if default is None else normalize_to_list_of_substitutions(default)
 
-    name: ReadOnly[list[Substitution]] = ReadOnly("The parameter's name.")
-    default: ReadOnly[list[Substitution] | None] = ReadOnly('The default.')
+    name: ReadOnly[list[Substitution]] = ReadOnly('The name of the parameter, as substitutions.')
+    default: ReadOnly[list[Substitution] | None] = ReadOnly('The default, as substitutions, or None.')
 
     def describe(self) -> str:
         """Return the description that `ros2 launch -s` shows."""

@@ -1,4 +1,4 @@
-"""Evaluate the parameters of a node at launch time."""
+"""Evaluates the parameters of a node at launch time."""
 
 from __future__ import annotations
 
@@ -34,10 +34,12 @@ _WRAP = (
 
 
 def evaluate_parameters(context: LaunchContext, parameters: Parameters) -> EvaluatedParameters:
-    """Return paths, dicts of plain values (with tuples for lists, except those of a ParameterValue), and Parameters, in order.
+    """Return the evaluated parameters in order: paths, dicts of plain values, and Parameter objects.
+
+    Lists of values become tuples, except the lists of a ParameterValue.
 
     :param parameters: the result of :func:`~launch_ros.utilities.normalize_parameters`.
-    :raises TypeError: for a value that no ROS parameter can have; it names the parameter.
+    :raises TypeError: for a value that no ROS parameter can have. The message names the parameter.
     """
     return tuple([_evaluate(context, item) for item in parameters])
 
@@ -78,7 +80,7 @@ def _typed_item(context: LaunchContext, name: str, item: Any) -> Any:
 
 
 def _typed(name: str, text: str) -> Any:
-    """Read a string by YAML's rules."""
+    """Convert a string by YAML's rules."""
     if not text:
         return ''
     value = _load(name, text)
@@ -106,8 +108,9 @@ def _load(name: str, text: str) -> Any:
 
 
 def _uniform(name: str, items: list[Any]) -> tuple[Any, ...]:
-    """Return the items as a tuple, if there are any and all have the type of the first one. True counts as an int, as in
-    Python.
+    """Return the items as a tuple, if there are any and all have the type of the first item. Otherwise, return None.
+
+    True counts as an int, as in Python.
     """
     kind = type(items[0]) if items else None
     if kind not in _ITEMS or not all(isinstance(item, kind) for item in items):

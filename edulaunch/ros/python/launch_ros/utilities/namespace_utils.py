@@ -14,7 +14,10 @@ def is_namespace_absolute(ns: str) -> bool:
 
 
 def prefix_namespace(base_ns: str | None, ns: str | None) -> str | None:
-    """Return `ns` inside `base_ns`. An absolute `ns` does not change. None means "not given", and two Nones give None."""
+    """Return `ns` inside `base_ns`. An absolute `ns` does not change. None means that no namespace is given.
+
+    Return None if neither namespace is given.
+    """
     if base_ns is None and ns is None:
         return None
     if ns is None:
@@ -29,7 +32,7 @@ def prefix_namespace(base_ns: str | None, ns: str | None) -> str | None:
 
 
 def make_namespace_absolute(ns: str | None) -> str | None:
-    """Return `ns` with a leading `/`; None for None."""
+    """Return `ns` with a leading `/`. Return None for None."""
     if ns is None or is_namespace_absolute(ns):
         return ns
     return '/' + ns

@@ -1,4 +1,4 @@
-"""Convert the parameters of a node to one form."""
+"""Converts the parameters of a node to one form."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ _ITEM_TYPES = (float, int, str, bool, *SomeSubstitutionsType_types_tuple)
 
 
 def normalize_parameters(parameters: SomeParameters) -> Parameters:
-    """Return a list of parameter files, dicts and Parameters.
+    """Return the parameters as a list of parameter files, dicts and Parameter objects.
 
-    :raises TypeError: when it is not a list, or an item or a value has an unsupported type.
+    :raises TypeError: when `parameters` is not a list, or an item or a value has an unsupported type.
     """
     if isinstance(parameters, str) or not isinstance(parameters, Sequence):
         raise TypeError(f'Expecting list of parameters, got {parameters}')
@@ -35,7 +35,7 @@ def _normalize(item: Any) -> Any:
 
 
 def normalize_parameter_dict(parameters: SomeParametersDict, *, _prefix: Sequence[Substitution] = ()) -> ParametersDict:
-    """Return one mapping as a flat dict. Nested names are joined with '.', and an empty nested mapping disappears.
+    """Return one mapping as a flat dict. Nested names are joined with '.', and an empty nested mapping is left out.
 
     :raises TypeError: for a value of an unsupported type.
     """

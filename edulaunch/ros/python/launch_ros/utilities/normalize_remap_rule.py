@@ -1,4 +1,4 @@
-"""Convert remapping rules to tuples of substitutions."""
+"""Converts remapping rules to tuples of substitutions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Check whether an installed extension fits the version of an extension point."""
+"""Checks whether an installed extension supports the version of an extension point."""
 
 from __future__ import annotations
 
@@ -6,15 +6,16 @@ PLUGIN_SYSTEM_VERSION = '0.1'
 
 
 class PluginException(Exception):
-    """An extension does not fit its extension point."""
+    """An extension does not support the version of its extension point."""
 
 
 def satisfies_version(version: str, caret_range: str) -> None:
-    """Check that `version`, the version of the extension point, is in the range. For example, '^0.1' means 0.1 or a later
-    version with the same leftmost non-zero number.
+    """Check that `version`, the version of the extension point, is in the range.
+
+    For example, '^0.1' means 0.1 or a later version with the same leftmost non-zero number.
 
     :raises PluginException: when the version is older or newer than the range.
-    :raises ValueError: for a range without its caret.
+    :raises ValueError: for a range that does not begin with a caret.
     """
     if not caret_range.startswith('^'):
         raise ValueError(f"'{caret_range}' is no caret range, such as '^0.1'")

@@ -1,4 +1,4 @@
-"""Convert parameters to message-like objects, for nodes that are loaded into a container."""
+"""Converts parameters to message-like objects, for nodes that are loaded into a container."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def to_parameters_list(
 ) -> list[Parameter]:
     """Return one `rclpy.parameter.Parameter` for each evaluated value, in order.
 
-    Files are read by launch_ros's own rules. The patterns `/**` and `**` come first, then the exact name. A file without any
+    Files are read by launch_ros's own rules. The patterns `/**` and `**` come first, and then the exact name. A file without
     `ros__parameters` is read as a plain mapping.
 
     :raises AttributeError: for an empty file, with upstream's message.
@@ -70,7 +70,7 @@ def _has_parameters(content: Any) -> bool:
 
 
 def _section(content: dict[str, Any], pattern: str) -> dict[str, Any]:
-    """Return the entries below `ros__parameters` of a node name, written as one key or as nested ones."""
+    """Return the entries below `ros__parameters` of a node name, which is one key or several nested keys."""
     for key, value in content.items():
         rest = pattern.lstrip('/')
         name = str(key).strip('/')

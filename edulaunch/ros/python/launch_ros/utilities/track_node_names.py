@@ -1,4 +1,4 @@
-"""Count the nodes of each name that a launch has started."""
+"""Counts the nodes of each name that a launch has started."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _KEY = 'unique_ros_node_names'
 
 
 def add_node_name(context: LaunchContext, node_name: str) -> int:
-    """Count a node with this full name. Return the new number."""
+    """Count a node with this full name. Return the number of nodes with this name so far."""
     counts = context.local(_KEY)
     if counts is None:
         counts = {}
@@ -23,6 +23,6 @@ def add_node_name(context: LaunchContext, node_name: str) -> int:
 
 
 def get_node_name_count(context: LaunchContext, node_name: str) -> int:
-    """Return how many nodes with this name were counted."""
+    """Return the number of nodes with this name so far."""
     counts: dict[str, int] = context.local(_KEY) or {}
     return counts.get(node_name, 0)

@@ -1,4 +1,4 @@
-"""The moment when the tests may begin."""
+"""The action that starts the tests."""
 
 from typing import TYPE_CHECKING
 

@@ -10,14 +10,14 @@ from launch.launch_context import LaunchContext
 
 
 class ReadyToTest(Action):
-    """Start the tests. A test description contains exactly one such action, perhaps in a timer or event handler."""
+    """Start the tests. A test description contains exactly one such action, which may be in a timer or event handler."""
 
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)
         self.__callbacks: list[Callable[[], object]] = []
 
     def call_when_executed(self, callback: Callable[[], object]) -> None:
-        """Call `callback()` when this action is executed. Code that runs tests uses this method."""
+        """Store `callback()` to call it when this action is executed. Code that runs tests uses this method."""
         self.__callbacks.append(callback)
 
     def execute(self, context: LaunchContext) -> None:

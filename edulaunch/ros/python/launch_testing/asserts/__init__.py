@@ -1,4 +1,4 @@
-"""Assertions about what processes printed and how they ended."""
+"""Assertions about the output and the exit codes of processes."""
 
 from ..util.proc_lookup import NO_CMD_ARGS
 from .assert_exit_codes import EXIT_OK, EXIT_SIGINT, EXIT_SIGKILL, EXIT_SIGQUIT, EXIT_SIGSEGV, assertExitCodes

@@ -35,12 +35,12 @@ def assertExitCodes(
     *,
     strict_proc_matching: bool = True,
 ) -> None:
-    """Assert that a process, or every process, ended with one of these codes.
+    """Assert that a process, or every process, has ended with one of these codes.
 
-    A process that SIGINT ended has the return code -2. That is not EXIT_SIGINT, the exit code 130 that a shell reports.
+    A process that was ended by SIGINT has the return code -2. This is not EXIT_SIGINT, the exit code 130 that a shell reports.
 
     :param process: an action, or part of a launch name; None means all processes.
-    :raises AssertionError: when a process ended with another code; the message names the first one.
+    :raises AssertionError: when a process has ended with another code. The message names the first such process.
     :raises TypeError: for an allowed code that is not a number.
     """
     for code in allowable_exit_codes:

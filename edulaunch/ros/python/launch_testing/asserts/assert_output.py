@@ -27,12 +27,12 @@ def assertInStream(
     strip_ansi_escape_sequences: bool = True,
     stream: str = 'stderr',
 ) -> None:
-    """Assert that a process has written something to a stream.
+    """Assert that a process has written the expected output to a stream.
 
-    :param expected_output: a string, a compiled regular expression, or a list of them in this order.
+    :param expected_output: a string, a compiled regular expression, or a list of them in order.
     :param process: an action, or part of a launch name; None means any process.
-    :param output_filter: changes the output before the comparison.
-    :param strip_ansi_escape_sequences: compare without colours.
+    :param output_filter: a function that changes the output before the comparison.
+    :param strip_ansi_escape_sequences: whether to remove colours before the comparison.
     :raises AssertionError: when the output is not found.
     :raises ValueError: for a stream that is neither 'stdout' nor 'stderr'.
     """
@@ -49,15 +49,17 @@ def assertInStream(
 
 
 def assertInStdout(proc_output: IoHandler, expected_output: Any, process: Any, cmd_args: CmdArgs = None, **options: Any) -> None:
-    """Assert that a process has written something to its standard output; see :func:`assertInStream`.
+    """Assert that a process has written the expected output to its standard output; see :func:`assertInStream`.
 
-    :param options: its `output_filter`, `strict_proc_matching` and `strip_ansi_escape_sequences`.
+    :param options: `output_filter`, `strict_proc_matching` and `strip_ansi_escape_sequences` of :func:`assertInStream`.
     """
     assertInStream(proc_output, expected_output, process, cmd_args, stream='stdout', **options)
 
 
 def assertInStderr(proc_output: IoHandler, expected_output: Any, process: Any, cmd_args: CmdArgs = None, **options: Any) -> None:
-    """Assert that a process has written something to its standard error, where nodes log; see :func:`assertInStream`."""
+    """Assert that a process has written the expected output to its standard error, where nodes log; see
+    :func:`assertInStream`.
+    """
     assertInStream(proc_output, expected_output, process, cmd_args, stream='stderr', **options)
 
 

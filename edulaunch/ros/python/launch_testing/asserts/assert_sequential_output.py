@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class SequentialTextChecker:
     """Searches for each string after the previous match.
 
-    :param text: all output, as a string or in pieces.
+    :param text: all output, as one string or a list of strings.
     """
 
     def __init__(self, text: str | Iterable[str]) -> None:
@@ -28,7 +28,7 @@ class SequentialTextChecker:
     def assertInStdout(self, msg: Any) -> None:
         """Assert that `msg` (a string or a compiled regular expression) comes after the previous match.
 
-        :raises AssertionError: when it does not.
+        :raises AssertionError: when `msg` does not come after the previous match.
         """
         match = build_text_match(msg)
         found = match(self._text, self._position)

@@ -14,8 +14,8 @@ class StdoutReadyListener(OnProcessIO):
     """Visit `actions` when a program has written `ready_txt` to its standard output.
 
     :param target_action: the action of the program; None means any program.
-    :param ready_txt: the text to wait for; it may arrive in pieces.
-    :param actions: the actions to visit, once.
+    :param ready_txt: the string to wait for; it may arrive in pieces.
+    :param actions: the actions, which are visited only once.
     """
 
     def __init__(self, *, target_action: Any = None, ready_txt: str, actions: Iterable[LaunchDescriptionEntity]) -> None:

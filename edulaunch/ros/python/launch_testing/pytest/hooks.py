@@ -52,7 +52,7 @@ def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector) -> 
 
 
 def is_launch_test(source: bytes) -> bool:
-    """Return whether a file has a function `generate_test_description` with one of our marks. The file is not executed."""
+    """Return whether a file has a function `generate_test_description` with a mark for launch tests. The file is not executed."""
     if b'generate_test_description' not in source:
         return False
     try:
@@ -66,7 +66,7 @@ def is_launch_test(source: bytes) -> bool:
 
 
 class LaunchTestFailure(Exception):
-    """A launch test failed. The message names the failed tests and the reasons."""
+    """A launch test has failed. The message names the failed tests and the reasons."""
 
 
 class LaunchTestModule(pytest.File):
@@ -83,7 +83,7 @@ class LaunchTestItem(pytest.Item):
     def runtest(self) -> None:
         """Run the file in a new simulation.
 
-        :raises LaunchTestFailure: when a test failed, or the file could not be run.
+        :raises LaunchTestFailure: when a test has failed, or the file could not be run.
         """
         from launch_testing.launch_test import LaunchTest
 
@@ -95,8 +95,8 @@ class LaunchTestItem(pytest.Item):
             raise LaunchTestFailure(_failure_text(test))
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
-        """Return the report of a failure. A failed launch test has its own message, because the traceback of edulaunch does not
-        help.
+        """Return the report of a failure. For a failed launch test, this is the failure's own message, because a traceback
+        through edulaunch does not help.
         """
         return str(excinfo.value) if isinstance(excinfo.value, LaunchTestFailure) else super().repr_failure(excinfo, style)
 

@@ -1,4 +1,4 @@
-"""Compare strings."""
+"""Functions that compare strings."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""Functions that find expected text in output."""
+"""Functions that find expected strings in output."""
 
 from __future__ import annotations
 
@@ -12,10 +12,9 @@ Match = Callable[..., 'tuple[int, int] | None']
 
 
 def build_text_match(expected_text: Any, *, strip_ansi_escape_sequences: bool = True) -> Match:
-    """Return a function (text, start=0) that returns the start and end of the expected text, or None.
+    """Return a function (text, start=0) that returns the start and end of the expected string, or None.
 
-    :param expected_text: a string, a compiled regular expression, or a list of them, each of which must come after the previous
-        one.
+    :param expected_text: a string, a compiled regular expression, or a list of them. Each item must come after the previous one.
     :raises ValueError: for anything else.
     """
     one_by_one = [_matcher(item) for item in _as_list(expected_text)]

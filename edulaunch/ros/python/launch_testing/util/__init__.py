@@ -1,4 +1,4 @@
-"""Finding the processes of a launch test."""
+"""Functions that find the processes of a launch test."""
 
 from .keep_alive_proc import KeepAliveProc
 from .proc_lookup import NO_CMD_ARGS, NoMatchingProcessException, resolveProcesses

@@ -13,7 +13,7 @@ KEEP_ALIVE_PROGRAM = os.path.join(underlay_prefix(), 'lib', 'launch_testing', 'k
 
 
 class KeepAliveProc(ExecuteProcess):
-    """A process that runs until SIGINT, so that launch continues after all other processes have ended."""
+    """A process that runs until SIGINT, so that the launch continues after all other processes have ended."""
 
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(cmd=[KEEP_ALIVE_PROGRAM], **kwargs)

@@ -1,4 +1,4 @@
-"""Find the processes of a launch test."""
+"""Finds the processes of a launch test."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class NoMatchingProcessException(Exception):
 
 
 def process_name(action: ExecuteLocal) -> str:
-    """Return the launch name, such as 'talker-1'."""
+    """Return the launch name of the process, such as 'talker-1'."""
     details = action.process_details
     return str(details['name']) if details is not None else type(action).__name__
 
@@ -47,12 +47,12 @@ def resolveProcesses(
 ) -> list[Any]:
     """Return the actions of the processes that `process` names.
 
-    :param process: an action, or part of a launch name; None means all.
-    :param cmd_args: arguments that the process with this name must have: a string, a list of strings, or NO_CMD_ARGS.
-    :param strict_proc_matching: reject a name that matches several processes.
+    :param process: an action, or part of a launch name; None means all processes.
+    :param cmd_args: arguments that a process with this name must have: a string, a list of strings, or NO_CMD_ARGS.
+    :param strict_proc_matching: whether to reject a name that matches several processes.
     :raises NoMatchingProcessException: for an unknown process. A test that waits for a process continues to wait.
-    :raises ValueError: when there are several and `strict_proc_matching` is set.
-    :raises TypeError: for anything else as `process`.
+    :raises ValueError: when several processes match and `strict_proc_matching` is set.
+    :raises TypeError: for any other type of `process`.
     """
     known = list(info_obj.processes())
     if process is None:

@@ -1,4 +1,4 @@
-"""Send goals to action servers."""
+"""Clients of actions, which send goals to action servers."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ __all__ = ['ActionClient', 'ClientGoalHandle', 'GoalStatus']
 
 
 class ClientGoalHandle:
-    """One goal of a client. It is the result of the future of `send_goal_async`."""
+    """One goal of a client. The future of `send_goal_async` has it as its result."""
 
     def __init__(self, action_client: ActionClient, goal_id: Any, goal_response: Any) -> None:
         self._action_client = action_client
@@ -52,28 +52,28 @@ class ClientGoalHandle:
 
     @property
     def accepted(self) -> bool:
-        """Whether the server accepted it."""
+        """Whether the server accepted the goal."""
         return bool(self._goal_response.accepted)
 
     @property
     def status(self) -> int:
-        """The last known state, as a number of action_msgs/GoalStatus."""
+        """The last known state of the goal, as a number of action_msgs/GoalStatus."""
         return int(self._status)
 
     def cancel_goal(self) -> Any:
-        """Request the cancellation, and wait for the response. Another thread must spin."""
+        """Request the cancellation of the goal, and wait for the response. Another thread must spin."""
         return self._action_client._wait_for(self.cancel_goal_async())
 
     def cancel_goal_async(self) -> Future:
-        """Request the cancellation. The result of the future is a CancelGoal.Response."""
+        """Request the cancellation of the goal. The result of the future is a CancelGoal.Response."""
         return self._action_client._cancel_goal_async(self)
 
     def get_result(self) -> Any:
-        """Wait for the result. Another thread must spin."""
+        """Wait for the result of the goal, and return it. Another thread must spin."""
         return self._action_client._wait_for(self.get_result_async())
 
     def get_result_async(self) -> Future:
-        """Request the result. The result of the future is a response with `.status` and `.result`."""
+        """Request the result of the goal. The result of the future is a response with `.status` and `.result`."""
         return self._action_client._get_result_async(self)
 
 
@@ -114,7 +114,7 @@ class ActionClient(Asker, Waitable):
         self._status = self._subscribe('status', impl.GoalStatusMessage, status_sub_qos_profile)
 
     def get_num_entities(self) -> NumberOfEntities:
-        """Return how many entities of each kind belong to this client."""
+        """Return the number of entities of each kind that belong to this client."""
         return NumberOfEntities(num_subs=2, num_clients=3)
 
     def _client(self, part: str, srv_type: Any, qos: QoSProfile) -> Any:
@@ -128,7 +128,7 @@ class ActionClient(Asker, Waitable):
         return core.graph.create_subscription(core.entry, name, msg_type, engine_qos(qos), self.rcl_signal)
 
     def rcl_run_callback(self, executor: ExecutorProtocol) -> Any:
-        """Process at most one response of each kind, one feedback and one status per turn, as rclpy does.
+        """Process at most one response of each kind, one feedback message and one status message per turn, as rclpy does.
 
         As over a real network, the reply to a goal and its status arrive before the goal's first feedback. Its last feedback
         arrives before its result.
@@ -186,7 +186,7 @@ class ActionClient(Asker, Waitable):
                     del self._goal_handles[goal_uuid]
 
     def send_goal(self, goal: Any, **kwargs: Any) -> Any:
-        """Send a goal and wait for its result. Another thread must spin. Inside a callback, it waits forever."""
+        """Send a goal and wait for its result. Another thread must spin. Inside a callback, this call waits forever."""
         goal_handle = self._wait_for(self.send_goal_async(goal, **kwargs))
         return self._wait_for(self._get_result_async(goal_handle))
 
@@ -196,10 +196,10 @@ class ActionClient(Asker, Waitable):
         return future.result()
 
     def send_goal_async(self, goal: Any, feedback_callback: Callable[[Any], Any] | None = None, goal_uuid: Any = None) -> Future:
-        """Send a goal. The result of the future is a :class:`ClientGoalHandle`, available when the server has replied.
+        """Send a goal. The result of the future is a :class:`ClientGoalHandle`, which exists when the server has replied.
 
         :param feedback_callback: called with each feedback message of the goal (`.goal_id`, `.feedback`).
-        :param goal_uuid: the goal's id, a unique_identifier_msgs/UUID; None means a random id.
+        :param goal_uuid: the goal's ID, a unique_identifier_msgs/UUID; None means a random ID.
         :raises TypeError: unless `goal` is an `ActionType.Goal`.
         """
         if not isinstance(goal, self._action_type.Goal):
@@ -235,7 +235,7 @@ class ActionClient(Asker, Waitable):
             raise TypeError(f'Expected type ClientGoalHandle but received {type(goal_handle)}')
 
     def rcl_asked(self) -> tuple[Any, str, str]:
-        """Return the endpoint that sends goals, the action's name, and the word 'action'."""
+        """Return the endpoint that sends goals, the name of the action, and the word 'action'."""
         return self._goal_client, self._name, 'action'
 
     def _remember(self, kind: str, sequence: int) -> Future:
@@ -253,7 +253,10 @@ class ActionClient(Asker, Waitable):
         return all(client.server_is_ready() for client in (self._goal_client, self._cancel_client, self._result_client))
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
-        """Wait for a server, checking every 0.25 s as rclpy does. None waits forever. Return whether a server exists."""
+        """Wait for a server, checking every 0.25 s as rclpy does. Return whether a server exists.
+
+        :param timeout_sec: the longest wait in simulated seconds; None means no limit.
+        """
         self.rcl_await_server(self._node.context, self._server_is_ready, timeout_sec)
         return self.server_is_ready()
 
@@ -267,7 +270,7 @@ class ActionClient(Asker, Waitable):
 
 
 def _random_uuid() -> Any:
-    """Return a random goal id. It is the same in every run, and unique on this machine."""
+    """Return a random goal ID. The ID is the same in every run, and unique on this machine."""
     from unique_identifier_msgs.msg import UUID
 
     state = process_state()

@@ -1,4 +1,4 @@
-"""Query the actions of the graph."""
+"""Functions that query the actions of the graph."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def get_action_client_names_and_types_by_node(node: Node, remote_node_name: str,
 
 
 def _actions(topics: Callable[[], NamesAndTypes], failed: str) -> NamesAndTypes:
-    """Return the actions that feedback topics belong to. An error begins with `failed` and ends with the reason."""
+    """Return the actions to which feedback topics belong. An error message begins with `failed` and ends with the reason."""
     try:
         return [
             (name[: -len(_TOPIC)], [type_name.removesuffix(_TYPE) for type_name in types])

@@ -1,4 +1,4 @@
-"""Serve actions."""
+"""Servers of actions."""
 
 from __future__ import annotations
 
@@ -59,15 +59,15 @@ def default_cancel_callback(cancel_request: Any) -> CancelResponse:
 
 
 class ActionServer(Waitable):
-    """Serves an action.
+    """A server of one action.
 
     :param execute_callback: executes a goal. It receives the :class:`ServerGoalHandle`, calls `succeed()`, `abort()` or
         `canceled()` on it, and returns an `ActionType.Result`. It runs as a task of the executor. If it blocks, it needs a
         MultiThreadedExecutor and a ReentrantCallbackGroup; otherwise, cancel requests wait for it.
     :param goal_callback: accepts or rejects a goal; by default, every goal is accepted.
     :param handle_accepted_callback: handles an accepted goal; by default, the goal is executed.
-    :param cancel_callback: accepts or rejects a request to cancel; by default, every request is rejected.
-    :param result_timeout: seconds for which the result of an ended goal is stored.
+    :param cancel_callback: accepts or rejects a cancel request; by default, every request is rejected.
+    :param result_timeout: how long the result of a finished goal is stored, in seconds.
     """
 
     def __init__(
@@ -111,7 +111,7 @@ class ActionServer(Waitable):
         self._status = self._advertise('status', impl.GoalStatusMessage, status_pub_qos_profile)
 
     def get_num_entities(self) -> NumberOfEntities:
-        """Return how many entities of each kind belong to this server."""
+        """Return the number of entities of each kind that belong to this server."""
         return NumberOfEntities(num_timers=1, num_services=3)
 
     def _serve(self, part: str, srv_type: Any, qos: QoSProfile) -> ServiceServer:
@@ -128,24 +128,24 @@ class ActionServer(Waitable):
 
     @property
     def _goal_handles(self) -> dict[bytes, ServerGoalHandle]:
-        """The stored goals, by id."""
+        """The stored goals, by ID."""
         self._forget_old_goals()
         return self._goals
 
     def register_handle_accepted_callback(self, handle_accepted_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
-        """Set the callback for accepted goals; None executes them."""
+        """Set the callback for accepted goals. None means that the server executes them immediately."""
         self._handle_accepted_callback = handle_accepted_callback or default_handle_accepted_callback
 
     def register_goal_callback(self, goal_callback: Callable[[Any], Any] | None) -> None:
-        """Set the callback that accepts or rejects goals; None accepts all."""
+        """Set the callback that accepts or rejects goals. None means that the server accepts all goals."""
         self._goal_callback = goal_callback or default_goal_callback
 
     def register_cancel_callback(self, cancel_callback: Callable[[Any], Any] | None) -> None:
-        """Set the callback that accepts or rejects cancel requests; None rejects all."""
+        """Set the callback that accepts or rejects cancel requests. None means that the server rejects all requests."""
         self._cancel_callback = cancel_callback or default_cancel_callback
 
     def register_execute_callback(self, execute_callback: Callable[[ServerGoalHandle], Any]) -> None:
-        """Set the callback that executes goals. Raise TypeError if it is not callable."""
+        """Set the callback that executes goals. Raise TypeError if the callback is not callable."""
         if not callable(execute_callback):
             raise TypeError('Failed to register goal execution callback: not callable')
         self._execute_callback = execute_callback
@@ -207,8 +207,9 @@ class ActionServer(Waitable):
         self._cancel_service.respond(request_id, service.Response.to_wire(response))
 
     def _goals_to_cancel(self, info: Any, response: Any) -> list[ServerGoalHandle]:
-        """Return the goals that a request selects: one by id, or all up to a time. If it gives neither, return all goals that can
-        be cancelled.
+        """Return the goals that a cancel request selects: one goal by its ID, or all goals up to a time.
+
+        If the request contains neither an ID nor a time, return all goals that can be cancelled.
         """
         goal_uuid = bytes(info.goal_id.uuid)
         limit = (info.stamp.sec, info.stamp.nanosec)
@@ -232,13 +233,13 @@ class ActionServer(Waitable):
         future.add_done_callback(lambda done: self._result_service.respond(request_id, service.Response.to_wire(done.result())))
 
     def notify_execute(self, goal_handle: ServerGoalHandle, execute_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
-        """Let the executor execute a goal, with `execute_callback` or the registered callback."""
+        """Make the executor execute a goal, with `execute_callback` or else with the registered callback."""
         executor = self._node.executor
         if executor is not None:
             executor.create_task(self._execute_goal, execute_callback or self._execute_callback, goal_handle)
 
     def rcl_now_ns(self) -> int:
-        """Return the time of the node's clock."""
+        """Return the time of the node's clock in nanoseconds."""
         return self._node.get_clock().rcl_now_ns()
 
     def rcl_send_feedback(self, goal_handle: ServerGoalHandle, feedback: Any) -> None:
@@ -252,7 +253,7 @@ class ActionServer(Waitable):
             self._feedback.publish(message_class.to_wire(message_class(goal_id=goal_handle.goal_id, feedback=feedback)))
 
     def notify_goal_done(self) -> None:
-        """Record that a goal has ended, and drop results that were stored long enough.
+        """Record that a goal has ended, and drop the results whose `result_timeout` has passed.
 
         :raises RCLError: when the server was destroyed.
         """
@@ -274,7 +275,7 @@ class ActionServer(Waitable):
         self._give_result(goal_handle, result)
 
     def _give_result(self, goal_handle: ServerGoalHandle, result: Any) -> None:
-        """Reply to the requests for the result of a goal. The first result counts."""
+        """Reply to the requests for the result of a goal. Ignore the result if the goal already has one."""
         future = self._result_futures.get(bytes(goal_handle.goal_id.uuid))
         if future is not None and not future.rcl_ended:
             if not isinstance(result, self._action_type.Result):
@@ -298,13 +299,13 @@ class ActionServer(Waitable):
         current_process().fact('goal failed', (core.entry.index, self._name), {'node': core.full_name, 'said': message, **at})
 
     def rcl_goal_changed(self) -> None:
-        """Publish the states of all goals."""
+        """Publish the states of all goals on the status topic."""
         message = self._action_type.Impl.GoalStatusMessage()
         message.status_list = [GoalStatus(goal_info=goal_info(goal), status=goal.status) for goal in self._goals.values()]
         self._status.publish(type(message).to_wire(message))
 
     def _forget_old_goals(self) -> None:
-        """Drop ended goals whose result was kept for `result_timeout`."""
+        """Drop the goals that ended at least `result_timeout` ago."""
         limit = self.rcl_now_ns() - self._result_timeout_ns
         for goal_uuid, goal in list(self._goals.items()):
             if has_ended_until(goal, limit):

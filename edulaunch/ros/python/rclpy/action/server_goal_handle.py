@@ -65,7 +65,7 @@ def state_after(state: GoalState, event: GoalEvent) -> GoalState:
 
 
 class ServerGoalHandle:
-    """The argument of an execute callback: the goal's `request`, and methods for feedback, cancellation and the end."""
+    """The argument of an execute callback. It has the goal's `request`, and methods that send feedback and end the goal."""
 
     def __init__(self, action_server: ActionServer, goal_id: Any, stamp: Any, goal_request: Any) -> None:
         self._action_server = action_server
@@ -93,13 +93,13 @@ class ServerGoalHandle:
 
     @property
     def is_cancel_requested(self) -> bool:
-        """Whether a request to cancel was accepted."""
+        """Whether the server has accepted a request to cancel the goal."""
         current_task().poll()
         return self._state is GoalState.CANCELING
 
     @property
     def status(self) -> int:
-        """The state, as a number of action_msgs/GoalStatus, or UNKNOWN for a dropped goal."""
+        """The state of the goal as a number of action_msgs/GoalStatus, or UNKNOWN for a dropped goal."""
         return int(GoalState.UNKNOWN if self._destroyed else self._state)
 
     def _update_state(self, event: GoalEvent) -> None:
@@ -111,7 +111,7 @@ class ServerGoalHandle:
         self._action_server.rcl_goal_changed()
 
     def execute(self, execute_callback: Callable[[ServerGoalHandle], Any] | None = None) -> None:
-        """Let the executor execute the goal."""
+        """Make the executor execute the goal."""
         if not self.is_cancel_requested:
             self._update_state(GoalEvent.EXECUTE)
         self._action_server.notify_execute(self, execute_callback)
@@ -119,24 +119,24 @@ class ServerGoalHandle:
     def publish_feedback(self, feedback: Any) -> None:
         """Send feedback.
 
-        :raises TypeError: when it is not an `ActionType.Feedback`.
+        :raises TypeError: when `feedback` is not an `ActionType.Feedback`.
         :raises RCLError: when ROS 2 is shut down, for example by Ctrl-C while the goal is executed.
         """
         self._action_server.rcl_send_feedback(self, feedback)
 
     def succeed(self) -> None:
-        """End the goal as SUCCEEDED. The execute callback returns the result.
+        """End the goal with the state SUCCEEDED. The execute callback returns the result.
 
-        :raises RCLError: in a state that does not allow it.
+        :raises RCLError: when the current state does not allow the transition.
         """
         self._update_state(GoalEvent.SUCCEED)
 
     def abort(self) -> None:
-        """End the goal as ABORTED, as :meth:`succeed` does."""
+        """End the goal with the state ABORTED; see :meth:`succeed`."""
         self._update_state(GoalEvent.ABORT)
 
     def canceled(self) -> None:
-        """End the goal as CANCELED, as :meth:`succeed` does. Raise RCLError unless a cancel request was accepted."""
+        """End the goal with the state CANCELED; see :meth:`succeed`. Raise RCLError unless a cancel request was accepted."""
         self._update_state(GoalEvent.CANCELED)
 
     def destroy(self) -> None:
@@ -145,15 +145,15 @@ class ServerGoalHandle:
 
 
 def goal_info(goal: ServerGoalHandle) -> Any:
-    """Return the goal's id and stamp as action_msgs/GoalInfo."""
+    """Return the goal's ID and time of acceptance as action_msgs/GoalInfo."""
     return GoalInfo(goal_id=goal.goal_id, stamp=goal._stamp)
 
 
 def stamp_of(goal: ServerGoalHandle) -> tuple[int, int]:
-    """Return the time of acceptance: seconds and nanoseconds."""
+    """Return the time at which a goal was accepted, as seconds and nanoseconds."""
     return goal._stamp.sec, goal._stamp.nanosec
 
 
 def has_ended_until(goal: ServerGoalHandle, limit_ns: int) -> bool:
-    """Return whether the goal ended at that time or earlier."""
+    """Return whether the goal had ended by the given time (in nanoseconds)."""
     return goal._state not in ACTIVE and goal._ended_ns <= limit_ns

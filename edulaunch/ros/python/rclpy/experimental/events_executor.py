@@ -8,9 +8,9 @@ from rclpy.task import Task
 
 
 class EventsExecutor(SingleThreadedExecutor):
-    """Executes tasks, oldest first, then each node's messages and other events in the order in which they came, then due timers.
+    """An executor that first runs tasks, oldest first, then the events of each node in order of arrival, then due timers.
 
-    The other executors sort ready entities by kind and age. Everything else is as in `SingleThreadedExecutor`.
+    Other executors sort ready entities by kind and age. Everything else is as in `SingleThreadedExecutor`.
     """
 
     __module__ = 'rclpy.experimental.events_executor'

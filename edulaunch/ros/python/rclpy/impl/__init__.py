@@ -1,3 +1,3 @@
-"""The implementation of rclpy, which programs do not import."""
+"""The implementation of rclpy. Programs do not import these modules."""
 
 from __future__ import annotations

@@ -7,7 +7,7 @@ from typing import NoReturn
 
 
 class CEnum(IntEnum):
-    """Integers that print as `Type.MEMBER`, also in Python 3.11 and later."""
+    """Integers that print as `Type.MEMBER`, in every version of Python."""
 
     def __str__(self) -> str:
         return f'{type(self).__name__}.{self.name}'
@@ -30,7 +30,7 @@ class _Pybind11Type(EnumMeta):
 
 
 class Pybind11Enum(Enum, metaclass=_Pybind11Type):
-    """Members that can be converted to an integer."""
+    """An enumeration whose members can be converted to an integer."""
 
     def __int__(self) -> int:
         return int(self.value)
@@ -43,7 +43,7 @@ class Pybind11Enum(Enum, metaclass=_Pybind11Type):
 
 
 class Pybind11IntEnum(Pybind11Enum):
-    """Members that are also equal to their integer. All of them are true, and they have no order."""
+    """An enumeration whose members are also equal to their integer. All members are true, and they have no order."""
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, (int, Pybind11IntEnum)) and int(self) == int(other)

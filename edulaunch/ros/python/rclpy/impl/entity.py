@@ -1,5 +1,7 @@
-"""The common part of publishers, subscriptions, timers, clients and services: a handle, a place in the graph, and the
-notification of an executor. Each entity that becomes ready adds itself to its node's list, once.
+"""The common part of publishers, subscriptions, timers, clients and services.
+
+Each entity has a handle and an endpoint in the graph, and notifies the executor. When an entity becomes ready, it adds itself
+to its node's ready list, once.
 """
 
 from __future__ import annotations
@@ -18,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Handle:
-    """An entity's `handle`. Entering `with entity.handle:` checks that the entity exists. As in ROS 2, `as` gives None.
+    """The `handle` of an entity. Entering `with entity.handle:` checks that the entity exists. As in ROS 2, `as` gives None.
 
     All other attributes are those of the object that owns the handle.
     """
@@ -32,14 +34,14 @@ class Handle:
             raise invalid_handle()
 
     def __exit__(self, *_: object) -> None:
-        """Do nothing, because nothing was acquired."""
+        """Do nothing, because entering the handle acquires nothing."""
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._held, name)
 
 
 def check_alive(endpoint: Any) -> None:
-    """Raise InvalidHandle when an endpoint was destroyed."""
+    """Raise InvalidHandle if an endpoint was destroyed."""
     if endpoint.destroyed:
         raise invalid_handle()
 
@@ -47,10 +49,10 @@ def check_alive(endpoint: Any) -> None:
 def check_endpoint(endpoint: Any, context: ContextProtocol, what: str) -> None:
     """Raise the error of ROS 2 for the use of a destroyed endpoint, or for a use after shutdown.
 
-    :param what: the beginning of the error message up to its colon, and the owner of the context, such as 'failed to ...:
-        publisher'.
-    :raises InvalidHandle: the endpoint was destroyed.
-    :raises RCLError: ROS 2 was shut down.
+    :param what: the beginning of the error message up to the colon, followed by the kind of endpoint, such as
+        'failed to ...: publisher'.
+    :raises InvalidHandle: when the endpoint was destroyed.
+    :raises RCLError: when ROS 2 was shut down.
     """
     check_alive(endpoint)
     if not context.alive:
@@ -58,15 +60,15 @@ def check_endpoint(endpoint: Any, context: ContextProtocol, what: str) -> None:
 
 
 WAITABLE, TIMER, SUBSCRIPTION, GUARD, CLIENT, SERVICE = range(6)
-"""The order in which the ready entities of one wait are executed (waitables of all nodes before anything else)."""
+"""The order in which the ready entities of one wait are executed. Waitables of all nodes come before all other entities."""
 
 NEVER_NS = 1 << 63
 
 
 class ReadyList:
-    """The data that an executor checks for a node: the ready entities, and the timers. `due_ns` is when the first timer is due.
+    """The data of one node that an executor checks: the ready entities, the timers, and `due_ns`, when the first timer is due.
 
-    :ivar asked: the program's own waitables, which each wait checks.
+    :ivar asked: the program's own waitables. The executor checks them in each wait.
     :ivar waiting: the simulated threads that are parked in the executor.
     """
 
@@ -81,7 +83,7 @@ class ReadyList:
         self.due_ns = NEVER_NS
 
     def plan(self) -> None:
-        """Compute `due_ns` again."""
+        """Compute the time at which the first timer is due, and store it in `due_ns`."""
         timers = self.timers
         if len(timers) == 1:
             self.due_ns = timers[0].rcl_due_ns
@@ -95,9 +97,9 @@ class ReadyList:
 
 
 class Entity:
-    """The base class of the entities that executors run. It has a callback, a group, and a flag for a waiting event.
+    """The base class of the entities that executors run. An entity has a callback, a group, and a flag for a pending event.
 
-    `_order` sorts the entities of one wait by category, then by creation. `rcl_is_async` is whether a run returns a coroutine.
+    `_order` sorts the entities of one wait by category, then by creation. `rcl_is_async` is True if a run returns a coroutine.
     """
 
     rcl_category = WAITABLE
@@ -120,8 +122,8 @@ class Entity:
                 task.wake()
 
     def rcl_run_callback(self, executor: ExecutorProtocol) -> Any:
-        """Call the callback with the waiting data. The ready list no longer contains the entity. If a coroutine is returned, the
-        executor runs it.
+        """Call the callback with the pending data. The executor has already removed the entity from the ready list. If this
+        method returns a coroutine, the executor runs it.
         """
         raise TypeError(f'{type(self).__name__} cannot be executed')
 
@@ -129,14 +131,14 @@ class Entity:
 class TimedEntity(Entity):
     """An entity that becomes ready at a certain time.
 
-    :ivar rcl_due_ns: that time, in simulated nanoseconds; `NEVER_NS` while it is unknown.
+    :ivar rcl_due_ns: the time at which the entity becomes ready, in simulated nanoseconds; `NEVER_NS` while it is unknown.
     """
 
     rcl_due_ns: int = NEVER_NS
 
 
 class GraphEnd:
-    """An entity with an endpoint in the graph, which :meth:`connect` sets."""
+    """An entity with an endpoint in the graph. :meth:`rcl_connect` sets the endpoint."""
 
     endpoint: Any
 
@@ -146,7 +148,7 @@ class GraphEnd:
 
     @property
     def logger_name(self) -> str:
-        """The name of its node's logger. Raise InvalidHandle after destroy."""
+        """The name of the logger of the entity's node. Raise InvalidHandle after destroy."""
         check_alive(self.endpoint)
         name: str = self.endpoint.node.logger_name
         return name
@@ -163,7 +165,7 @@ class TopicEnd(GraphEnd):
 
     @property
     def topic_name(self) -> str:
-        """The topic's absolute name, after remapping. Raise InvalidHandle after destroy."""
+        """The absolute name of the topic, after remapping. Raise InvalidHandle after destroy."""
         check_alive(self.endpoint)
         name: str = self.endpoint.topic_name
         return name
@@ -177,7 +179,7 @@ class ServiceEnd(GraphEnd):
 
     @property
     def service_name(self) -> str:
-        """The service's absolute name, after remapping. Raise InvalidHandle after destroy."""
+        """The absolute name of the service, after remapping. Raise InvalidHandle after destroy."""
         check_alive(self.endpoint)
         name: str = self.endpoint.service_name
         return name
@@ -185,7 +187,7 @@ class ServiceEnd(GraphEnd):
     def configure_introspection(
         self, clock: ClockProtocol, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
     ) -> None:
-        """Publish its requests and replies on `<service>/_service_event`."""
+        """Publish the requests and replies of this client or service on `<service>/_service_event`."""
         from rclpy.service_introspection import Introspection, ServiceIntrospectionState
 
         kind = type(introspection_state).__name__

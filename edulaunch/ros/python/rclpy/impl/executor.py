@@ -1,4 +1,4 @@
-"""The base class of executors: it manages nodes and tasks, executes callbacks and spins."""
+"""The base class of executors, which manages nodes and tasks, executes callbacks and spins."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class TimeoutObject:
-    """A timeout that may be shortened while it is used."""
+    """A timeout that the program may shorten while an executor uses it."""
 
     def __init__(self, timeout: float) -> None:
         self._timeout = timeout
@@ -41,8 +41,10 @@ class TimeoutObject:
 
 
 class Executor(Waiting):
-    """The base class of executors. One *wait* collects everything that is ready: tasks, waitables, then for each node its timers,
-    subscriptions, guard conditions, clients and services. The next wait begins when all of it has been executed.
+    """The base class of executors.
+
+    One *wait* collects all ready items: tasks, waitables, then for each node its timers, subscriptions, guard conditions, clients
+    and services. The next wait begins when the executor has executed all of them.
 
     An executor can be used as a context manager, which shuts it down.
     """
@@ -66,7 +68,7 @@ class Executor(Waiting):
         self.shutdown()
 
     def add_node(self, node: Node) -> bool:
-        """Add a node, and remove it from its previous executor. Return False if it is already here."""
+        """Add a node, and remove it from its previous executor. Return False if this executor already has the node."""
         if self._is_shutdown:
             self._check_open()
         try:
@@ -102,7 +104,9 @@ class Executor(Waiting):
             self._nodes_changed()
 
     def _nodes_changed(self) -> None:
-        """Wake the waiting threads. A thread that is executing a callback checks again after the callback."""
+        """Wake the waiting threads, because the list of nodes has changed. A thread that executes a callback checks after the
+        callback.
+        """
         if self.spinner is not None:
             self._woken = True
         if self._waiting:
@@ -113,7 +117,7 @@ class Executor(Waiting):
         return list(self._nodes)
 
     def create_task(self, callback: Any, *args: Any, **kwargs: Any) -> Task:
-        """Run a function or coroutine on the next turn."""
+        """Create a task that runs a function or coroutine on the next turn of the executor."""
         self._check_open()
         task = Task(callback, args, kwargs, executor=self)
         self._tasks.append(task)
@@ -122,12 +126,12 @@ class Executor(Waiting):
         return task
 
     def _check_open(self) -> None:
-        """Raise rclpy's error if the executor was shut down, because it accepts no more work."""
+        """Raise rclpy's error if the executor was shut down and accepts no more work."""
         if self._is_shutdown:
             raise with_facts(AttributeError("'NoneType' object has no attribute 'trigger'"), 'programs.ended-executor')
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
-        """Stop executing callbacks, and end a wait."""
+        """Stop executing callbacks, and end the current wait."""
         self._is_shutdown = True
         self.wake()
         for node in self.get_nodes():
@@ -142,11 +146,11 @@ class Executor(Waiting):
         nodes: list[Node] | None = None,
         condition: Callable[[], bool] = never,
     ) -> tuple[Task, Any, Any]:
-        """Return the next (task, entity, node) for custom executors, which call the task to execute it.
+        """Return the next (task, entity, node), for custom executors. Calling the task executes it.
 
         :raises TimeoutException: when nothing is ready in time.
         :raises ShutdownException: when the executor is shut down.
-        :raises ConditionReachedException: when `condition` holds.
+        :raises ConditionReachedException: when `condition()` is true.
         """
         timeout_ns = _nanoseconds(timeout_sec)
         deadline_ns = None if timeout_ns < 0 else self._sim.now_ns + timeout_ns
@@ -161,7 +165,7 @@ class Executor(Waiting):
         return entity.callback_group.can_execute(entity)
 
     def _execute(self, item: Item) -> None:
-        """Execute one item in the current thread. An exception of its callback is raised."""
+        """Execute one item in the current thread. Raise the exception that its callback raises."""
         if isinstance(item, Task):
             item()
             item.rcl_raise_if_failed()
@@ -169,10 +173,10 @@ class Executor(Waiting):
             self._run_entity(item)
 
     def _run_entity(self, entity: Entity) -> None:
-        """Execute an entity, if its group allows it to begin now.
+        """Execute an entity if its group allows its callback to begin now.
 
-        Nearly all callbacks are plain functions in one of the two common groups. Their rules are repeated here, which makes a
-        service round trip 4 % faster.
+        Nearly all callbacks are plain functions in one of the two common groups. This method repeats the rules of these groups,
+        which makes a service round trip 4 % faster.
         """
         group = entity.callback_group
         kind = None if entity.rcl_is_async else group.__class__
@@ -201,7 +205,9 @@ class Executor(Waiting):
             self._run_coroutine(entity, coroutine)
 
     def _run_coroutine(self, entity: Entity, coroutine: Any) -> None:
-        """Run a callback's coroutine up to its first wait. Then it continues as a task, and still belongs to its group."""
+        """Run a callback's coroutine up to its first wait. The coroutine then continues as a task, and still belongs to its
+        group.
+        """
 
         async def guarded() -> None:
             try:
@@ -217,14 +223,16 @@ class Executor(Waiting):
             self._tasks.append(task)
 
     def rcl_note_nested_spin(self) -> bool:
-        """Return whether this thread is executing a callback of this executor that has not been reported yet."""
+        """Return whether this thread spins the executor inside one of the executor's callbacks. Return True only once per
+        callback.
+        """
         if self._nested_recorded or self.spinner is not current_task():
             return False
         self._nested_recorded = True
         return True
 
     def rcl_cannot_serve(self, entity: Entity) -> tuple[Any, ...] | None:
-        """Return the reason why this entity is never executed while the running code waits, or None.
+        """Return a value if the executor cannot execute this entity while the running code waits; otherwise None.
 
         :returns: a value that stays equal during one callback of the running thread.
         """
@@ -244,7 +252,7 @@ class Executor(Waiting):
     def spin(self) -> None:
         """Execute callbacks until ROS 2 or the executor is shut down.
 
-        :raises ExternalShutdownException: when ROS 2 is shut down from outside while nothing is executed.
+        :raises ExternalShutdownException: when ROS 2 is shut down from outside while no callback is running.
         :raises ValueError: when another thread is in `spin()` or in `spin_once()` without a timeout.
         """
         context = self._context
@@ -257,23 +265,25 @@ class Executor(Waiting):
             self.spin_once()
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Execute one callback. Wait for it at most `timeout_sec`. None or a negative number waits forever, and 0
-        does not wait.
+        """Execute one callback.
+
+        :param timeout_sec: the longest wait in simulated seconds. None or a negative number means no limit, and 0 means no wait.
         """
         self._check_spins()
         self._spin_once_impl(timeout_sec)
 
     def _check_spins(self) -> None:
-        """Raise NotImplementedError for an instance of the base class itself, as rclpy does."""
+        """Raise NotImplementedError if this object is an instance of the base class itself, as rclpy does."""
         if not self._spins:
             raise NotImplementedError
 
     def _spin_once_impl(
         self, timeout_sec: float | TimeoutObject | None = None, wait_condition: Callable[[], bool] = never
     ) -> None:
-        """Execute one callback. Both kinds of `spin_once` use it, and custom executors can override it.
+        """Execute one callback. `spin_once` and `spin_once_until_future_complete` call this method; custom executors can override
+        it.
 
-        :param wait_condition: ends the wait when it is true.
+        :param wait_condition: a function that ends the wait when it returns True.
         """
         timeout_ns = _nanoseconds(timeout_sec)
         if not timeout_ns:
@@ -287,19 +297,24 @@ class Executor(Waiting):
         self._spin(timeout_sec_to_nsec(timeout_sec), over, over, once=False)
 
     def spin_once_until_future_complete(self, future: Future, timeout_sec: float | TimeoutObject | None = None) -> None:
-        """Execute one callback, unless the future is done first."""
+        """Execute one callback. Do not wait any longer when the future is done."""
         self._check_spins()
         self._spin_once_impl(timeout_sec, self._is_over(future))
 
     def _is_over(self, future: Future) -> Callable[[], bool]:
-        """Return a condition that is true when a future is done. The future then wakes this executor."""
+        """Return a condition that is true when the future is done or the context is shut down. The future wakes this executor."""
         check_future(future)
         future.rcl_wake_when_done(self)
         context = self._context
         return lambda: future.rcl_ended or not context.alive
 
     def _spin(self, timeout_ns: int, over: Callable[[], bool], key: Any, once: bool) -> None:
-        """Execute items of the wait with that key: one, or until `over()` holds or the timeout has passed."""
+        """Execute items of the wait that has this key.
+
+        :param timeout_ns: the longest wait in simulated nanoseconds. A negative number means no limit, and 0 means no wait.
+        :param over: a function that ends the loop when it returns True.
+        :param once: whether to execute only one item.
+        """
         sim, poll = self._sim, timeout_ns == 0
         deadline_ns = None if timeout_ns < 0 else sim.now_ns + timeout_ns
         outer, self.spinner = self.spinner, current_task()
@@ -316,8 +331,8 @@ class Executor(Waiting):
             self.spinner = outer
 
     def rcl_spin_ready(self) -> None:
-        """Execute everything that is ready, each entity once, without waiting. This is rclcpp's spin_some, with
-        rclcpp's order.
+        """Execute all ready items, each entity once, without waiting. This is the function spin_some of rclcpp, in rclcpp's
+        order.
         """
         self._run_tasks()
         batch = self._collect()

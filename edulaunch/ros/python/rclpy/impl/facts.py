@@ -1,8 +1,8 @@
-"""Record unusual behaviour of a running program as facts. Advice is made from these facts, where ROS 2 only hangs or reports
-nothing.
+"""Functions that record unusual behaviour of a running program as facts, from which edulaunch makes advice.
 
-Examples are waits that can never end, sleeps in callbacks, and requests without a reply. Further facts about a node are recorded
-when it is destroyed, or at the end of a recording.
+Examples are waits that can never end, sleeps in callbacks, and requests without a reply. In these cases, ROS 2 hangs or reports
+nothing.
+Further facts about a node are recorded when it is destroyed, or at the end of a recording.
 """
 
 from __future__ import annotations
@@ -35,18 +35,18 @@ def callback_name(entity: Any) -> str | None:
 
 
 def node_name(entity: Entity) -> str | None:
-    """Return the full name of the entity's node if no executor spins it; otherwise None."""
+    """Return the full name of the entity's node if no executor spins the node; otherwise None."""
     executor = entity.ready_list.executor
     nodes = [] if executor is None else executor.get_nodes()
     return next((core_of(node).full_name for node in nodes if core_of(node).ready_list is entity.ready_list), None)
 
 
 POLLS = 5
-"""How often one callback may check a future, while simulated time passes, before this counts as waiting for it."""
+"""The number of checks of a future in one callback, during simulated time, that counts as a wait for the future."""
 
 
 def note_wait(waiting: str, entity: Any, line: dict[str, Any] | None = None) -> None:
-    """Record a callback that waits for a result which only `entity` can provide, because that is impossible during the callback.
+    """Record a callback that waits for `entity`, if the executor cannot serve `entity` before the callback ends.
 
     :param waiting: the form of the wait: 'call', 'look' (in a loop), 'await', or the name of the function that spins.
     """
@@ -54,7 +54,7 @@ def note_wait(waiting: str, entity: Any, line: dict[str, Any] | None = None) -> 
 
 
 def note_rate(entity: Entity) -> None:
-    """Record a `rate.sleep()` while no executor can call the rate's timer."""
+    """Record a `rate.sleep()`, if no executor can call the rate's timer."""
     _note('rate in callback', entity, {})
 
 
@@ -64,7 +64,7 @@ def _note(kind: str, entity: Entity, data: dict[str, Any], line: dict[str, Any] 
 
 
 def note_spin(function: str, node: NodeProtocol, executor: ExecutorProtocol) -> None:
-    """Record that a node is spun inside one of its callbacks, if nothing can become ready during that callback."""
+    """Record that a callback spins its own node, and whether the executor could call another callback meanwhile."""
     core = core_of(node)
     others = [entity for kind in (core.timers, core.subscriptions, core.services, core.clients, core.guards) for entity in kind]
     in_vain = not any(entity.callback_group.can_execute(entity) for entity in others)
@@ -72,7 +72,7 @@ def note_spin(function: str, node: NodeProtocol, executor: ExecutorProtocol) -> 
 
 
 def note_lost_node(function: str, node: NodeProtocol, executor: ExecutorProtocol) -> None:
-    """Record that a callback passes its node to another executor, so that the current executor no longer spins it."""
+    """Record that a callback passed its node to another executor, so that the current executor no longer spins the node."""
     _note_spin('node taken away', function, node, executor)
 
 
@@ -82,20 +82,20 @@ def _note_spin(kind: str, function: str, node: NodeProtocol, executor: ExecutorP
 
 
 def note_foreign_future(node: NodeProtocol, entity: Any) -> None:
-    """Record a wait for the client of another node that no executor spins."""
+    """Record a wait for the client of another node, if no executor spins that node."""
     data = {'node': core_of(node).full_name, 'other': entity.rcl_node_name(), **entity.rcl_awaited()}
     _keep('other node spun', {**data, **student_line()})
 
 
 def note_no_result(callback: Callable[..., Any]) -> None:
-    """Record a callback for changed parameters that did not return a SetParametersResult."""
+    """Record that a callback for changed parameters did not return a SetParametersResult."""
     code = getattr(callback, '__code__', None)
     place = {} if code is None else {'file': code.co_filename, 'line': code.co_firstlineno}
     _keep('no parameter result', {'callback': getattr(callback, '__name__', 'it'), **place})
 
 
 def note_no_goal_response(node: NodeProtocol, callback: Callable[..., Any], returned: Any) -> None:
-    """Record a callback for new goals that returned something else than a GoalResponse."""
+    """Record that a callback for new goals did not return a GoalResponse."""
     code = getattr(callback, '__code__', None)
     place = {} if code is None else {'file': code.co_filename, 'line': code.co_firstlineno}
     name = getattr(callback, '__name__', 'it')
@@ -103,7 +103,7 @@ def note_no_goal_response(node: NodeProtocol, callback: Callable[..., Any], retu
 
 
 def note_ignored_argument(message_class: type[Message], name: str, near: str | None) -> None:
-    """Record an unknown keyword argument of a message, which the message ignores as in Jazzy."""
+    """Record an unknown keyword argument of a message. As in Jazzy, the message ignores the argument."""
     data = {
         'type': message_class.__name__,
         'field': name,
@@ -127,11 +127,11 @@ def _running_entity(entity: Entity) -> Any:
 
 
 SHORT_S = 0.01
-"""The longest sleep that has no noticeable effect."""
+"""The longest sleep that has no noticeable effect, in seconds."""
 
 
 def note_sleep(seconds: float) -> None:
-    """Record a `time.sleep` in a callback, that is, in a task that spins. It is called for each `time.sleep`."""
+    """Record a `time.sleep` in a callback, that is, in a task that spins. Each `time.sleep` calls this function."""
     if not isinstance(seconds, (int, float)) or seconds < SHORT_S:
         return
     task, state = current_task(), process_state()
@@ -144,13 +144,14 @@ def note_sleep(seconds: float) -> None:
 
 
 LONG_NS = 1_000_000_000
-"""How long a client must wait for a server before this is recorded as a fact."""
+"""How long a client must wait for a server before the wait is recorded as a fact."""
 
 
 def note_lost_request(endpoint: Any, name: str, kind: str) -> None:
-    """Record a request to a service or action (`kind`) without a server.
+    """Record a request to a service or action that has no server.
 
     :param endpoint: the client in the graph, or the endpoint of an action client that sends goals.
+    :param kind: 'service' or 'action'.
     """
     _note_endpoint('request lost', endpoint, name, kind)
 
@@ -172,17 +173,17 @@ def _note_endpoint(what: str, endpoint: Any, name: str, kind: str) -> None:
 
 Facts = Iterator[tuple[str, dict[str, Any]]]
 WAITING_NS = 500_000_000
-"""How long a message or request must wait for a callback before this counts as unusual."""
+"""How long a message or request must wait for a callback before the wait counts as unusual."""
 VERY_LONG_NS = 3_000_000_000
 """A callback that delays a timer for this time is assumed not to end."""
 DEEP = 5
-"""The depth from which a full queue counts. The next message makes it drop one. Smaller queues are often full for a moment."""
+"""The smallest depth at which a full queue is unusual, because it drops messages. Smaller queues are often full briefly."""
 GIVEN_BY_ROS = ('use_sim_time', 'start_type_description_service', 'qos_overrides.')
 
 
 def odd_facts(core: NodeCore) -> Facts:
-    """Record messages and requests that wait in a node, messages and replies without a receiver, and a node that no executor
-    spins.
+    """Yield facts about a node: unused parameter values, waiting messages and replies, a callback that does not end, and a
+    node that no executor spins.
     """
     yield from _undeclared(core)
     yield from _passed_over(core)
@@ -204,7 +205,7 @@ def _undeclared(core: NodeCore) -> Facts:
 
 
 def _passed_over(core: NodeCore) -> Facts:
-    """Yield the parameter files whose keys all name other nodes."""
+    """Yield a fact for each parameter file whose keys all name other nodes."""
     keys: dict[str, dict[str, str]] = {}
     for parsed in core.arguments:
         for pattern, overrides in parsed.parameters.items():
@@ -233,7 +234,10 @@ def _waiting(core: NodeCore) -> Facts:
 
 
 def _going_on(core: NodeCore, something_waits: bool) -> Facts:
-    """Record a callback that does not end. It waits without a timeout while other callbacks wait or timers are overdue."""
+    """Yield a fact about a callback that does not end, if timers of the node are long overdue because of it.
+
+    The callback also counts if it waits without a timeout while messages or replies wait.
+    """
     executor = core.ready_list.executor
     task = None if executor is None else executor.spinner
     if executor is None or task is None or task is running_task():

@@ -6,7 +6,7 @@ from enum import IntEnum
 
 
 class LoggingSeverity(IntEnum):
-    """Severities. A logger with UNSET uses the level of its parent."""
+    """The severity of a message. A logger with UNSET uses the level of its parent."""
 
     UNSET = 0
     DEBUG = 10

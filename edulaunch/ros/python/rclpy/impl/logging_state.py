@@ -54,7 +54,7 @@ _TOKENS = {
 
 
 class ConsoleFormat:
-    """The format of a message on the console, set by the RCUTILS_* variables of an environment. Colours are off by default."""
+    """The format of a message on the console, which the RCUTILS_* environment variables set. Colours are off by default."""
 
     def __init__(self, environment: Mapping[str, str]) -> None:
         self.text = environment.get('RCUTILS_CONSOLE_OUTPUT_FORMAT') or DEFAULT_FORMAT
@@ -71,7 +71,7 @@ class ConsoleFormat:
         return f'{text}\n' if color is None else f'{color}{text}{_NORMAL}\n'
 
     def _expanded(self, record: Record) -> str:
-        """Return the text with its known tokens replaced. Anything else does not change."""
+        """Return the format string with its known tokens replaced. Other text does not change."""
         head, *parts = self.text.split('{')
         for part in parts:
             token, brace, rest = part.partition('}')
@@ -86,8 +86,8 @@ DEFAULT_LEVEL = 20
 class LoggingState:
     """The state of the C layer's logging for a whole program.
 
-    :ivar levels: the levels that were set, by logger name. Children inherit them by dotted prefix.
-    :ivar rosout: the publisher of /rosout for the messages of each logger, by logger name.
+    :ivar levels: the levels that were set, by logger name. A child logger inherits the level of its parent in the dotted name.
+    :ivar rosout: the publisher on /rosout for the messages of each logger, by logger name.
     """
 
     def __init__(self, process: Any) -> None:
@@ -101,14 +101,14 @@ class LoggingState:
         self._effective: dict[str, int] = {}
 
     def configure(self, arguments: RosArguments) -> None:
-        """Apply `--log-level` and the logging options of a command line."""
+        """Apply `--log-level` and the other logging options of a command line."""
         for name, level in arguments.log_levels.items():
             self.set_level(name, level)
         self.console = arguments.outputs.get('stdout', True)
         self.rosout_enabled = arguments.outputs.get('rosout', True)
 
     def set_level(self, name: str, level: int) -> None:
-        """Set the level of a logger, or the default level for ''. Level 0 removes the setting."""
+        """Set the level of a logger, or the default level for the empty name. Level 0 removes the setting."""
         if name == '':
             self.default_level = level or DEFAULT_LEVEL
         elif level:

@@ -1,4 +1,6 @@
-"""Checks of new endpoints, with rclpy's messages and additional help: a second type for one name, and wrong names of actions."""
+"""Checks of new endpoints, with rclpy's messages and additional help. They find a second type for one name, and invalid action
+names.
+"""
 
 from __future__ import annotations
 
@@ -78,10 +80,10 @@ def _clash(kind: str, name: str, wanted: Any, other: Any) -> dict[str, str]:
 
 
 def checked_action_name(core: NodeCore, name: str, kind: str) -> str:
-    """Return the absolute name. Remapping rules apply to the services and topics of the action instead.
+    """Return the absolute name of an action. Remapping rules apply to the services and topics of the action instead.
 
     :param kind: 'client' or 'server'.
-    :raises InvalidHandle: the node was destroyed.
+    :raises InvalidHandle: when the node was destroyed.
     :raises ValueError: after shutdown, and for an invalid name. For other kinds of names, ROS 2 raises other classes.
     """
     core.check_alive()
@@ -102,7 +104,7 @@ def checked_action_name(core: NodeCore, name: str, kind: str) -> str:
 
 
 def _problem(core: NodeCore, name: str) -> str | None:
-    """Return the problem with a name, as ROS 2 reports it for the name of the action's first service."""
+    """Return the problem with an action name, as ROS 2 reports it for the name of the action's first service."""
     if not name:
         return 'invalid empty action name'
     service = f'{name}/_action/send_goal'

@@ -1,4 +1,6 @@
-"""Names of a node that rclpy itself needs. A program that uses one of them for something else fails, or gets a warning."""
+"""Attributes of a node that rclpy itself needs. A program that assigns a different object to one of them fails or causes a
+warning.
+"""
 
 from __future__ import annotations
 
@@ -19,9 +21,9 @@ TO_SPIN = ('subscriptions', 'timers', 'clients', 'services', 'guards', 'waitable
 
 
 def check_own_names(node: NodeProtocol, names: tuple[str, ...]) -> None:
-    """Use the attributes of a node under these names as rclpy does.
+    """Read these attributes of a node and use each as rclpy does.
 
-    :raises TypeError, AttributeError: Python's own error, if the attribute is a different object.
+    :raises TypeError, AttributeError: Python's own error, when an attribute contains an object of the wrong kind.
     """
     for name in names:
         held = getattr(node, name)
@@ -32,7 +34,9 @@ def check_own_names(node: NodeProtocol, names: tuple[str, ...]) -> None:
 
 
 def private_names(node: NodeProtocol) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Yield attributes of a program that replace attributes of the real rclpy, which fails when it next uses them."""
+    """Yield a fact for each attribute of a program that replaces a private attribute of rclpy. The real rclpy fails when it next
+    uses the attribute.
+    """
     own = vars(node)
     for name in sorted(_PRIVATE_USES.keys() & own.keys()):
         if not hasattr(own[name], _PRIVATE_USES[name]):
@@ -41,7 +45,9 @@ def private_names(node: NodeProtocol) -> Iterator[tuple[str, dict[str, Any]]]:
 
 
 def _line_of(node: NodeProtocol, name: str) -> dict[str, Any]:
-    """Return the line where the student's class first assigns the name, or None if the class has no constructor."""
+    """Return the file of the node's class, and the line that first assigns the attribute. Return {} if the class has no
+    constructor.
+    """
     code = getattr(type(node).__init__, '__code__', None)
     if code is None or type(node).__init__.__module__.partition('.')[0] == 'rclpy':
         return {}
@@ -61,7 +67,7 @@ _PRIVATE_USES = {
     '_default_callback_group': 'add_entity',
     '_logger': 'debug',
 }
-"""Private attributes of the real rclpy's node, with the attributes that rclpy uses of their values."""
+"""Private attributes of a node in the real rclpy, with the attribute that rclpy uses of each value."""
 _USES: dict[str, Callable[[Any], object]] = {
     'handle': _enter,
     'default_callback_group': lambda group: group.add_entity,

@@ -1,4 +1,4 @@
-"""The methods that the lower files of rclpy need from the classes above them. The protocols avoid imports in a circle.
+"""The methods that the lower modules of rclpy need from classes of higher modules. The protocols avoid circular imports.
 
 Each class has more methods than its protocol; see `rclpy.context`, `rclpy.executors`, `rclpy.clock` and `rclpy.node`.
 """
@@ -31,16 +31,16 @@ class ExecutorProtocol(Protocol):
         """Return the entity whose callback is running; None between callbacks."""
 
     def rcl_cannot_serve(self, source: Any) -> tuple[Any, ...] | None:
-        """Return the reason why the running callback blocks this entity, or None. It changes with each callback."""
+        """Return a value if the running callback blocks this entity; otherwise None. The value changes with each callback."""
 
     def get_nodes(self) -> Any:
-        """Return the nodes that it spins."""
+        """Return the nodes that the executor spins."""
 
     def create_task(self, callback: Any, *args: Any, **kwargs: Any) -> Any:
-        """Run a function or coroutine when nothing else is ready."""
+        """Create a task that runs a function or coroutine when nothing else is ready."""
 
     def wake(self) -> None:
-        """Check again whether something is ready."""
+        """End the current wait, so that the executor checks again whether an entity is ready."""
 
     def remove_node(self, node: Any) -> None:
         """Stop spinning a node."""
@@ -57,7 +57,7 @@ class ClockProtocol(Protocol):
 
 
 class NodeProtocol(Protocol):
-    """The part of a node that its own services and watches use."""
+    """The part of a node that its services and watchers use."""
 
     def get_name(self) -> str:
         """Return the node's name."""
@@ -118,8 +118,8 @@ class NodeProtocol(Protocol):
 
     @property
     def set_parameters_atomically(self) -> Callable[..., Any]:
-        """Change all parameters, or none."""
+        """Change all of the parameters, or none of them."""
 
     @property
     def remove_on_set_parameters_callback(self) -> Callable[..., None]:
-        """Unregister the function."""
+        """Unregister a function that accepts or rejects changes of parameters."""

@@ -1,4 +1,4 @@
-"""Watch deadlines and liveliness of endpoints, in simulated time."""
+"""Classes and functions that watch the deadlines and the liveliness of endpoints, in simulated time."""
 
 from __future__ import annotations
 
@@ -12,8 +12,10 @@ if TYPE_CHECKING:
 
 
 class Countdown:
-    """Calls a function after a time without a message or assertion. The first one starts it. With `repeat`, it calls the function
-    again each period.
+    """Calls a function when no message or assertion has arrived for a period. The first message or assertion starts the
+    countdown.
+
+    :param repeat: whether to call the function again after each further period.
     """
 
     def __init__(self, endpoint: Any, period_ns: int, expired: Callable[[], object], *, repeat: bool = False) -> None:
@@ -48,7 +50,7 @@ class Count:
     """Counts the events between two calls of the callback.
 
     :param make_info: creates the argument of the callback from the total, the change, and the argument of the last `add`.
-    :param tell: called after each change.
+    :param tell: called after each change of the count.
     """
 
     def __init__(self, make_info: Callable[..., Any], tell: Callable[[], object]) -> None:
@@ -58,21 +60,21 @@ class Count:
         self._last: tuple[Any, ...] = ()
 
     def add(self, *last: Any) -> None:
-        """Count another event."""
+        """Count one more event."""
         self._total += 1
         self._change += 1
         self._last = last
         self._tell()
 
     def take(self) -> Any:
-        """Return the info, or None if the callback has already received it."""
+        """Return the info about the counted events, or None if the callback has already received it."""
         info = self._make_info(self._total, self._change, *self._last) if self._change else None
         self._change = 0
         return info
 
 
 def watch_deadline(endpoint: Any, missed: Callable[[], object]) -> None:
-    """Call `missed` whenever an endpoint with a deadline receives or sends no message in time."""
+    """Call `missed` whenever an endpoint has sent or received no message for the time of its deadline."""
     if not endpoint.qos.deadline_ns:
         return
     countdown = Countdown(endpoint, endpoint.qos.deadline_ns, missed, repeat=True)
@@ -89,14 +91,16 @@ def watch_deadline(endpoint: Any, missed: Callable[[], object]) -> None:
 
 
 def watch_lease(publisher: WatchedPublisher, lost: Callable[[], object]) -> None:
-    """Call `lost` when a publisher with a lease does not assert its liveliness in time."""
+    """Call `lost` when a publisher does not assert its liveliness during its lease."""
     if publisher.qos.liveliness == MANUAL_BY_TOPIC and publisher.qos.lease_ns:
         publisher.on_life.append(Countdown(publisher, publisher.qos.lease_ns, lost).seen)
 
 
 class LivelinessWatch:
-    """Tracks which of a subscription's publishers are alive. A publisher with a lease is alive from its first assertion to the
-    end of the lease. Any other publisher is alive as long as it exists.
+    """Tracks which publishers of a subscription are alive.
+
+    A publisher with a lease is alive from its first assertion to the end of the lease. Any other publisher is alive as long as
+    it exists.
     """
 
     def __init__(self, subscription: Subscription, info_class: Any, tell: Callable[[], object]) -> None:
@@ -135,8 +139,8 @@ class LivelinessWatch:
             self._tell()
 
     def take(self) -> Any:
-        """Return the numbers of publishers that are alive and not alive, and the changes; None if the callback has already
-        received them.
+        """Return how many publishers are alive and not alive, and the changes. Return None if the callback has already received
+        them.
         """
         alive = sum(self._alive.values())
         lost = len(self._alive) - alive

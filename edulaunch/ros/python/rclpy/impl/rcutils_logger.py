@@ -1,4 +1,6 @@
-"""Loggers, and the keyword arguments of log calls that limit how often a message is written: once, throttle, skip_first."""
+"""Loggers, and the keyword arguments of log calls that limit how often a message is written (`once`, `throttle_duration_sec`,
+`skip_first`).
+"""
 
 from __future__ import annotations
 
@@ -20,9 +22,9 @@ _OPTIONS = ['throttle_duration_sec', 'throttle_time_source_type', 'skip_first', 
 
 
 def filters_of(options: dict[str, Any]) -> tuple[str, ...]:
-    """Return the filters of the given keyword arguments.
+    """Return the filters that the keyword arguments of a log call select.
 
-    :raises TypeError: for an unknown keyword, or a throttle without its duration.
+    :raises TypeError: for an unknown keyword, or for throttling without a duration.
     :raises ValueError: for a time source that is not a clock.
     """
     wanted = tuple(name for name, parameters in _FILTERS.items() if any(options.get(parameter) for parameter in parameters))
@@ -40,7 +42,7 @@ def filters_of(options: dict[str, Any]) -> tuple[str, ...]:
 
 
 class CallSite:
-    """The filters of one log call in a program, and their state."""
+    """One log call in a program: its filters and their state."""
 
     __slots__ = ('name', 'severity', 'filters', 'settings', 'skipped', 'logged', 'last_ns')
 
@@ -53,7 +55,7 @@ class CallSite:
         self.last_ns = 0
 
     def check(self, name: str, severity: int, filters: tuple[str, ...], options: dict[str, Any]) -> None:
-        """Raise ValueError if a call at this place differs from the first one."""
+        """Raise ValueError if the severity or the filters of a call differ from those of the first call at this place."""
         if severity != self.severity:
             raise ValueError('Logger severity cannot be changed between calls.')
         if name != self.name:
@@ -64,7 +66,7 @@ class CallSite:
             raise ValueError('Logging filter parameters cannot be changed between calls.')
 
     def lets_through(self, options: dict[str, Any], now_ns: int) -> bool:
-        """Return whether the message of this call is written. Filters are applied in order, until one rejects it."""
+        """Return whether to write the message of this call. Filters are applied in order, until one rejects the message."""
         return all(self._passes(name, options, now_ns) for name in self.filters)
 
     def _passes(self, name: str, options: dict[str, Any], now_ns: int) -> bool:
@@ -84,7 +86,7 @@ class CallSite:
 
 
 def _settings(filters: tuple[str, ...], options: dict[str, Any]) -> list[Any]:
-    """Return the arguments of a call's filters. They must be the same in each call at one place."""
+    """Return the arguments of a call's filters. They must be the same in every call at one place."""
     return [options.get(parameter) for name in filters for parameter in _FILTERS[name]]
 
 
@@ -92,14 +94,14 @@ DEBUG, INFO, WARN, ERROR, FATAL = 10, 20, 30, 40, 50
 
 
 class RcutilsLogger:
-    """A logger: `node.get_logger()` or `rclpy.logging.get_logger(name)`.
+    """A logger, which `node.get_logger()` or `rclpy.logging.get_logger(name)` returns.
 
     Each log method takes one string, and returns whether the message was written. The filters are `once=True`, `skip_first=True`
     and `throttle_duration_sec=...` (with `throttle_time_source_type=<a Clock>`); `name=...` sets the name of another logger. Each
     filter stores its state for the place of the call.
 
     :raises TypeError: for an unknown keyword, or a message that is not a string, bytes or None.
-    :raises ValueError: when severity or filters change at one place.
+    :raises ValueError: when the severity or the filters change at one place.
     """
 
     def __init__(self, name: str = '') -> None:
@@ -107,7 +109,7 @@ class RcutilsLogger:
         self.contexts: dict[tuple[str, str, int, int], CallSite] = {}
 
     def get_child(self, name: str) -> RcutilsLogger:
-        """Return the logger `<this name>.<name>`. It publishes on /rosout as this logger does."""
+        """Return the logger `<this name>.<name>`. The child publishes on /rosout if this logger does."""
         if not name:
             raise ValueError('Child logger name must not be empty.')
         if not self.name:
@@ -119,11 +121,11 @@ class RcutilsLogger:
         return child
 
     def set_level(self, level: LoggingSeverity | int) -> None:
-        """Set the lowest level of messages that are written."""
+        """Set the lowest severity that is written."""
         logging_state().set_level(self.name, LoggingSeverity(level))
 
     def get_effective_level(self) -> LoggingSeverity:
-        """Return the level that applies: that of this logger, of a parent, or the default."""
+        """Return the level that applies: the level of this logger or of a parent, or else the default level."""
         return LoggingSeverity(logging_state().effective_level(self.name))
 
     def is_enabled_for(self, severity: LoggingSeverity | int) -> bool:
@@ -155,7 +157,7 @@ class RcutilsLogger:
         return self._log(message, FATAL, sys._getframe(1), kwargs)
 
     def log(self, message: str, severity: LoggingSeverity | int, **kwargs: Any) -> bool:
-        """Log with a severity given as a value."""
+        """Log with the given severity."""
         return self._log(message, int(LoggingSeverity(severity)), sys._getframe(1), kwargs)
 
     def _log(self, message: Any, severity: int, frame: FrameType, options: dict[str, Any]) -> bool:
@@ -183,7 +185,7 @@ class RcutilsLogger:
 
 
 def _checked_name(name: Any) -> str:
-    """Return the name that was given with a message, or the root logger's name for None."""
+    """Return the logger name that a log call gives, or the root logger's name for None."""
     if name is not None and not isinstance(name, str):
         raise TypeError(
             'rclpy_logging_rcutils_log(): incompatible function arguments: the name of a logger must be a str, '
@@ -193,7 +195,7 @@ def _checked_name(name: Any) -> str:
 
 
 def _text_of(message: Any) -> str:
-    """Convert a message that is not a string as C does. None and bytes are accepted; other types are rejected."""
+    """Convert a message that is not a string, as C does. Accept None and bytes, and reject other types."""
     if message is None:
         return '(null)'
     if isinstance(message, bytes):

@@ -1,4 +1,4 @@
-"""The errors of rclpy with its own messages and additional help."""
+"""Functions that return or raise rclpy's errors, with rclpy's messages and additional help."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _OURS = (engine_folder() + os.sep, '<')
 
 
 def student_level() -> int:
-    """Return the `stacklevel` for which a warning by the caller contains the student's line, or 2 if there is no such line."""
+    """Return the `stacklevel` with which a warning of the caller shows the student's line, or 2 if there is no such line."""
     level, frame = 1, sys._getframe(1)
     while frame.f_code.co_filename.startswith(_OURS):
         if frame.f_back is None:
@@ -32,14 +32,15 @@ def invalid_handle() -> InvalidHandle:
 
 
 def after_shutdown(what: str) -> RCLError:
-    """Return the error of rcl for the use of an endpoint or node after shutdown. The message begins with `what`, and names the
-    node.
+    """Return the error of rcl for the use of an endpoint or node after shutdown.
+
+    The message begins with `what`, and names the node.
     """
     return with_facts(RCLError(f"{what}'s context is invalid"), 'programs.after-shutdown')
 
 
 def check_node(node: Any) -> None:
-    """Raise rclpy's error for an object that is not a node: a class, None, a list."""
+    """Raise rclpy's error for an object that is not a node, such as a class, None or a list."""
     if isinstance(node, type):
         name = node.__name__
         raise with_facts(TypeError("'property' object is not iterable"), 'programs.spin-class', given=name)
@@ -62,7 +63,7 @@ def check_future(future: Any) -> None:
 
 
 def check_executor(executor: Any, attribute: str) -> None:
-    """Raise rclpy's error for an object that is not an executor. It is usually a timeout passed by position, or a class."""
+    """Raise rclpy's error for an object that is not an executor, such as a timeout passed by position or a class."""
     if isinstance(executor, type):
         no_self = TypeError("Executor.add_node() missing 1 required positional argument: 'node'")
         raise with_facts(no_self, 'messages.class-given', wanted=executor.__name__)
@@ -81,7 +82,7 @@ def stopped(error: StopIteration) -> RuntimeError:
 
 
 def two_spinners(error: ValueError) -> ValueError:
-    """Return the error of Python for two threads that spin one executor with equal arguments."""
+    """Return Python's error for two threads that spin one executor with equal arguments."""
     return with_facts(error, 'programs.two-spinners')
 
 

@@ -1,4 +1,4 @@
-"""The waiting part of an executor: it collects ready entities in order, and parks until there are any."""
+"""The waiting part of an executor, which collects ready entities in order, and parks while no entity is ready."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class TimeoutException(Exception):
-    """Nothing was ready in time."""
+    """No entity was ready in time."""
 
     __module__ = 'rclpy.executors'
 
@@ -50,7 +50,7 @@ _order_of = attrgetter('order')
 
 
 def never() -> bool:
-    """Return the condition of a wait that ends only when something is ready."""
+    """Return False. It is the condition of a wait that ends only when an entity is ready."""
     return False
 
 
@@ -61,9 +61,9 @@ def _may_begin(timer: Entity) -> bool:
 class Waiting:
     """The base class of executors, which collects ready entities and parks.
 
-    :ivar _lists: the ready lists of the executor's nodes, in the order in which they were added.
-    :ivar _waiting: the simulated threads that are parked here.
-    :ivar spinner: the simulated thread that executes callbacks now.
+    :ivar _lists: the ready lists of the executor's nodes, in the order in which the nodes were added.
+    :ivar _waiting: the simulated threads that are parked in this executor.
+    :ivar spinner: the simulated thread that spins the executor now.
     """
 
     def __init__(self, *, context: Context | None = None) -> None:
@@ -84,7 +84,7 @@ class Waiting:
         self._seen_ns = 0
 
     def wake(self) -> None:
-        """End the current wait, so that it checks again. Without a wait, end the next one."""
+        """Make the current wait check again. If no thread waits, the next wait checks again immediately."""
         self._woken = True
         if self._waiting:
             self._look_again()
@@ -94,7 +94,7 @@ class Waiting:
             waiting.wake()
 
     def _collect(self) -> list[Entity]:
-        """Return the entities that are ready and allowed to begin, in the order of one wait."""
+        """Return the entities that are ready and whose groups allow them to begin, in the order of one wait."""
         now = self._sim.now_ns
         batch: list[Entity] = []
         for ready_list in self._lists:
@@ -121,7 +121,7 @@ class Waiting:
                 entity.ready_list.entities.append(entity)
 
     def _wait(self, deadline_ns: int | None) -> None:
-        """Park until something may be ready, a timer is due, or the deadline is reached.
+        """Park until an entity may be ready, a timer is due, or the deadline is reached.
 
         :raises ShutdownException: when the executor was shut down in the meantime.
         :raises ExternalShutdownException: when the context was shut down in the meantime.
@@ -149,7 +149,9 @@ class Waiting:
             raise ExternalShutdownException()
 
     def _let_time_pass(self) -> None:
-        """Advance simulated time when callbacks trigger each other without a wait, because they take time on a real computer."""
+        """Advance simulated time if callbacks trigger each other without a wait, because callbacks take time on a real
+        computer.
+        """
         now = self._sim.now_ns
         if now != self._seen_ns:
             self._seen_ns = now
@@ -165,13 +167,14 @@ class Waiting:
         return [task for task in reversed(self._tasks) if not (task.rcl_ended or task.executing())]
 
     def _forget_tasks(self) -> None:
-        """Remove the tasks that are done or cancelled."""
+        """Remove finished and cancelled tasks from the list."""
         self._tasks = [task for task in self._tasks if not task.rcl_ended]
 
     def _ready_items(self, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Generator[Item, None, None]:
-        """Yield the items of one wait, and without a deadline those of the next ones: tasks first, then ready entities.
+        """Yield the items of one wait, first tasks, then ready entities. Without a deadline, continue with the items of further
+        waits.
 
-        With `poll`, it does not wait, and yields only the items that are ready now.
+        With `poll`, do not wait, and yield only the items that are ready now.
 
         :raises TimeoutException: at `deadline_ns`, or when a poll has yielded all items.
         :raises ConditionReachedException: when `condition()` is true.
@@ -219,7 +222,7 @@ class Waiting:
         raise ConditionReachedException()
 
     def _next_item(self, key: Any, deadline_ns: int | None, poll: bool, condition: Callable[[], bool]) -> Item:
-        """Return the next item; successive calls with the same `key` return the results of one wait.
+        """Return the next item. Successive calls with the same `key` return the items of one wait.
 
         :raises ValueError: when another thread waits here with the same key, as rclpy's threads do with equal arguments.
         """
@@ -239,7 +242,9 @@ class Waiting:
                 raise two_spinners(error) from None
 
     def rcl_forget_work(self) -> None:
-        """Restart the next wait. Another thread that waits with other arguments continues with its items."""
+        """Drop the remaining items of the current wait. A thread that is waiting with other arguments continues with its
+        items.
+        """
         work, self._work = self._work, None
         if work is not None and not work.gi_running:
             work.close()

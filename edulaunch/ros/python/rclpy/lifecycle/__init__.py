@@ -1,4 +1,4 @@
-"""Nodes with managed life cycles."""
+"""Nodes with a managed lifecycle."""
 
 from __future__ import annotations
 

@@ -10,7 +10,9 @@ from rclpy.lifecycle.state_machine import LifecycleState, TransitionCallbackRetu
 
 
 class ManagedEntity:
-    """The base class of managed entities. Each transition of the node calls them, after the node itself."""
+    """The base class of managed entities. Each transition of a node calls the corresponding method of the node's managed
+    entities.
+    """
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Handle the configuration of the node."""
@@ -38,7 +40,7 @@ class ManagedEntity:
 
 
 class SimpleManagedEntity(ManagedEntity):
-    """A managed entity that stores only whether it is activated."""
+    """A managed entity that only records whether it is activated."""
 
     def __init__(self) -> None:
         self._enabled = False
@@ -57,8 +59,9 @@ class SimpleManagedEntity(ManagedEntity):
 
     @staticmethod
     def when_enabled(wrapped: Any = None, *, when_not_enabled: Any = None) -> Any:
-        """Return a decorator for methods that have an effect only while the entity is enabled. Otherwise, `when_not_enabled` is
-        called.
+        """Return a decorator for methods that have an effect only while the entity is enabled.
+
+        :param when_not_enabled: called in place of the method while the entity is disabled.
         """
 
         def decorator(method: Any) -> Any:

@@ -20,7 +20,7 @@ def _life(core: NodeCore) -> Life:
 
 
 class LifecycleNodeMixin(ManagedEntity):
-    """Adds a managed lifecycle to a `Node`, for classes that inherit from both. `Node.__init__` comes first.
+    """Adds a managed lifecycle to a `Node`, for classes that inherit from both. Call `Node.__init__` first.
 
     :param enable_communication_interface: whether to offer the services `~/change_state`, `~/get_state` ... and the topic
         `~/transition_event`.
@@ -61,7 +61,7 @@ class LifecycleNodeMixin(ManagedEntity):
         return bool(self.destroy_publisher(publisher))
 
     def add_managed_entity(self, entity: ManagedEntity) -> None:
-        """Let an entity follow the node's lifecycle. Raise TypeError for any other object."""
+        """Make an entity follow the node's lifecycle. Raise TypeError for an object that is not a managed entity."""
         if not isinstance(entity, ManagedEntity):
             raise TypeError('Expected a rclpy.lifecycle.ManagedEntity instance.')
         _life(self._rclpy).entities.append(entity)
@@ -71,11 +71,11 @@ class LifecycleNodeMixin(ManagedEntity):
         return _life(self._rclpy).tell_entities('on_configure', state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Clean the managed entities up."""
+        """Clean up the managed entities."""
         return _life(self._rclpy).tell_entities('on_cleanup', state)
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Shut the managed entities down."""
+        """Shut down the managed entities."""
         return _life(self._rclpy).tell_entities('on_shutdown', state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
@@ -87,7 +87,7 @@ class LifecycleNodeMixin(ManagedEntity):
         return _life(self._rclpy).tell_entities('on_deactivate', state)
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Inform the managed entities that a transition failed."""
+        """Report a failed transition to the managed entities."""
         return _life(self._rclpy).tell_entities('on_error', state)
 
     def trigger_configure(self) -> TransitionCallbackReturn:
@@ -95,11 +95,11 @@ class LifecycleNodeMixin(ManagedEntity):
         return _life(self._rclpy).trigger(1)
 
     def trigger_cleanup(self) -> TransitionCallbackReturn:
-        """Clean the node up. Raise RCLError in a state that does not allow it."""
+        """Clean up the node. Raise RCLError in a state that does not allow it."""
         return _life(self._rclpy).trigger(2)
 
     def trigger_shutdown(self) -> TransitionCallbackReturn:
-        """Shut the node down. Raise RCLError in a state that does not allow it."""
+        """Shut down the node. Raise RCLError in a state that does not allow it."""
         return _life(self._rclpy).trigger_shutdown()
 
     def trigger_activate(self) -> TransitionCallbackReturn:
@@ -112,7 +112,7 @@ class LifecycleNodeMixin(ManagedEntity):
 
 
 class LifecycleNode(LifecycleNodeMixin, Node):
-    """A node that other nodes configure, activate, deactivate, clean up and shut down.
+    """A node with a managed lifecycle: other nodes can configure, activate, deactivate, clean up and shut down the node.
 
     Override `on_configure(state)` and similar methods, and call `super().on_activate(state)` to activate managed publishers.
 

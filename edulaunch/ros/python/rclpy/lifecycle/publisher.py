@@ -1,4 +1,4 @@
-"""A publisher that sends nothing while its node is inactive."""
+"""A publisher that sends messages only while its node is active."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class LifecyclePublisher(SimpleManagedEntity, Publisher):
 
     @SimpleManagedEntity.when_enabled
     def publish(self, msg: Any) -> None:
-        """Send a message, if the node is active."""
+        """Send a message if the node is active; otherwise drop it."""
         Publisher.publish(self, msg)
 
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class TransitionCallbackReturnType(Pybind11Enum):
-    """The return values of a transition's callback. Students know it as `TransitionCallbackReturn`."""
+    """The return values of a transition's callback. Programs import the class as `TransitionCallbackReturn`."""
 
     SUCCESS = 97
     FAILURE = 98
@@ -32,7 +32,7 @@ TransitionCallbackReturn = TransitionCallbackReturnType
 
 
 class LifecycleState(NamedTuple):
-    """A state in the form that callbacks receive."""
+    """A state in the form that transition callbacks receive."""
 
     label: str
     state_id: int
@@ -77,7 +77,7 @@ TRANSITIONS = (
 
 
 class Outcome(NamedTuple):
-    """The end of an intermediate state: its number, its label, and the next state."""
+    """The transition that ends an intermediate state: its number, its label, and the next state."""
 
     number: int
     label: str
@@ -101,7 +101,7 @@ OUTCOMES = {
 
 
 def transition_from(state: str, wanted: int | str) -> Transition | None:
-    """Return the transition with that number or label that starts in a state, or None."""
+    """Return the transition with the given number or label that starts in a state, or None."""
     for transition in TRANSITIONS:
         if transition.start == state and wanted in (transition.number, transition.label):
             return transition
@@ -109,8 +109,8 @@ def transition_from(state: str, wanted: int | str) -> Transition | None:
 
 
 def all_transitions() -> list[tuple[int, str, str, str]]:
-    """Return (number, label, start, goal) of all transitions, each followed by the transitions that end its intermediate
-    state.
+    """Return (number, label, start state, goal state) for all transitions. The transitions that end an intermediate state follow
+    the transition to this state.
     """
     found = []
     for state, outcomes in OUTCOMES.items():
@@ -120,8 +120,8 @@ def all_transitions() -> list[tuple[int, str, str, str]]:
 
 
 class Life:
-    """The lifecycle state of a node. It is stored with the node's other state, so that a student's attributes cannot collide with
-    it.
+    """The lifecycle state of a node. It is stored with the other state of the node, so that a student's attributes cannot collide
+    with it.
 
     :ivar entities: the managed entities, which follow the node through its states.
     """
@@ -133,7 +133,7 @@ class Life:
         self.services: LifecycleServices | None = None
 
     def tell_entities(self, callback: str, state: LifecycleState) -> TransitionCallbackReturn:
-        """Call a method of all entities until one does not succeed."""
+        """Call a method of each managed entity until one call does not return SUCCESS."""
         for entity in self.entities:
             result: TransitionCallbackReturn = getattr(entity, callback)(state)
             if result is not TransitionCallbackReturn.SUCCESS:
@@ -141,11 +141,12 @@ class Life:
         return TransitionCallbackReturn.SUCCESS
 
     def trigger(self, wanted: int | str) -> TransitionCallbackReturn:
-        """Make a transition, given by number or label: call its callback, and then make the transition that its result requires.
+        """Make a transition: call its callback, and then make the transition that the callback's result requires.
 
-        :raises RCLError: in a state that does not allow it.
+        :param wanted: the label or number of the transition.
+        :raises RCLError: when the current state does not allow the transition.
         :raises AttributeError: when the callback returns anything but a TransitionCallbackReturn. As in rclpy, the node then
-            stays between two states.
+            stays in the intermediate state.
         """
         start = self.state
         transition = transition_from(start.label, wanted)
@@ -204,12 +205,12 @@ class Life:
 
 
 class StateMachineView:
-    """What programs read from ROS 2's state machine, in `node._state_machine`. States are pairs of number and label.
+    """The data of ROS 2's state machine that programs read from `node._state_machine`. A state is a pair (number, label).
 
-    :ivar current_state: the present state.
+    :ivar current_state: the current state.
     :ivar available_states: all states.
-    :ivar transition_graph: all transitions: number and label, start state, goal state.
-    :ivar available_transitions: the transitions from the present state.
+    :ivar transition_graph: all transitions, each with its number, label, start state and goal state.
+    :ivar available_transitions: the transitions from the current state.
     """
 
     def __init__(self, life: Life) -> None:
@@ -242,13 +243,13 @@ class LifecycleServices:
             node.create_service(kind, f'{node.get_fully_qualified_name()}/{name}', answer, callback_group=group)
 
     def publish_event(self, start: LifecycleState, goal: LifecycleState) -> None:
-        """Publish a state change. As in ROS 2, the event contains the two states, but neither time nor transition."""
+        """Publish a change of state. As in ROS 2, the event contains the two states, but neither the time nor the transition."""
         from lifecycle_msgs.msg import TransitionEvent
 
         self._events.publish(TransitionEvent(start_state=_state(start), goal_state=_state(goal)))
 
     def _on_change_state(self, request: Any, response: Any) -> Any:
-        """Make a requested transition. An invalid label is rejected, and an invalid number raises an error, as in rclpy."""
+        """Make a requested transition. Reject an invalid label, and raise an error for an invalid number, as rclpy does."""
         label = request.transition.label
         try:
             response.success = self._life.trigger(label or request.transition.id) is TransitionCallbackReturn.SUCCESS

@@ -1,4 +1,4 @@
-"""The state of a node, in one object, so that a student's own attributes cannot collide with it."""
+"""The state of a node in one object, so that a student's own attributes cannot collide with it."""
 
 from __future__ import annotations
 
@@ -39,10 +39,11 @@ if TYPE_CHECKING:
 class NodeCore:
     """A node's names, its place in the graph, and its entities in order of creation.
 
-    :param name, namespace: the names that the program gives. This class applies remap rules to them.
-    :raises InvalidNodeNameException, InvalidNamespaceException: for names that break the rules.
+    This module cannot name the classes of the entities, because their modules import this one.
 
-    The files of its entities import this one, so this file cannot name their classes.
+    :param name: the node name in the program, to which remap rules apply.
+    :param namespace: the namespace in the program, to which remap rules apply.
+    :raises InvalidNodeNameException, InvalidNamespaceException: for a name that breaks the rules.
     """
 
     clock: Any
@@ -83,7 +84,7 @@ class NodeCore:
         self._number = 0
 
     def next_number(self) -> int:
-        """Return the next number in order of creation. Entities of all kinds share the numbers."""
+        """Return the next number in order of creation. Entities of all kinds use the same sequence of numbers."""
         self._number += 1
         return self._number
 
@@ -95,13 +96,13 @@ class NodeCore:
             raise with_facts(invalid_handle(), 'programs.destroyed-node', node=self.full_name)
 
     def check_usable(self, what: str) -> None:
-        """Raise InvalidHandle if the node was destroyed, and RCLError `what: ...` after shutdown."""
+        """Raise InvalidHandle if the node was destroyed, and RCLError `what: ...` if ROS 2 is shut down."""
         self.check_alive()
         if not self.context.alive:
             raise after_shutdown(f'{what}: rcl node')
 
     def check_context(self, what: str) -> None:
-        """Raise RCLError after shutdown. Timers and guard conditions need only the context, not the node."""
+        """Raise RCLError if ROS 2 is shut down. Timers and guard conditions need only the context, not the node."""
         if not self.context.alive:
             raise without_context(what)
 
@@ -121,7 +122,7 @@ class NodeCore:
         return expanded if only_expand else remapped_name(self.rules, kind, expanded, self.name, self.namespace)
 
     def given_parameters(self) -> dict[str, Override]:
-        """Return this node's parameter values from command lines and files. Later sources replace earlier ones."""
+        """Return the parameter values of this node from command lines and files. Later sources replace earlier sources."""
         found: dict[str, Override] = {}
         origins = self.process.spec.parameter_origins
         for parsed in reversed(self.arguments):
@@ -131,7 +132,7 @@ class NodeCore:
 
 
 def core_of(node: Any) -> NodeCore:
-    """Return the state of a node. All of rclpy except the node itself uses this function to reach it."""
+    """Return the state of a node. All modules of rclpy except `node` itself use this function."""
     core: NodeCore = node._rclpy
     return core
 

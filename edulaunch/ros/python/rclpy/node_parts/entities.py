@@ -1,4 +1,4 @@
-"""Create and destroy the entities of a node."""
+"""The methods of a node that create and destroy its entities."""
 
 from __future__ import annotations
 
@@ -39,41 +39,41 @@ class NodeEntities:
 
     @property
     def publishers(self) -> Iterator[Publisher]:
-        """All publishers."""
+        """All publishers of the node."""
         yield from self._rclpy.publishers
 
     @property
     def subscriptions(self) -> Iterator[Subscription]:
-        """All subscriptions."""
+        """All subscriptions of the node."""
         yield from self._rclpy.subscriptions
 
     @property
     def clients(self) -> Iterator[Client]:
-        """All clients."""
+        """All clients of the node."""
         yield from self._rclpy.clients
 
     @property
     def services(self) -> Iterator[Service]:
-        """All services."""
+        """All services of the node."""
         yield from self._rclpy.services
 
     @property
     def timers(self) -> Iterator[Timer]:
-        """All timers."""
+        """All timers of the node."""
         yield from self._rclpy.timers
 
     @property
     def guards(self) -> Iterator[GuardCondition]:
-        """All guard conditions."""
+        """All guard conditions of the node."""
         yield from self._rclpy.guards
 
     @property
     def waitables(self) -> Iterator[Waitable]:
-        """All waitables."""
+        """All waitables of the node."""
         yield from self._rclpy.waitables
 
     def add_waitable(self, waitable: Waitable) -> None:
-        """Let the node's executor wait for a waitable."""
+        """Add a waitable. The node's executor then waits for it."""
         core = self._rclpy
         waitable.ready_list = core.ready_list
         waitable.order = core.next_number()
@@ -86,7 +86,7 @@ class NodeEntities:
             waitable.rcl_signal()
 
     def remove_waitable(self, waitable: Waitable) -> None:
-        """Stop waiting for a waitable."""
+        """Remove a waitable, so that the executor no longer waits for it."""
         waitable.destroyed = True
         for waitables in (self._rclpy.waitables, self._rclpy.ready_list.asked):
             if waitable in waitables:
@@ -107,7 +107,7 @@ class NodeEntities:
 
         :param msg_type: the message class.
         :param topic: the topic name: absolute, relative to the namespace, or private (`~/x`).
-        :param qos_profile: a profile, or the depth.
+        :param qos_profile: a QoSProfile, or the depth as an int.
         :raises InvalidTopicNameException: for a name that breaks the rules.
         :raises RCLError: after shutdown, or when this program uses the topic with another type.
         """
@@ -138,7 +138,7 @@ class NodeEntities:
         """Create a subscription.
 
         :param callback: called with each message, or with (message, info).
-        :param raw: pass serialized bytes to the callback.
+        :param raw: whether the callback receives serialized bytes in place of a message.
         :raises InvalidTopicNameException: for a name that breaks the rules.
         :raises RCLError: after shutdown, or when this program uses the topic with another type.
         :raises RuntimeError: when the callback takes neither one nor two arguments.
@@ -217,9 +217,9 @@ class NodeEntities:
         clock: Clock | None = None,
         autostart: bool = True,
     ) -> Timer:
-        """Create a timer. Its first call is one period from now.
+        """Create a timer. Its callback is first called one period from now.
 
-        :param clock: the clock of the timer; by default, the node's clock.
+        :param clock: the clock of the timer; None means the node's clock.
         :param autostart: if False, the timer is cancelled until `reset()` is called.
         """
         _check_callback(self._rclpy, callback, 'create_timer')
@@ -227,7 +227,7 @@ class NodeEntities:
         return _new_timer(self._rclpy, timer_period_sec, callback, callback_group, clock, autostart)
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
-        """Create a rate of `frequency` per second. Raise ValueError unless `frequency` is positive."""
+        """Create a rate of `frequency` hertz. Raise ValueError unless `frequency` is positive."""
         if frequency <= 0:
             raise ValueError('frequency must be > 0')
         from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
@@ -294,17 +294,19 @@ class NodeEntities:
         return self._rclpy.name
 
     def get_namespace(self) -> str:
-        """Return the namespace, '/' for the root. Raise InvalidHandle if the node was destroyed."""
+        """Return the namespace, which is '/' for the root. Raise InvalidHandle if the node was destroyed."""
         self._rclpy.check_alive()
         return self._rclpy.namespace
 
     def get_fully_qualified_name(self) -> str:
-        """Return the namespace and the name. Raise InvalidHandle if the node was destroyed."""
+        """Return the node's namespace and name as one string. Raise InvalidHandle if the node was destroyed."""
         return fully_qualified_name(self.get_namespace(), self.get_name())
 
 
 def _resolved(core: NodeCore, name: str, kind: str, only_expand: bool) -> str:
-    """Return the name as `core.resolve` does. An invalid name raises RCLError, as in rclpy's methods that only resolve."""
+    """Return the name that `core.resolve` returns. Raise RCLError for an invalid name, as rclpy's methods do that only resolve
+    names.
+    """
     try:
         problem = topic_name_problem(name)
         if problem is None:
@@ -367,7 +369,7 @@ MANY_TIMERS = 12
 
 
 def _note_many(core: NodeCore, timer: Timer) -> None:
-    """Record that most timers of a node call the function of the newest one, and that all of them are running."""
+    """Record that many running timers of a node call the function of the newest timer."""
     from rclpy.impl.facts import callback_name
 
     name = callback_name(timer)
@@ -378,7 +380,7 @@ def _note_many(core: NodeCore, timer: Timer) -> None:
 
 
 def _note_period(core: NodeCore, timer: Timer) -> None:
-    """Record an improbable period: 0, or minutes where milliseconds were probably intended."""
+    """Record an improbable period: 0, or minutes where the program probably means milliseconds."""
     from rclpy.impl.facts import callback_name
 
     data = {'node': core.full_name, 'callback': callback_name(timer), 'period_s': timer.timer_period_ns / 1e9}
@@ -386,7 +388,7 @@ def _note_period(core: NodeCore, timer: Timer) -> None:
 
 
 def _check_callback(core: NodeCore, callback: Any, function: str) -> None:
-    """Record that the result of `self.tick()` was passed in place of `self.tick`. ROS 2 does not report it."""
+    """Record that a program passed the result of `self.tick()` in place of `self.tick`. ROS 2 does not report this mistake."""
     if callback is not None:
         return
     line = student_line()

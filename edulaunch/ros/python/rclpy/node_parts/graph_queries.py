@@ -1,4 +1,4 @@
-"""The queries of a node on the graph."""
+"""The methods of a node that query the graph."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ if TYPE_CHECKING:
 
 
 class NodeGraphQueries:
-    """The part of `Node` with queries on other nodes, topics and services. Names are fully qualified and sorted."""
+    """The part of `Node` that queries other nodes, topics and services. Returned names are fully qualified and sorted."""
 
     _rclpy: NodeCore
 
     def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:
-        """Return all topics with their types. With `no_demangle`, return the names of DDS, including those of services."""
+        """Return all topics with their types. With `no_demangle`, return the DDS names, including those of services."""
         graph = _looked_at(self._rclpy, 'failed to get topic names and types')
         if no_demangle:
             ends = (graph.publishers, graph.subscriptions, graph.services, graph.clients)
@@ -37,7 +37,7 @@ class NodeGraphQueries:
     def get_publisher_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
-        """Return the topics that a node publishes; with `no_demangle`, under the names of DDS.
+        """Return the topics that a node publishes, with their types. With `no_demangle`, return the DDS names.
 
         :raises NodeNameNonExistentError: for an unknown node.
         """
@@ -46,18 +46,20 @@ class NodeGraphQueries:
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
-        """Return the topics to which a node subscribes; with `no_demangle`, under the names of DDS.
+        """Return the topics to which a node subscribes, with their types. With `no_demangle`, return the DDS names.
 
         :raises NodeNameNonExistentError: for an unknown node.
         """
         return _topics_by_node(self._rclpy, node_name, node_namespace, 'subscription', READS if no_demangle else None)
 
     def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
-        """Return the services that a node offers. Raise NodeNameNonExistentError for an unknown node."""
+        """Return the services that a node offers, with their types. Raise NodeNameNonExistentError for an unknown node."""
         return _by_node(self._rclpy, node_name, node_namespace, 'service', 'service_name')
 
     def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
-        """Return the services for which a node has clients. Raise NodeNameNonExistentError for an unknown node."""
+        """Return the services for which a node has clients, with their types. Raise NodeNameNonExistentError for an unknown
+        node.
+        """
         return _by_node(self._rclpy, node_name, node_namespace, 'client', 'service_name')
 
     def get_node_names(self) -> list[str]:
@@ -65,45 +67,52 @@ class NodeGraphQueries:
         return [node.name for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
 
     def get_fully_qualified_node_names(self) -> list[str]:
-        """Return the full names of all nodes."""
+        """Return the fully qualified names of all nodes."""
         return [node.fully_qualified_name for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
 
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
-        """Return (name, namespace) of all nodes."""
+        """Return (name, namespace) for each node."""
         return [(node.name, node.namespace) for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
 
     def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
-        """Return (name, namespace, enclave) of all nodes; the enclave is always '/'."""
+        """Return (name, namespace, enclave) for each node. The enclave is always '/'."""
         return [(node.name, node.namespace, '/') for node in _looked_at(self._rclpy, _NODE_NAMES).nodes]
 
     def count_publishers(self, topic_name: str) -> int:
-        """Return how many publishers a topic has."""
+        """Return the number of publishers of a topic."""
         return _count(self._rclpy, 'publishers', self._rclpy.graph.publishers, topic_name)
 
     def count_subscribers(self, topic_name: str) -> int:
-        """Return how many subscriptions a topic has."""
+        """Return the number of subscriptions of a topic."""
         return _count(self._rclpy, 'subscribers', self._rclpy.graph.subscriptions, topic_name)
 
     def count_clients(self, service_name: str) -> int:
-        """Return how many clients a service has."""
+        """Return the number of clients of a service."""
         return _count(self._rclpy, 'clients', self._rclpy.graph.clients, service_name)
 
     def count_services(self, service_name: str) -> int:
-        """Return how many servers a service has."""
+        """Return the number of servers of a service."""
         return _count(self._rclpy, 'services', self._rclpy.graph.services, service_name)
 
     def get_publishers_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
-        """Return the publishers of a topic. With `no_mangle`, return none, because only ROS 2 uses the simulated topics."""
+        """Return the publishers of a topic. With `no_mangle`, return an empty list, because all simulated topics have names of
+        ROS 2.
+        """
         return _infos(self._rclpy, 'publishers', {} if no_mangle else self._rclpy.graph.publishers, topic_name)
 
     def get_subscriptions_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
-        """Return the subscriptions of a topic. With `no_mangle`, return none, because only ROS 2 uses the simulated topics."""
+        """Return the subscriptions of a topic. With `no_mangle`, return an empty list, because all simulated topics have names of
+        ROS 2.
+        """
         return _infos(self._rclpy, 'subscriptions', {} if no_mangle else self._rclpy.graph.subscriptions, topic_name)
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
-        """Wait at most `timeout` seconds for a node with that full name. Return whether it exists.
+        """Wait for a node with a fully qualified name, and return whether it exists.
 
-        As in rclpy, it sleeps for 0.1 s after each check, even if it has found the node. With a timeout of 0, it does not check.
+        As in rclpy, the method sleeps for 0.1 s after each check, even if the node exists. With a timeout of 0, it does not
+        check.
+
+        :param timeout: the longest wait in seconds.
         """
         name = '/' + fully_qualified_node_name.removeprefix('/')
         sim = current_task().sim
@@ -116,7 +125,7 @@ class NodeGraphQueries:
 
 
 def names_and_types(endpoints: list[Any], attribute: str) -> NamesAndTypes:
-    """Return (name, sorted types) of endpoints, sorted by name."""
+    """Return (name, sorted types) for the topics or services of endpoints, sorted by name."""
     found: dict[str, set[str]] = {}
     for endpoint in endpoints:
         found.setdefault(getattr(endpoint, attribute), set()).add(endpoint.type_name)
@@ -128,7 +137,7 @@ _NODE_NAMES = 'Failed to get node names'
 
 
 def _looked_at(core: NodeCore, what: str) -> Graph:
-    """Return the graph. In a loop that only queries the graph, simulated time advances.
+    """Return the graph. Advance simulated time if the program only queries the graph in a loop.
 
     :param what: the beginning of the error message after shutdown.
     """
@@ -150,7 +159,7 @@ def _topics_by_node(core: NodeCore, name: str, namespace: str, kind: str, direct
 
 
 def _nodes(core: NodeCore, name: str, namespace: str, kind: str) -> list[Any]:
-    """Return the nodes of that name. Raise NodeNameNonExistentError for an unknown name."""
+    """Return the nodes with the given name. Raise NodeNameNonExistentError for an unknown name."""
     namespace = namespace or '/'
     what = _KINDS.get(kind, kind)
     graph = _looked_at(core, f'failed to get {what} names and types')

@@ -1,4 +1,4 @@
-"""The parameters of one node, the rules for changing them, and the reports of changes: /parameter_events, and the recording."""
+"""The parameters of one node, the rules for changing them, and the reports of changes to /parameter_events and the recording."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValu
 from rclpy.impl.facts import note_no_result
 from rclpy.impl.refusals import after_shutdown, student_level
 from rclpy.node_parts.core import core_of
-from rclpy.parameter import Parameter, ParameterType
+from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_parameter_events
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 OnChange = Callable[[list[Parameter], list[Parameter], list[Parameter]], None]
-"""Called after a transaction with the new parameters, the changed ones and the deleted ones."""
+"""A function that is called after a transaction, with the new, the changed and the deleted parameters."""
 
 EMPTY_LIST = (
     'parameter list cannot be empty, this might be due to pre_set_parameters_callback modifying the original parameters list.'
@@ -32,9 +32,9 @@ EMPTY_LIST = (
 
 
 class ParameterStore:
-    """Values and descriptors by name, and the callbacks that may reject a change.
+    """The values and descriptors of parameters by name, and the callbacks that may reject a change.
 
-    :param check_alive: called before each transaction; raises an error if the node was destroyed.
+    :param check_alive: called before each transaction; it raises an error if the node was destroyed.
     :param on_change: called after each successful transaction, when the values are set.
     """
 
@@ -51,7 +51,7 @@ class ParameterStore:
     def descriptor(self, name: str) -> ParameterDescriptor:
         """Return the descriptor of a parameter.
 
-        :raises ParameterNotDeclaredException: when it was not declared, and undeclared ones are not allowed.
+        :raises ParameterNotDeclaredException: when the parameter is not declared, and undeclared parameters are not allowed.
         """
         if name in self.descriptors:
             return self.descriptors[name]
@@ -62,20 +62,21 @@ class ParameterStore:
         return ParameterDescriptor()
 
     def declare(self, parameter: Parameter, descriptor: ParameterDescriptor) -> None:
-        """Add a parameter. Its value is checked as in a change, but it may be missing, and a read-only parameter may be set.
+        """Add a parameter, and check its value as in a change. Unlike in a change, the value may be missing, and the parameter
+        may be read-only.
 
-        :raises InvalidParameterTypeException, InvalidParameterValueException: when the value is refused.
+        :raises InvalidParameterTypeException, InvalidParameterValueException: when the value is rejected.
         """
         result = self._checked([parameter], {parameter.name: descriptor}, check_read_only=False)
         if result.successful:
             self._store([parameter], {parameter.name: descriptor})
         elif result.reason.startswith('Wrong parameter type'):
-            raise InvalidParameterTypeException(parameter, ParameterType(descriptor.type).name)
+            raise InvalidParameterTypeException(parameter, Parameter.Type(descriptor.type).name)
         else:
             raise InvalidParameterValueException(parameter.name, parameter.value, result.reason)
 
     def set_atomically(self, parameters: list[Parameter]) -> SetParametersResult:
-        """Change several parameters, or none if one change is refused."""
+        """Change several parameters, or none if one change is rejected."""
         if self.pre_callbacks:
             parameters = [parameter for callback in self.pre_callbacks for parameter in callback(parameters)]
             if not parameters:
@@ -87,7 +88,7 @@ class ParameterStore:
         return result
 
     def check_declared(self, parameters: Iterable[Parameter]) -> None:
-        """Refuse undeclared parameters, unless they are allowed.
+        """Check that all parameters are declared, unless undeclared parameters are allowed.
 
         As in rclpy, the message leaves out the first name, because the test for an empty iterator has consumed it.
 
@@ -122,21 +123,21 @@ class ParameterStore:
         return _result(None)
 
     def problem(self, parameter: Parameter, descriptor: ParameterDescriptor, check_read_only: bool) -> str | None:
-        """Return the reason why a descriptor does not allow a value, in rclpy's words, or None."""
+        """Return the reason why a descriptor does not allow a value, with rclpy's wording; None if the value is allowed."""
         type_ = parameter.type_
         if check_read_only and descriptor.read_only:
             return f'Trying to set a read-only parameter: {parameter.name}.'
         if descriptor.dynamic_typing:
             descriptor.type = type_.value
-        elif type_ is ParameterType.NOT_SET:
+        elif type_ is Parameter.Type.NOT_SET:
             if parameter.name in self.values:
                 return 'Static parameter cannot be undeclared'
         elif type_.value != descriptor.type:
-            return f"Wrong parameter type, expected '{ParameterType(descriptor.type)}' got '{type_}'"
-        if type_ is ParameterType.INTEGER and descriptor.integer_range:
+            return f"Wrong parameter type, expected '{Parameter.Type(descriptor.type)}' got '{type_}'"
+        if type_ is Parameter.Type.INTEGER and descriptor.integer_range:
             limits = descriptor.integer_range[0]
             return integer_range_problem(parameter.name, parameter.value, limits.from_value, limits.to_value, limits.step)
-        if type_ is ParameterType.DOUBLE and descriptor.floating_point_range:
+        if type_ is Parameter.Type.DOUBLE and descriptor.floating_point_range:
             limits = descriptor.floating_point_range[0]
             return float_range_problem(parameter.name, parameter.value, limits.from_value, limits.to_value, limits.step)
         return None
@@ -149,7 +150,7 @@ class ParameterStore:
         for parameter in parameters:
             name = parameter.name
             known = self.values.get(name)
-            if new_descriptors is None and parameter.type_ is ParameterType.NOT_SET:
+            if new_descriptors is None and parameter.type_ is Parameter.Type.NOT_SET:
                 deleted.append(parameter)
                 self.values.pop(name, None)
                 self.descriptors.pop(name, None)
@@ -158,7 +159,7 @@ class ParameterStore:
                 self.descriptors[name] = new_descriptors[name]
             elif name not in self.descriptors:
                 self.descriptors[name] = _dynamic_descriptor()
-            (new if known is None or known.type_ is ParameterType.NOT_SET else changed).append(parameter)
+            (new if known is None or known.type_ is Parameter.Type.NOT_SET else changed).append(parameter)
             self.values[name] = parameter
         self._on_change(new, changed, deleted)
         for callback in self.post_callbacks:
@@ -166,7 +167,7 @@ class ParameterStore:
 
 
 def undeclared(name: str, declared: Iterable[str], shown: list[str] | None = None) -> ParameterNotDeclaredException:
-    """Return the error for undeclared parameters. `shown` is the list of names in its message (default: `name`)."""
+    """Return the error for undeclared parameters. `shown` is the list of names in the message (default: `name`)."""
     error = ParameterNotDeclaredException(name if shown is None else shown)
     return with_facts(error, 'programs.parameter-undeclared', parameter=name, declared=list(declared))
 
@@ -200,7 +201,7 @@ class ParameterEvents:
 
     @staticmethod
     def from_arguments(parameters: Iterable[Parameter]) -> dict[str, Override]:
-        """Return the constructor's `parameter_overrides`, in the form of command-line values."""
+        """Return the constructor's `parameter_overrides` in the form of command-line values."""
         return {parameter.name: Override(parameter.value, 'parameter_overrides') for parameter in parameters}
 
     def publish(self, new: list[Parameter], changed: list[Parameter], deleted: list[Parameter]) -> None:
@@ -236,9 +237,7 @@ class ParameterEvents:
         return tuple([self._to_wire(parameter.to_parameter_msg()) for parameter in parameters])
 
     def _origin(self, parameter: Parameter) -> str:
-        """Return the origin of a value in words. At its declaration, it is an outside source or the program; later, it is a
-        change.
-        """
+        """Return a description of the origin of a value: the override or the program at the declaration, and a change later."""
         if parameter.name in self._declared:
             return 'set_parameters'
         self._declared.add(parameter.name)

@@ -1,4 +1,4 @@
-"""The parameters of a node, as programs use them."""
+"""The methods of a node that handle parameters."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from rclpy.exceptions import (
 from rclpy.impl.refusals import student_level
 from rclpy.node_parts.core import NodeCore
 from rclpy.node_parts.parameter_store import undeclared
-from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter, ParameterType, parameter_value_to_python
+from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter, parameter_value_to_python
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, ParameterValue, SetParametersResult
@@ -43,11 +43,11 @@ class NodeParameters:
     def declare_parameter(
         self, name: str, value: Any = None, descriptor: ParameterDescriptor | None = None, ignore_override: bool = False
     ) -> Parameter:
-        """Declare a parameter, with a default value or a `Parameter.Type`. A value from outside replaces the default.
+        """Declare a parameter, with a default value or a `Parameter.Type`. An override replaces the default.
 
-        :raises ParameterAlreadyDeclaredException: when it was declared before.
-        :raises InvalidParameterTypeException: when the value from outside has another type (5 is not a double, 5.0 is).
-        :raises InvalidParameterValueException: when a range or callback refuses the value.
+        :raises ParameterAlreadyDeclaredException: when the parameter is already declared.
+        :raises InvalidParameterTypeException: when the override has another type (5 is not a double, 5.0 is).
+        :raises InvalidParameterValueException: when a range or a callback rejects the value.
         """
         entry: tuple[Any, ...] = (name,)
         if value is not None or descriptor is not None:
@@ -59,7 +59,11 @@ class NodeParameters:
     def declare_parameters(
         self, namespace: str, parameters: Sequence[tuple[Any, ...]], ignore_override: bool = False
     ) -> list[Parameter]:
-        """Declare several parameters: (name,), (name, value) or (name, value, descriptor), with `namespace.` before each name."""
+        """Declare several parameters.
+
+        :param namespace: a prefix; each parameter is named `namespace.name`.
+        :param parameters: tuples (name,), (name, value) or (name, value, descriptor).
+        """
         core = self._rclpy
         overrides: Mapping[str, Override] = {} if ignore_override else core.overrides
         prepared = [_prepared(overrides, namespace, index, entry) for index, entry in enumerate(parameters)]
@@ -74,7 +78,8 @@ class NodeParameters:
     def undeclare_parameter(self, name: str) -> None:
         """Undeclare a parameter.
 
-        :raises ParameterNotDeclaredException, ParameterImmutableException: when it is not declared, or is read-only.
+        :raises ParameterNotDeclaredException: when the parameter is not declared.
+        :raises ParameterImmutableException: when the parameter is read-only.
         """
         store = self._rclpy.parameters
         if name not in store.values:
@@ -92,16 +97,16 @@ class NodeParameters:
     def get_parameter(self, name: str) -> Parameter:
         """Return a parameter. Its value is `.value`.
 
-        :raises ParameterNotDeclaredException: when it was not declared.
-        :raises ParameterUninitializedException: when it was declared with a type only and has no value yet.
+        :raises ParameterNotDeclaredException: when the parameter is not declared.
+        :raises ParameterUninitializedException: when the parameter was declared with a type only and has no value yet.
         """
         store = self._rclpy.parameters
         parameter: Parameter | None = store.values.get(name)
         if parameter is None:
             if store.allow_undeclared:
-                return Parameter(name, ParameterType.NOT_SET, None)
+                return Parameter(name, Parameter.Type.NOT_SET, None)
             raise undeclared(name, store.values)
-        if parameter.type_ is ParameterType.NOT_SET and not store.descriptors[name].dynamic_typing:
+        if parameter.type_ is Parameter.Type.NOT_SET and not store.descriptors[name].dynamic_typing:
             raise ParameterUninitializedException(name)
         return parameter
 
@@ -114,30 +119,30 @@ class NodeParameters:
     def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
         """Return a parameter, or `alternative_value` (a Parameter) if it is not declared or has no value."""
         parameter: Parameter | None = self._rclpy.parameters.values.get(name)
-        if parameter is not None and parameter.type_ is not ParameterType.NOT_SET:
+        if parameter is not None and parameter.type_ is not Parameter.Type.NOT_SET:
             return parameter
-        return Parameter(name, ParameterType.NOT_SET) if alternative_value is None else alternative_value
+        return Parameter(name, Parameter.Type.NOT_SET) if alternative_value is None else alternative_value
 
     def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
-        """Return the parameters `prefix.x`, with the names `x`."""
+        """Return the parameters that begin with `prefix.`, by their names without this prefix."""
         prefix = prefix + PARAMETER_SEPARATOR_STRING if prefix else ''
         return {
             name[len(prefix) :]: parameter for name, parameter in self._rclpy.parameters.values.items() if name.startswith(prefix)
         }
 
-    def get_parameter_type(self, name: str) -> int | ParameterType:
-        """Return the number of the type of a parameter's value, or 0 without a value.
+    def get_parameter_type(self, name: str) -> int | Parameter.Type:
+        """Return the type number of a parameter's value, or 0 without a value.
 
-        As in rclpy, the result for an undeclared parameter, if those are allowed, is `Parameter.Type.NOT_SET` itself.
+        As in rclpy, the result for an undeclared parameter (if allowed) is `Parameter.Type.NOT_SET` itself.
         """
         store = self._rclpy.parameters
         if name in store.values:
             return int(store.values[name].type_.value)
         if not store.allow_undeclared:
             raise undeclared(name, store.values)
-        return ParameterType.NOT_SET
+        return Parameter.Type.NOT_SET
 
-    def get_parameter_types(self, names: list[str]) -> list[int | ParameterType]:
+    def get_parameter_types(self, names: list[str]) -> list[int | Parameter.Type]:
         """Return the type numbers of several parameters."""
         if not all(isinstance(name, str) for name in names):
             raise TypeError('All names must be instances of type str')
@@ -152,8 +157,10 @@ class NodeParameters:
         return [self.describe_parameter(name) for name in names]
 
     def list_parameters(self, prefixes: list[str], depth: int) -> ListParametersResult:
-        """Return the names of parameters with any of the `prefixes` (all if empty), at most `depth` levels below it (0 means any
-        depth).
+        """Return the names of parameters as a ListParametersResult.
+
+        :param prefixes: return only names below one of these prefixes; an empty list selects all parameters.
+        :param depth: the greatest number of levels below a prefix; 0 means no limit.
         """
         from rcl_interfaces.msg import ListParametersResult
 
@@ -170,9 +177,9 @@ class NodeParameters:
         return ListParametersResult(names=names, prefixes=sorted(groups))
 
     def set_parameters(self, parameter_list: list[Parameter]) -> list[SetParametersResult]:
-        """Set each parameter separately. Return one result for each.
+        """Set each parameter separately. Return one result for each parameter.
 
-        :raises ParameterNotDeclaredException: when a parameter is undeclared. Those before it have been set by then.
+        :raises ParameterNotDeclaredException: when a parameter is undeclared. The parameters before it have been set by then.
         """
         store = self._rclpy.parameters
         results = []
@@ -182,9 +189,9 @@ class NodeParameters:
         return results
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
-        """Set all parameters, or none if one is refused.
+        """Set all parameters, or none if one is rejected.
 
-        :raises ParameterNotDeclaredException: when one is undeclared.
+        :raises ParameterNotDeclaredException: when one of the parameters is undeclared.
         """
         self._rclpy.parameters.check_declared(parameter_list)
         return self._rclpy.parameters.set_atomically(parameter_list)
@@ -195,7 +202,7 @@ class NodeParameters:
         """Set the descriptor of a parameter. `alternative_value` replaces a value that the descriptor does not allow.
 
         :raises ParameterNotDeclaredException: when the parameter is not declared.
-        :raises ParameterImmutableException: when it is read-only.
+        :raises ParameterImmutableException: when the parameter is read-only.
         :raises InvalidParameterValueException: when the descriptor does not allow the value.
         """
         store = self._rclpy.parameters
@@ -216,31 +223,33 @@ class NodeParameters:
         return parameter.get_parameter_value()
 
     def add_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
-        """Let `callback(parameters)` change the list of parameters before they are set."""
+        """Register `callback(parameters)`, which returns the list of parameters to set in place of the given one."""
         self._rclpy.parameters.pre_callbacks.insert(0, callback)
 
     def add_on_set_parameters_callback(self, callback: OnSet) -> None:
-        """Let `callback(parameters)` accept or refuse a change. It returns a SetParametersResult. The newest callback is called
-        first. Raise TypeError for an object that cannot be called.
+        """Register `callback(parameters)`, which accepts or rejects a change by returning a SetParametersResult. The newest
+        callback is called first. Raise TypeError for an object that cannot be called.
         """
         _check_callable(callback)
         self._rclpy.parameters.on_callbacks.insert(0, callback)
 
     def add_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
-        """Call `callback(parameters)` after a successful change. Raise TypeError for an object that cannot be called."""
+        """Register `callback(parameters)`, which is called after a successful change. Raise TypeError for an object that cannot
+        be called.
+        """
         _check_callable(callback)
         self._rclpy.parameters.post_callbacks.insert(0, callback)
 
     def remove_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
-        """Undo `add_pre_set_parameters_callback`. Raise ValueError if it was not added."""
+        """Unregister a callback of `add_pre_set_parameters_callback`. Raise ValueError if it is not registered."""
         self._rclpy.parameters.pre_callbacks.remove(callback)
 
     def remove_on_set_parameters_callback(self, callback: OnSet) -> None:
-        """Undo `add_on_set_parameters_callback`. Raise ValueError if it was not added."""
+        """Unregister a callback of `add_on_set_parameters_callback`. Raise ValueError if it is not registered."""
         self._rclpy.parameters.on_callbacks.remove(callback)
 
     def remove_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
-        """Undo `add_post_set_parameters_callback`. Raise ValueError if it was not added."""
+        """Unregister a callback of `add_post_set_parameters_callback`. Raise ValueError if it is not registered."""
         self._rclpy.parameters.post_callbacks.remove(callback)
 
 
@@ -252,7 +261,7 @@ def _check_callable(callback: object) -> None:
 def _prepared(
     overrides: Mapping[str, Override], namespace: str, index: int, entry: tuple[Any, ...]
 ) -> tuple[Parameter, ParameterDescriptor]:
-    """Return the first value and the descriptor of one declaration."""
+    """Return the first value and the descriptor for one declaration."""
     name, value, descriptor = _unpacked(index, entry)
     name = f'{namespace}.{name}' if namespace else name
     if len(entry) == 1:
@@ -260,12 +269,12 @@ def _prepared(
         descriptor.dynamic_typing = True
     if not name:
         raise InvalidParameterException(name)
-    if isinstance(value, ParameterType):
+    if isinstance(value, Parameter.Type):
         _set_type(name, descriptor, value)
         value = None
     elif not descriptor.dynamic_typing:
         is_message = type(value).__name__ == 'ParameterValue'  # rclpy uses its type, and later rejects it as a value
-        descriptor.type = value.type if is_message else ParameterType.from_parameter_value(value).value
+        descriptor.type = value.type if is_message else Parameter.Type.from_parameter_value(value).value
         if not descriptor.type:
             raise ValueError('Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET')
     if name in overrides:
@@ -275,9 +284,9 @@ def _prepared(
 
 
 def _unpacked(index: int, entry: tuple[Any, ...]) -> tuple[str, Any, ParameterDescriptor]:
-    """Return name, value and descriptor of one entry of `declare_parameters`.
+    """Return the name, value and descriptor of one entry of `declare_parameters`.
 
-    As in rclpy, the descriptor is the given one, not a copy, so a second declaration with it changes the first one's type.
+    As in rclpy, the descriptor is the given object, not a copy. A second declaration with it changes the type of the first one.
     """
     from rcl_interfaces.msg import ParameterDescriptor
 
@@ -294,8 +303,8 @@ def _unpacked(index: int, entry: tuple[Any, ...]) -> tuple[str, Any, ParameterDe
     return name, entry[1] if len(entry) > 1 else None, descriptor
 
 
-def _set_type(name: str, descriptor: ParameterDescriptor, type_: ParameterType) -> None:
-    if type_ is ParameterType.NOT_SET:
+def _set_type(name: str, descriptor: ParameterDescriptor, type_: Parameter.Type) -> None:
+    if type_ is Parameter.Type.NOT_SET:
         raise ValueError(f'Cannot declare parameter {{{name}}} as statically typed of type NOT_SET')
     if descriptor.dynamic_typing:
         raise ValueError(

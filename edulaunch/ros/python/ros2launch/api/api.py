@@ -1,4 +1,4 @@
-"""Find a launch file, and show or launch its content."""
+"""Functions that find a launch file, and show or launch its content."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ class MultipleLaunchFilesError(Exception):
 
 
 def get_share_file_path_from_package(*, package_name: str, file_name: str | None) -> str:
-    """Return the path of the only file with that name below the package's share folder.
+    """Return the path of the only file with the given name below the package's share folder.
 
     :raises PackageNotFoundError: when there is no such package.
     :raises FileNotFoundError: when there is no such file.
-    :raises MultipleLaunchFilesError: when there are several.
+    :raises MultipleLaunchFilesError: when there are several such files.
     """
     try:
         share = get_package_share_directory(package_name)
@@ -65,7 +65,7 @@ def is_launch_file(path: str) -> bool:
 
 
 def parse_launch_arguments(launch_arguments: Arguments) -> list[tuple[str, str]]:
-    """Return (name, value) of each `name:=value`. If several have the same name, the last one counts.
+    """Return (name, value) for each argument `name:=value`. If several arguments have the same name, the last one counts.
 
     :raises RuntimeError: for a string of another form.
     """
@@ -81,7 +81,7 @@ def parse_launch_arguments(launch_arguments: Arguments) -> list[tuple[str, str]]
 def load_launch_file(path: str) -> LaunchDescription:
     """Return the launch description of the file, without launching it.
 
-    :raises InvalidLaunchFileError: when it cannot be loaded.
+    :raises InvalidLaunchFileError: when the file cannot be loaded.
     """
     from launch.launch_description_sources.any_launch_file_utilities import get_launch_description_from_any_launch_file
 
@@ -89,14 +89,14 @@ def load_launch_file(path: str) -> LaunchDescription:
 
 
 def print_a_launch_file(*, launch_file_path: str) -> None:
-    """Print the description as a tree."""
+    """Print the launch description of the file as a tree."""
     from launch.launch_introspector import LaunchIntrospector
 
     _print(LaunchIntrospector().format_launch_description(load_launch_file(launch_file_path)))
 
 
 def print_arguments_of_launch_file(*, launch_file_path: str) -> None:
-    """Print the launch arguments, as `ros2 launch -s` does."""
+    """Print the launch arguments of the file, as `ros2 launch -s` does."""
     description = load_launch_file(launch_file_path)
     _print(HEADING)  # printed first, because an error in an included file appears below it
     _print(arguments_text(description).removeprefix(HEADING + '\n'))
@@ -127,10 +127,10 @@ def launch_a_launch_file(
     option_extensions: object = None,
     debug: bool = False,
 ) -> int:
-    """Launch the file and wait for its end. Return the exit code.
+    """Launch the file, and wait until the launch has ended. Return the exit code.
 
     :param launch_file_arguments: strings `name:=value`.
-    :param noninteractive: no terminal is attached.
+    :param noninteractive: whether no terminal is attached.
     :raises RuntimeError: for a malformed argument.
     """
     from launch.actions.include_launch_description import IncludeLaunchDescription

@@ -1,4 +1,4 @@
-"""A container with a talker and a listener in it."""
+"""Start a container with a talker and a listener."""
 
 from launch import LaunchDescription
 from launch_ros.actions import ComposableNodeContainer

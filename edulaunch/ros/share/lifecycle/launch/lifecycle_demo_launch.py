@@ -1,4 +1,4 @@
-"""The talker, the listener, and the client that leads the talker through its states. When the client ends, the launch ends."""
+"""Start the talker, the listener, and the client that changes the talker's states. When the client ends, the launch ends."""
 
 from launch import LaunchDescription
 from launch.actions import Shutdown

@@ -1,4 +1,4 @@
-"""The empty world, and a robot that drives in a circle in it."""
+"""Start the empty world with a robot that drives in a circle."""
 
 from launch import LaunchDescription
 from launch.actions import IncludeLaunchDescription

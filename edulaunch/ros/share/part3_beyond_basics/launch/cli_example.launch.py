@@ -1,4 +1,4 @@
-"""The circle's radius as a launch argument, which is passed on as a parameter."""
+"""Set the radius of the circle with a launch argument, which is passed on as a parameter."""
 
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument

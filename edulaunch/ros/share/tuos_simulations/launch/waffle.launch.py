@@ -1,4 +1,4 @@
-"""A TurtleBot3 Waffle on an empty plane. Launch arguments set its initial position and orientation."""
+"""Start a TurtleBot3 Waffle on an empty plane. Launch arguments set its initial position and orientation."""
 
 import os
 

@@ -1,4 +1,4 @@
-"""The demo with a carrot: turtle2 follows the frame carrot1, which a dynamic broadcaster adds to turtle1."""
+"""turtle2 follows the frame carrot1, which a dynamic broadcaster adds to turtle1."""
 
 import os
 

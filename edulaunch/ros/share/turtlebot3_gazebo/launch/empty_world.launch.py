@@ -1,4 +1,4 @@
-"""A TurtleBot3 Waffle on an empty plane."""
+"""Start a TurtleBot3 Waffle on an empty plane."""
 
 import os
 

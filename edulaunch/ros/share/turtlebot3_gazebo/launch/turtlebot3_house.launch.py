@@ -1,4 +1,4 @@
-"""The robot of turtlebot3_house.launch.py at its position in that world. edulaunch has only the floor of the world."""
+"""Start the robot at the position that turtlebot3_house.launch.py gives it. edulaunch has only the floor of this world."""
 
 import os
 

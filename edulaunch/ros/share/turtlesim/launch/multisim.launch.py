@@ -1,4 +1,4 @@
-"""Two turtle windows, each in its own namespace."""
+"""Start two turtle windows, each in its own namespace."""
 
 from launch import LaunchDescription
 from launch_ros.actions import Node

@@ -1,4 +1,4 @@
-"""Events of one program: its actions, and requests to it."""
+"""Events that a process emits, and events that request something of a process."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""The part of an action that the events of its program need."""
+"""The part of an action that the events of its process need."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from typing import Any, Protocol
 
 
 class ProcessAction(Protocol):
-    """The part of :class:`~launch.actions.ExecuteLocal` that events need. With it, the files of events and actions need not
-    import each other.
+    """The part of :class:`~launch.actions.ExecuteLocal` that events need. With this protocol, the modules of events and actions
+    need not import each other.
     """
 
     @property
@@ -16,7 +16,7 @@ class ProcessAction(Protocol):
 
     @property
     def process_details(self) -> dict[str, Any] | None:
-        """The name, command, folder, environment and number of the process; None before its start."""
+        """The name, command, folder, environment and process ID of the process; None before execution."""
 
     @property
     def return_code(self) -> int | None:

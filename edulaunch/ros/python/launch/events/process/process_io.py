@@ -9,7 +9,7 @@ from .running_process_event import RunningProcessEvent
 
 
 class ProcessIO(RunningProcessEvent):
-    """A process has written to one of its streams, or reads from one.
+    """Emitted when a process has written to one of its streams, or when it receives input.
 
     :param text: the bytes, which need not be whole lines.
     :param fd: 0 for stdin, 1 for stdout, 2 for stderr.
@@ -26,15 +26,15 @@ class ProcessIO(RunningProcessEvent):
 
     @property
     def from_stdin(self) -> bool:
-        """Whether the text is input for the process."""
+        """Whether the bytes are input for the process."""
         return self.__fd == 0
 
     @property
     def from_stdout(self) -> bool:
-        """Whether the text comes from the standard output."""
+        """Whether the bytes come from standard output."""
         return self.__fd == 1
 
     @property
     def from_stderr(self) -> bool:
-        """Whether the text comes from the standard error."""
+        """Whether the bytes come from standard error."""
         return self.__fd == 2

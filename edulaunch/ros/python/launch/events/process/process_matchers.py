@@ -1,4 +1,4 @@
-"""Matchers of programs."""
+"""Matchers of processes."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from .process_targeted_event import ProcessMatcher
 
 
 def matches_pid(pid: int) -> ProcessMatcher:
-    """Return a matcher for the process with this number."""
+    """Return a matcher for the process with this process ID."""
     return lambda action: action.process_details is not None and action.process_details['pid'] == pid
 
 
@@ -16,5 +16,5 @@ def matches_name(name: str) -> ProcessMatcher:
 
 
 def matches_executable(executable: str) -> ProcessMatcher:
-    """Return a matcher for processes whose program's path ends with this string."""
+    """Return a matcher for processes whose first word of the command line ends with this string."""
     return lambda action: action.process_details is not None and action.process_details['cmd'][0].endswith(executable)

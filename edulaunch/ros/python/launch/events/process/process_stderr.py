@@ -8,7 +8,7 @@ from .process_io import ProcessIO
 
 
 class ProcessStderr(ProcessIO):
-    """A process has written to its standard error."""
+    """Emitted when a process has written to its standard error."""
 
     name = 'launch.events.process.ProcessStderr'
 

@@ -8,7 +8,7 @@ from .process_io import ProcessIO
 
 
 class ProcessStdin(ProcessIO):
-    """Input for the standard input of a process."""
+    """Emitted for input to the standard input of a process."""
 
     name = 'launch.events.process.ProcessStdin'
 

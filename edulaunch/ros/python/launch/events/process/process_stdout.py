@@ -8,7 +8,7 @@ from .process_io import ProcessIO
 
 
 class ProcessStdout(ProcessIO):
-    """A process has written to its standard output."""
+    """Emitted when a process has written to its standard output."""
 
     name = 'launch.events.process.ProcessStdout'
 

@@ -14,7 +14,8 @@ ProcessMatcher = Callable[[Any], bool]
 class ProcessTargetedEvent(Event):
     """The base class of all events for certain processes.
 
-    :param process_matcher: called with each action that has started a process; returns whether the event is for it.
+    :param process_matcher: a function that is called with each action that has started a process. It returns whether the event
+        is for that process.
     """
 
     name = 'launch.events.process.ProcessTargetedEvent'
@@ -22,4 +23,4 @@ class ProcessTargetedEvent(Event):
     def __init__(self, *, process_matcher: ProcessMatcher) -> None:
         self.__process_matcher = process_matcher
 
-    process_matcher: ReadOnly[ProcessMatcher] = ReadOnly('Decides which processes are meant.')
+    process_matcher: ReadOnly[ProcessMatcher] = ReadOnly('The function that decides for which processes the event is.')

@@ -26,11 +26,11 @@ class RunningProcessEvent(Event):
 
     action: ReadOnly[ProcessAction] = ReadOnly('The action that started the process.')
 
-    execute_process_action: ReadOnly[ProcessAction] = ReadOnly('The same, by an older name.', '__action')
+    execute_process_action: ReadOnly[ProcessAction] = ReadOnly('The deprecated name of `action`.', '__action')
 
     process_name: ReadOnly[str] = ReadOnly("The unique name, such as 'talker-1'.", '__name')
 
     cmd: ReadOnly[list[str]] = ReadOnly('The command line.')
-    cwd: ReadOnly[str | None] = ReadOnly("The working directory, None for launch's own.")
+    cwd: ReadOnly[str | None] = ReadOnly('The working directory; None means that of launch.')
     env: ReadOnly[Mapping[str, str] | None] = ReadOnly('The environment.')
-    pid: ReadOnly[int] = ReadOnly('The process number.')
+    pid: ReadOnly[int] = ReadOnly('The process ID.')

@@ -6,6 +6,6 @@ from .process_targeted_event import ProcessTargetedEvent
 
 
 class ShutdownProcess(ProcessTargetedEvent):
-    """Requests the end of processes: with SIGINT first, and with SIGTERM and SIGKILL if they do not end."""
+    """Requests the end of processes. They receive SIGINT first. If they do not end, they receive SIGTERM and then SIGKILL."""
 
     name = 'launch.events.process.ShutdownProcess'

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class SignalProcess(ProcessTargetedEvent):
-    """Sends a signal to processes.
+    """Requests a signal to processes.
 
     :param signal_number: a `signal.Signals`, or the string 'SIGKILL', because some systems do not have that signal.
     :raises TypeError: for a plain number.

@@ -15,9 +15,10 @@ if TYPE_CHECKING:
 class ChangeState(Event):
     """Requests a transition of the lifecycle nodes that match.
 
-    :param lifecycle_node_matcher: called with each LifecycleNode action; returns whether the request is for its node.
+    :param lifecycle_node_matcher: a function that is called with each LifecycleNode action. It returns whether the request is for
+        the node of that action.
     :param transition_id: a constant of lifecycle_msgs.msg.Transition.
-    :raises ValueError: for any other number; the message lists the valid ones.
+    :raises ValueError: for any other number; the message lists the valid numbers.
     """
 
     name = 'launch_ros.events.lifecycle.ChangeState'
@@ -52,5 +53,7 @@ class ChangeState(Event):
         self.__lifecycle_node_matcher = lifecycle_node_matcher
         self.__transition_id = transition_id
 
-    lifecycle_node_matcher: ReadOnly[Callable[[LifecycleNode], bool]] = ReadOnly('The matcher.')
-    transition_id: ReadOnly[int] = ReadOnly('The transition.')
+    lifecycle_node_matcher: ReadOnly[Callable[[LifecycleNode], bool]] = ReadOnly(
+        'The function that decides for which nodes the request is.'
+    )
+    transition_id: ReadOnly[int] = ReadOnly('The requested transition.')

@@ -14,10 +14,10 @@ if TYPE_CHECKING:
 
 
 class StateTransition(Event):
-    """A lifecycle node has made a transition.
+    """Emitted when a lifecycle node has made a transition.
 
-    :param action: its LifecycleNode action.
-    :param msg: what the node published on `transition_event`.
+    :param action: the LifecycleNode action of the node.
+    :param msg: the message that the node published on `transition_event`.
     """
 
     name = 'launch_ros.events.lifecycle.StateTransition'
@@ -27,11 +27,11 @@ class StateTransition(Event):
         self.__action = action
         self.__msg: Any = msg
 
-    action: ReadOnly[LifecycleNode] = ReadOnly("The node's action.")
+    action: ReadOnly[LifecycleNode] = ReadOnly('The LifecycleNode action of the node.')
 
     @property
     def msg(self) -> TransitionEvent:
-        """The message."""
+        """The message that the node published."""
         msg: TransitionEvent = self.__msg
         return msg
 
@@ -42,7 +42,7 @@ class StateTransition(Event):
 
     @property
     def transition(self) -> str:
-        """The transition's label."""
+        """The label of the transition."""
         return str(self.__msg.transition.label)
 
     @property

@@ -1,4 +1,4 @@
-"""A server that adds two numbers, and a client that sends one request. When the client has its reply, the launch ends."""
+"""Start a server that adds two numbers, and a client that sends one request. When the client has its reply, the launch ends."""
 
 from launch import LaunchDescription
 from launch.actions import EmitEvent, RegisterEventHandler

@@ -1,4 +1,4 @@
-"""A service and a client whose calls `ros2 service echo` can show."""
+"""Start a service and a client whose calls `ros2 service echo` can show."""
 
 from launch import LaunchDescription
 from launch.actions import Shutdown

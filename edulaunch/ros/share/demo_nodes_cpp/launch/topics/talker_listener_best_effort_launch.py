@@ -1,4 +1,4 @@
-"""One node publishes on `chatter`, and the other one subscribes with best effort, so messages may get lost."""
+"""Start a node that publishes on `chatter`, and a node that subscribes with best effort, so messages may get lost."""
 
 from launch import LaunchDescription
 from launch_ros.actions import Node

@@ -1,4 +1,4 @@
-"""One node publishes on `chatter`, and the other one subscribes."""
+"""Start a node that publishes on `chatter`, and a node that subscribes to it."""
 
 from launch import LaunchDescription
 from launch_ros.actions import Node
