@@ -207,8 +207,10 @@ def in_order(findings: Iterable[Finding]) -> list[Finding]:
 
 
 def _may_hide(cause: Finding, other: Finding) -> bool:
-    """Return whether two findings may be about the same node or program. Findings about frames always may, because all nodes
-    share the frames.
+    """Return whether two findings may be about the same node or program.
+
+    For two findings about frames, return True, because all nodes share the frames.
+
     """
     error = other.facts.get('error') if other.rule == DIED and cause.rule.startswith('tf.') else None
     if error and not _LOOKUP_ERROR.match(error):

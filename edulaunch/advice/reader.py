@@ -204,6 +204,7 @@ class _Pattern(NamedTuple):
 
     :ivar texts: the strings before, between and after the fields.
     :ivar names: the names of the fields.
+    :ivar template: the translation.
     """
 
     texts: tuple[str, ...]

@@ -30,7 +30,7 @@ def rosdep() -> int:
 def _run(module: str, name: str) -> int:
     """Run a command, and return its exit code.
 
-    The imports are inside this function, so that a Python that restarts skips them.
+    The imports are inside this function, so that Python does not load the modules twice when it restarts.
     """
     from edulaunch.runtime.quiet_start import run_quietly
 

@@ -85,7 +85,7 @@ class Closed:
             self.notes.append(text)
 
     def enter(self, process: Process) -> None:
-        """Replace the functions of a program that change the computer by functions that do not."""
+        """Replace the functions of a program that change the computer by functions that change nothing."""
         global _hearing
         if not _hearing:
             _hearing = True

@@ -162,7 +162,7 @@ def default_text(declaration: Any) -> str | None:
 
 
 def origin_of_setter(setter: Branch) -> tuple[str, Origin | None]:
-    """Return a description of what set a launch configuration, and the place, or None if it was the command line."""
+    """Return a description of what set a launch configuration, and its place. The command line has no place (None)."""
     before = setter.setters.get(setter.item['name']) if is_declaration(setter) and setter.item is not None else None
     if before is not None:
         return origin_of_setter(before)

@@ -54,7 +54,7 @@ def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str]
 
 
 def _changes(base: Mapping[str, str], env: Mapping[str, str]) -> dict[str, str | None]:
-    """Return the environment variables of a process that differ from those at the start of launch.
+    """Return the environment variables of a process whose values differ from the values at the start of launch.
 
     A removed variable has the value None.
     """

@@ -142,8 +142,11 @@ def global_forgotten(recording: Recording) -> Iterator[Finding]:
 
 
 def _uses(function: ast.FunctionDef) -> tuple[dict[str, int], set[str], set[str]]:
-    """Return the variables that a function uses: the assigned ones with their lines, the ones that it reads, and the global
-    ones.
+    """Return three groups of variables of a function.
+
+    They are the assigned variables with their lines, the variables that the function reads, and the variables that it declares
+    as global or nonlocal.
+
     """
     names = [node for node in ast.walk(function) if isinstance(node, ast.Name)]
     stored = {name.id: name.lineno for name in reversed(names) if isinstance(name.ctx, ast.Store)}

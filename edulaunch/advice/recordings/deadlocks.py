@@ -97,7 +97,7 @@ EXPLAINED = frozenset(
     hides=('messages.not-taken', 'time.slow-callback'),
 )
 def spin_in_callback(recording: Recording) -> Iterator[Finding]:
-    """Report a callback that spins the executor by which it was called."""
+    """Report a callback that spins its own executor."""
     yield from _of(recording, 'spin in callback', 'spins')
     yield from _of(recording, 'spin in callback in vain', 'spins')
 

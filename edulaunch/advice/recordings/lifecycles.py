@@ -58,7 +58,10 @@ def no_container(recording: Recording) -> Iterator[Finding]:
 
 
 def _loading_line(recording: Recording, container: str) -> tuple[str | None, int | None]:
-    """Return the file and line of the LoadComposableNodes that names a container. If there is only one, return its first line."""
+    """Return the file and line of the LoadComposableNodes that names a container.
+
+    If none names it, return the first line of the only LoadComposableNodes.
+    """
     calls = [
         (file, call)
         for file, tree in launch_scripts(recording)

@@ -104,7 +104,7 @@ def leading_slash(recording: Recording) -> Iterator[Finding]:
     hides=('programs.died',),
 )
 def empty_buffer(recording: Recording) -> Iterator[Finding]:
-    """Report a lookup with an empty buffer, if the frames are broadcast."""
+    """Report a lookup of a frame that is broadcast, if the buffer of the lookup is empty."""
     known = frame_names(recording)
     for fact in _lookups(recording):
         name = next((name for name in fact.data['unknown'] if name in known), None)

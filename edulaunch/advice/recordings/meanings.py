@@ -141,7 +141,7 @@ def _is_one_number(ratios: list[float]) -> bool:
 
 @lru_cache(maxsize=1)
 def _turned(recording: Recording) -> list[tuple[Broadcasts, str, list[tuple[float, float, Any]]]]:
-    """Return the moving frames of turtles, each with the name of the turtle and its transforms.
+    """Return the moving frames at the positions of turtles, each with the name of the turtle and its transforms.
 
     A transform is the sine and the cosine of half the heading, and the rotation.
     """

@@ -70,7 +70,7 @@ ROS_PARAMETERS = ('qos_overrides.', 'use_sim_time', 'start_type_description_serv
     level='error',
 )
 def key_for_no_node(recording: Recording) -> Iterator[Finding]:
-    """Report a parameter file whose entries match no node. The rule for dry runs does not know the names that programs choose."""
+    """Report a parameter file whose entries match no node. A dry run does not contain the names that programs choose."""
     passed_over: dict[str, list[Fact]] = {}
     for fact in recording.facts:
         if fact.kind == 'keys for no node':

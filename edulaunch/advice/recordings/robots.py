@@ -28,7 +28,7 @@ def _place(process: ProcessRecord) -> dict[str, Any]:
     level='error',
 )
 def bag_of_nothing(recording: Recording) -> Iterator[Finding]:
-    """Report topics that do not exist on the command line of `ros2 bag record`."""
+    """Report topics on the command line of `ros2 bag record` that have no publisher."""
     ends = ends_by_name(recording)
     sent = [name for kind, name in ends if kind == 'publisher']
     for process in recording.processes:

@@ -145,7 +145,7 @@ def xacro_not_processed(recording: Recording) -> Iterator[Finding]:
     hides=('programs.died', 'tf.unknown-frame', 'messages.no-joint-states'),
 )
 def sdf_description(recording: Recording) -> Iterator[Finding]:
-    """Report a robot description whose outermost element is `sdf`."""
+    """Report a robot description in SDF. Its outermost element is `sdf` instead of `robot`."""
     for process in recording.processes:
         if process.executable == 'robot_state_publisher':
             first = re.search(r'<[A-Za-z]\w*', _XML_COMMENT.sub('', _description(recording, process)))

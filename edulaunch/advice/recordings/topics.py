@@ -102,7 +102,7 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
 
 
 def _repair(recording: Recording, end: EndRecord, other: EndRecord) -> dict[str, str | None]:
-    """Return the facts for the action: who uses the wrong name, or to whose Node a remapping can be added."""
+    """Return the facts for the advice: the node that uses the wrong name, or the nodes to which a remapping can be added."""
     facts: dict[str, str | None] = dict.fromkeys(('first', 'right', 'wrong', 'remapped', 'command', 'subscriber', 'publisher'))
     facts['first'] = _joined(recording, end, other) or _joined(recording, other, end)
     how, other_how = _how_named(recording, end), _how_named(recording, other)
@@ -118,7 +118,10 @@ def _repair(recording: Recording, end: EndRecord, other: EndRecord) -> dict[str,
 
 
 def _how_named(recording: Recording, end: EndRecord) -> str | None:
-    """Return where a student wrote the name of a topic: 'command', 'remapped', or None for the program itself."""
+    """Return where a student wrote the name of a topic.
+
+    It is 'command' for a command line of `ros2 topic`, 'remapped' for a remapping, and None for the program itself.
+    """
     process = next((each for each in recording.processes if each.name == programs(recording).get(end.node)), None)
     if process is None:
         return None
@@ -130,7 +133,7 @@ def _how_named(recording: Recording, end: EndRecord) -> str | None:
 
 
 def _joined(recording: Recording, end: EndRecord, other: EndRecord) -> str | None:
-    """Return the first of two names of topics that Python joined to one string, because a comma is missing between them."""
+    """Return the first of two topic names that Python joined to one string because of a missing comma, or None."""
     first = end.name.removesuffix(other.name)
     is_namespace = end.node.startswith(f'{first}/')
     return first if first != end.name and first in recording.topics and not is_namespace else None
@@ -265,9 +268,10 @@ def nobody_publishes(recording: Recording) -> Iterator[Finding]:
     lesson=LESSON,
 )
 def too_early(recording: Recording) -> Iterator[Finding]:
-    """Report a topic whose last message was sent before its first subscription existed, unless both are transient local.
+    """Report a topic whose last message was sent before its first subscription existed.
 
-    If publisher and subscription were created at the same time, the program that started first counts as earlier.
+    Skip a publisher and a subscription that are both transient local. If publisher and subscription were created at the same
+    time, the program that started first counts as earlier.
     """
     last: dict[str, float] = {}
     for row in recording.rows('topics'):

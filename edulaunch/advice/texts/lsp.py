@@ -71,7 +71,7 @@ def uri_of(path: str) -> str:
 
 
 def path_of(uri: str) -> str:
-    """Return the path in the URI of a document. The document may be one that is not stored as a file."""
+    """Return the path in the URI of a document. The document may not be stored as a file."""
     return unquote(urlparse(uri).path)
 
 

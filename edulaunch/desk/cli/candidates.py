@@ -133,7 +133,7 @@ def _grading_words(words: Sequence[str], typed: str) -> Iterable[str]:
 
 
 def _command_of(parser: argparse.ArgumentParser, words: Sequence[str]) -> argparse.ArgumentParser:
-    """Return the parser of the command that the words begin with (`course class`), or this parser if it has no commands."""
+    """Return the parser of the sub-command with which the words begin, or the given parser if there is no such sub-command."""
     inner: list[Any] = [action.choices for action in arguments_of(parser) if isinstance(action.choices, dict)]
     return next((commands[words[0]] for commands in inner if words and words[0] in commands), parser)
 

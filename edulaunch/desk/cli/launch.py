@@ -241,10 +241,11 @@ def _print(stream: str, text: str) -> None:
 
 
 class InterruptHandler:
-    """Handles Ctrl-C for a running session. The first press shuts the launch down as in ROS 2; later presses force that.
+    """Handles Ctrl-C for a running session. The first press shuts the launch down as in ROS 2.
 
     A press only sets a flag, which the session reads between two steps of the simulation. If the flag of the previous press is
-    still set, some program does not yield. The next press then raises KeyboardInterrupt immediately.
+    still set, some program does not yield. The next press then raises KeyboardInterrupt immediately. Later presses force the
+    shutdown.
     """
 
     def __init__(

@@ -56,7 +56,7 @@ NEXT_STEPS = """What would you like to do next?
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command `edulaunch`. Return the exit code.
 
-    :param argv: the words after `edulaunch` (default: those of `sys.argv`).
+    :param argv: the words after `edulaunch` (default: the words of `sys.argv`).
     """
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, 'reconfigure'):

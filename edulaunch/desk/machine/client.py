@@ -140,7 +140,7 @@ def hello(
     :param token: the secret of the machine.
     :param words: the command.
     :param cwd: the folder of the command (default: the current folder).
-    :param env: the environment of the command (default: that of this process).
+    :param env: the environment of the command (default: the environment of this process).
     :param keyboard: whether to report which streams of this process are terminals.
     """
     columns, lines = window_size()

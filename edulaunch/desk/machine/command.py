@@ -15,7 +15,7 @@ SHOW = [sys.executable, '-m', 'edulaunch', 'view']
 
 
 def ros2() -> int:
-    """Run the real `ros2` if a real ROS 2 is sourced, otherwise the one of the simulated machine. Return the exit code."""
+    """Run the real `ros2` if a real ROS 2 is sourced, otherwise `ros2` on the simulated machine. Return the exit code."""
     words = sys.argv[1:]
     loudly = words[:1] == ['--verbose']
     step_aside('ros2', words, loudly)

@@ -28,7 +28,7 @@ LOOK_S = 1.0
 ANSWER_S = 1.5
 """A machine has this many seconds to answer a signal. After that, the terminal explains the state, and ends after SIGTERM."""
 EXPLAINED_S, LONG_S, GIVE_UP_S = 2.0, 20.0, 60.0
-"""After this many seconds without a first answer, a terminal prints what the guardian knows, and gives up."""
+"""After this many seconds without a first answer, a terminal prints the report of the guardian, and stops waiting."""
 BROKEN_PIPE = 141
 CHUNK = 1 << 16
 
@@ -143,7 +143,7 @@ class Follower:
     def _send(self, frame: bytes) -> None:
         """Send as many bytes as the machine accepts, and keep the rest for later.
 
-        A signal handler may call this during another call.
+        A signal handler may call this method during another call.
         """
         self._unsent += frame
         if self._is_sending:

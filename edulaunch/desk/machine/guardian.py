@@ -33,10 +33,10 @@ from edulaunch.runtime.interrupt_watcher import innermost_own
 
 LOOK_S = 0.25
 SLOW_S = 1.0
-"""After this many seconds without the end of a turn, the guardian reports the state to the terminals."""
+"""If a program has not yielded for this many seconds, the guardian reports the state to the terminals."""
 TURN_LIMIT_S = 2.0
 INTERRUPT, END = 5, 8
-"""Python may be silent for this many turn limits before its program is interrupted, and before the machine is killed."""
+"""Python may be silent for this many times the limit before the program is interrupted, and before the machine is killed."""
 BUSY_INTERRUPT, BUSY_END = 12, 30
 """The same limits while Python still runs. In this case, the watchdog inside the machine acts first."""
 STOP_S = 1.0

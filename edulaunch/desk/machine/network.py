@@ -21,9 +21,8 @@ def is_walls_time(now_ns: int) -> bool:
 class Network(Protocol):
     """The connection of a machine to a real network.
 
-    A plug-in provides a module as the service 'network'. Its function `is_available()` returns whether the service can be
-    used, and
-    `make(session, time, selector)` returns such a connection.
+    A plug-in provides a module as the service 'network'. The function `is_available()` of this module returns whether the
+    service can be used, and `make(session, time, selector)` returns such a connection.
     """
 
     @property

@@ -99,7 +99,10 @@ class Server:
             take(events)
 
     def look_for_signals(self) -> None:
-        """Check whether the terminal of the running program wants to end it. This method is called while the program runs."""
+        """Check whether the terminal of the running program has sent a signal to end it.
+
+        This method is called while the program runs.
+        """
         program = self.machine.session.host.program_here()
         for connection in list(self._connections):
             terminal = connection.terminal

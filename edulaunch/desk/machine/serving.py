@@ -24,14 +24,14 @@ from edulaunch.engine.processes.streams import streams_of_programs
 from edulaunch.runtime.session import Session
 
 PATIENCE_S = 0.3
-"""After this many real seconds, a turn is too long for a user who has pressed a key."""
+"""A user who has pressed a key waits at most this many real seconds for a program that does not yield."""
 GRACE_S = 10.0
 """A machine waits this many seconds for another terminal after the last one has closed."""
 QUIET_S = 0.04
 KEPT_S = 120.0
 """A machine that runs for hours keeps messages for this many simulated seconds."""
 TURN_LIMIT_S = 2.0
-"""The limit for a turn, as in a Session. The other terminals wait during a turn."""
+"""The seconds that a program may run without yielding, as in a Session. The other terminals wait during this time."""
 EARLY = ('rclpy', 'launch', 'launch_ros.actions')
 """Modules that most commands need; they are loaded while the machine is idle."""
 

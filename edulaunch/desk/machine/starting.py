@@ -31,8 +31,8 @@ class CannotConnect(OSError):
 def connect(number: str, *, start: bool = True) -> tuple[socket.socket, Address] | None:
     """Return a connection to the machine of a domain and its address. Return None if no machine runs and `start` is False.
 
-    If two terminals call this at the same time, one of them starts the machine, and both connect to it. The socket listens
-    before the machine runs.
+    If two terminals call this function at the same time, one of them starts the machine, and both connect to it. The socket
+    listens before the machine runs.
 
     :param number: the ROS_DOMAIN_ID.
     :param start: whether to start a machine if none runs.

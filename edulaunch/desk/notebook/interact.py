@@ -24,8 +24,8 @@ def interact(run: Callable[..., Any], **choices: Any) -> Any:
 
         edulaunch.interact(circle, radius=(0.5, 2.0))
 
-    The function runs when the user releases a slider, because a run takes a moment. For a Recording, it
-    shows the picture of the turtles.
+    The function runs when the user releases a slider, because a run takes a moment. If the function returns a Recording, the
+    widget shows a picture of its turtles.
 
     :param run: the function. It receives the values of the controls as keyword arguments.
     :param choices: the controls by argument, in the short form of ipywidgets: (min, max), (min, max, step), a list, True, a

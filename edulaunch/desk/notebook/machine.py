@@ -104,8 +104,7 @@ class NotebookMachine:
     """Runs the `ros2` command lines of a notebook on one machine, which terminals can use, too.
 
     A launch starts a new machine, unless a program runs in the background (with `&`) or in a terminal. All other commands run
-    on the
-    current machine, together with the programs that still run.
+    on the current machine, together with the programs that still run.
 
     :param write: a function that receives all output, as write(stream, text).
     :param workspaces: a function that returns the folders with packages for a new machine.

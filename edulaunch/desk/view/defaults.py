@@ -24,9 +24,8 @@ def defaults_of(
 ) -> list[list[Any]]:
     """Return [node, parameter, default] for the nodes with parameter overrides, if the defaults are known.
 
-    To find the defaults of a program of edulaunch, run it for half a second in another simulation. For a student's program,
-    read its
-    source.
+    To find the defaults of a program of edulaunch, run the program for half a second in another simulation. For a student's
+    program, read its source.
 
     :param nodes: the rows of a recording about nodes.
     :param processes: the rows of a recording about processes.

@@ -56,8 +56,8 @@ def module() -> str:
 def packed(delta: dict[str, Any], small: bool = True) -> str:
     """Return a timeline delta as a string for a page: a letter, then JSON in base64.
 
-    Compressed bytes differ between versions of zlib. Notebooks must store the same bytes everywhere, so they do not compress
-    them.
+    Compressed bytes differ between versions of zlib. Notebooks must store the same bytes everywhere, so they do not
+    compress the JSON.
 
     :param delta: the timeline delta.
     :param small: whether to compress the JSON.
@@ -73,8 +73,7 @@ def recorded_page(delta: dict[str, Any], title: str, tab: str = 'graph', *, smal
     :param title: the title of the page.
     :param tab: the tab that the page shows first.
     :param small: whether to compress the timeline, as in :func:`packed`, and to include the launch for browsers without
-        scripts. A
-        page in a notebook's output needs neither.
+        scripts. A page in a notebook's output needs neither.
     """
     options = json.dumps({'tab': tab, 'whole': True}).replace('</', '<\\/')
     start = (

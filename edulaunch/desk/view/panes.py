@@ -103,7 +103,7 @@ class _Keyboard(PipedInput):
         return SIZE
 
     def change_mode(self, process: Process, flags: int) -> None:
-        """Report to the page whether the program wants single keys or whole lines."""
+        """Report to the page whether the program reads single keys or whole lines."""
         super().change_mode(process, flags)
         self._tell_mode(self.by_key)
 

@@ -132,9 +132,8 @@ class Timeline:
     def delta(self) -> dict[str, Any]:
         """Return the changes since the last call as data for JSON.
 
-        The delta contains `start` (us since the epoch), `now` (us), `topics`, `tf`, `scans`, and the new rows of all other
-        parts. After
-        :meth:`mark`, it also contains `advice`.
+        The delta contains `start` (us since the epoch), `now` (us), `topics`, `tf`, `scans`, and the new rows of all other parts.
+        After :meth:`mark`, it also contains `advice`.
         """
         source = self._source
         delta: dict[str, Any] = {

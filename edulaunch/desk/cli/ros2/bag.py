@@ -42,12 +42,15 @@ def set_level(logger: Any, word: str) -> None:
 
 
 def folder_of(path: str) -> str:
-    """Return the absolute path of a bag, relative to the folder in which the command runs."""
+    """Return the absolute path of a bag. The given path is relative to the folder in which the command runs."""
     return os.path.abspath(os.path.join(current_process().cwd or '', path))
 
 
 def existing_path(text: str) -> str:
-    """Return the path of a bag as it was typed. Raise ArgumentTypeError with the message of ROS 2 if there is no such path."""
+    """Return the path of a bag as the user typed it.
+
+    :raises ArgumentTypeError: when there is no such path, with the message of ROS 2.
+    """
     if not os.path.exists(folder_of(text)):
         raise argparse.ArgumentTypeError(with_help(f"Bag path '{text}' does not exist!", NO_BAG))
     return text
@@ -162,7 +165,10 @@ def info_verb(arguments: argparse.Namespace) -> None:
 
 
 def _calls(path: str) -> dict[str, tuple[int, int]]:
-    """Return the numbers of requests and responses for each topic of service events. Client and server record the same call."""
+    """Return the numbers of requests and responses for each topic with service events.
+
+    Client and server both record a call, so each call is counted once.
+    """
     seen: dict[str, tuple[set[bytes], set[bytes]]] = {}
     with opened(path) as reader:
         events = [each for each in reader.connections if each.topic.endswith(EVENT_TOPIC)]

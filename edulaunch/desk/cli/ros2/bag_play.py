@@ -187,7 +187,7 @@ def _message(path: str, data: Any, cls: Any) -> Any:
 
 
 def _rate_hz(text: str) -> float:
-    """Return a rate in Hz. Reject other values with the error messages of ros2bag, which differ from those of other commands."""
+    """Convert a string to a rate in Hz. The error messages are those of ros2bag, which differ from other commands."""
     try:
         rate = float(text)
     except ValueError:

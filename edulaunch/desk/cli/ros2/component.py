@@ -178,7 +178,7 @@ def types_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def types_verb(arguments: argparse.Namespace) -> str | None:
-    """Print the component types of one package. If the user names no package, print the types of each package below its name."""
+    """Print the component types of one package. If the user names no package, print the name and the types of each package."""
     wanted, packages = arguments.package_name, _registered()
     if wanted is not None and wanted not in packages:
         return with_help(f"Cannot find package '{wanted}' or it has no components", did_you_mean(wanted, packages))

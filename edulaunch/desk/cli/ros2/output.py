@@ -34,7 +34,7 @@ def say_lines(lines: Sequence[str]) -> None:
 
 
 def positive_float(text: str) -> float:
-    """Return a positive number.
+    """Convert a string to a positive number.
 
     :raises ArgumentTypeError: for a number that is not positive, with the message of ROS 2.
     """
@@ -42,7 +42,7 @@ def positive_float(text: str) -> float:
 
 
 def positive_int(text: str) -> int:
-    """Return a positive whole number.
+    """Convert a string to a positive whole number.
 
     :raises ArgumentTypeError: for a number that is not positive, with the message of ROS 2.
     """
