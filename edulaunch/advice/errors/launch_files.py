@@ -86,6 +86,8 @@ def no_return(failure: Failure) -> Iterator[Finding]:
         'the file {wanted} does not exist',
     ),
     do=(
+        "write PathJoinSubstitution([FindPackageShare('{no_slash}'), ...]), because other ways to join strings add no / after "
+        '{no_slash}',
         'find the file by its package with FindPackageShare: edulaunch does not build into the workspace, so {upward} differs',
         "write '{near}'",
         'write the path {below}, because the package has the file in that folder',
@@ -106,7 +108,16 @@ def no_file(failure: Failure) -> Iterator[Finding]:
         text = _text_of(failure.file)
         upward = absolute if absolute and _goes_up(text, absolute) else None
         absolute = None if absolute and not built and _is_relative(text, absolute) else absolute
-        yield report(failure, package=package, absolute=absolute, upward=upward, **facts)
+        no_slash = _without_slash(str(failure.facts['wanted']))
+        yield report(failure, package=package, absolute=absolute, upward=upward, no_slash=no_slash, **facts)
+
+
+def _without_slash(path: str) -> str | None:
+    """Return the package of a path such as ``share/turtlesimlaunch/...``, in which the slash after the package is missing."""
+    match = re.match(r'(.*/share)/([^/]+)', path)
+    if match is None or os.path.exists(match[0]) or not os.path.isdir(match[1]):
+        return None
+    return max((name for name in os.listdir(match[1]) if match[2].startswith(name)), key=len, default=None)
 
 
 def _text_of(file: str | None) -> str:

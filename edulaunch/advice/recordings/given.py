@@ -143,6 +143,8 @@ def _place(process: ProcessRecord) -> dict[str, Any]:
     return {'file': process.file, 'line': process.line, 'time_s': process.started_s}
 
 
+ORDER = ('--x', '--y', '--z', '--yaw', '--pitch', '--roll')
+"""The order of the numbers without option names."""
 OPTIONS = (
     *('--x', '--y', '--z', '--qx', '--qy', '--qz', '--qw', '--roll', '--pitch', '--yaw', '--frame-id', '--child-frame-id'),
     *('--help', '-h'),
@@ -166,6 +168,23 @@ def unknown_option(recording: Recording) -> Iterator[Finding]:
             begins = [option for option in OPTIONS if option.startswith(unknown[0])]
             near = begins[0] if begins else nearest(unknown[0], OPTIONS)
             yield found('process', process.name, **_place(process), option=unknown[0], near=near)
+
+
+@rule(
+    'tf.few-arguments',
+    what='static_transform_publisher receives {count} numbers, and no frames',
+    why='the program ends at once, so it does not broadcast the frame',
+    do='write option names, and both frames: {options} --frame-id PARENT --child-frame-id CHILD',
+    lesson='08_static_broadcaster',
+    level='error',
+    hides=('programs.died',),
+)
+def few_arguments(recording: Recording) -> Iterator[Finding]:
+    """Report the six numbers without the names of the frames."""
+    for process, words in _static_publishers(recording):
+        if process.returncode and len(words) == len(ORDER) and all(_number(word) is not None for word in words):
+            options = ' '.join(f'{name} {word}' for name, word in zip(ORDER, words, strict=True))
+            yield found('process', process.name, **_place(process), count=len(words), options=options)
 
 
 @rule(
@@ -225,9 +244,9 @@ def _number(text: str) -> float | None:
     hides=('programs.died',),
 )
 def arguments_in_one(recording: Recording) -> Iterator[Finding]:
-    """Report an argument of a program that contains an option and, after a space, its value."""
+    """Report an argument of a program that begins with an option, or with several numbers, and continues after a space."""
     for process in recording.processes:
         for word in process.argv[1:] if process.package else ():
-            if re.match(r'--?[a-z][\w-]* \S', word):
+            if re.match(r'--?[a-z][\w-]* \S|(-?[\d.]+ ){3}', word):
                 entries = ', '.join(repr(one) for one in word.split()[:8])
                 yield found('process', process.name, **_place(process), text=word[:80], entries=entries)
