@@ -19,7 +19,7 @@ from ..library.parameters import named_origin, refuse_missing_file, require_para
 from ..library.parameters import node_parameter as read_parameter
 from ..library.written import parameter_of_node, remapping_to
 from ..shortened import shortened
-from .yaml_wanted import OfRun, Wanted
+from .yaml_wanted import ARGUMENT, OfRun, Wanted
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording.records import Parameter
@@ -88,8 +88,11 @@ def node(run: Evidence, wanted: Wanted) -> None:
                 asked = f'no node {name} in the run with {one.words}'
                 raise Failure(f'{name} starts in the run with {one.words}', expected=asked, seen=name, **one.advice)
             continue
-        both = 'this namespace and name' if name.strip('/').count('/') else 'this name'
-        advice = wanted.try_ or f'write {both} in the Node of {package}'
+        both, given = 'this namespace and name' if name.strip('/').count('/') else 'this name', ARGUMENT.search(wanted['name'])
+        advice = f'write {both} in the Node of {package}'
+        if given is not None:
+            advice = f'write the launch argument {given[1]} in the namespace or the name of the Node of {package}'
+        advice = wanted.try_ or advice
         require_node(one.alone, name, package, advice, wanted['executable'] or None)
 
 
