@@ -20,7 +20,7 @@ def require(run: Evidence, name: str, prefix: str, argument: str, node: str) -> 
         if not seen:
             raise Missing(
                 f'the parameter {name}',
-                seen=f'no node of {node} has this parameter',
+                seen=f'no node of the program {node.split(" of ")[0]} has this parameter',
                 where=run.source.place,
                 try_=f'start {node} with its parameters',
             )
