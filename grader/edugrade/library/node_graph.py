@@ -60,7 +60,7 @@ def require_node(
 def _to_correct(run: Evidence, scenario: str, name: str, among: Sequence[str]) -> str | None:
     """Return the name if it can be a correction of one of the other names, or None.
 
-    The value of a launch argument is no correction of a fixed name: nobody can write it into a launch file.
+    The value of a launch argument is not a correction of a fixed name, because a launch file cannot contain it.
     """
     values = {str(value) for value in run.scenario(scenario).arguments.values()} & set(name.split('/'))
     return name if any(values <= set(other.split('/')) for other in among) else None
