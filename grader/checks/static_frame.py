@@ -82,6 +82,15 @@ def laser_is_in_its_place(run: Evidence) -> None:
             (0.2, 0.0, height),
             f"write '--x', '0.2' and '--z', LaunchConfiguration('{ARGUMENT}') in the arguments of its Node",
         )
+        for frame in (sent.frame for sent in transforms(run, name)['laser']):
+            if not (abs(yaw(frame)) <= TOLERANCE_RAD and tilt(frame) <= TOLERANCE_RAD):
+                raise Mismatch(
+                    'the direction of the laser',
+                    'that of base_link',
+                    f'a yaw of {yaw(frame):.2f} rad and a tilt of {tilt(frame):.2f} rad',
+                    where=run.source.place,
+                    try_='remove the angles from the arguments of its Node',
+                )
 
 
 @check(points=2, needs=[no_node_dies])

@@ -30,6 +30,9 @@ def it_is_read(run: Evidence) -> None:
             where=run.source.place,
             try_='publish one notice at the beginning, as before',
         )
+    asks = [end.qos[2] for end in run.first.ends if (end.kind, end.name, end.node) == ('subscription', '/notice', '/reader')]
+    if 'transient_local' not in asks:
+        raise Mismatch('the durability of the reader', 'transient_local', ', '.join(asks), where=run.source.place, try_=ADVICE)
     lines = [log.message for log in run.first.logs if log.logger == 'reader']
     if NOTICE not in lines:
         seen = '\n'.join(lines[-3:]) or 'no log lines'

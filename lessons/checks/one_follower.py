@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 from edugrade import Evidence, Mismatch, Missing, Rubric, Scenario, check
+from edugrade.library.identity import nodes_of
+from edugrade.library.parameters import parameter_of
 
 
-def given(run: Evidence, scenario: str, name: str) -> list[object]:
-    """Return the values of a parameter in all nodes."""
-    nodes = dict.fromkeys(node.name for node in run[scenario].nodes)
-    return [found.value for node in nodes if (found := run[scenario].parameters(node).get(name)) is not None]
+def given(run: Evidence, scenario: str, name: str, node: str) -> list[object]:
+    """Return the values of a parameter in the nodes of a program, given as ``EXECUTABLE of PACKAGE``."""
+    executable, package = node.split(' of ')
+    found = (parameter_of(run[scenario], position, name) for position in nodes_of(run[scenario], package, executable))
+    return [each.value for each in found if each is not None]
 
 
 def require(run: Evidence, name: str, prefix: str, argument: str, node: str) -> None:
     for scenario in run:
-        wanted, seen = prefix + run.scenario(scenario).arguments[argument], given(run, scenario, name)
+        wanted, seen = prefix + run.scenario(scenario).arguments[argument], given(run, scenario, name, node)
         if not seen:
             raise Missing(
                 f'the parameter {name}',
-                seen='no node has this parameter',
+                seen=f'no node of the program {node.split(" of ")[0]} has this parameter',
                 where=run.source.place,
                 try_=f'start {node} with its parameters',
             )

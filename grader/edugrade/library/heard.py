@@ -53,6 +53,8 @@ def require_heard(run: Evidence, scenario: str, listener: Program, speaker: Prog
     spoken = _topics(node.publishers for node in speaker.nodes(recording))
     heard = _topics(node.subscriptions for node in listener.nodes(recording))
     live = [name for name in spoken if (topic := recording.topics.get(name)) is not None and topic.count]
+    for topic in (name for name in live if name in heard):
+        _refuse_incompatible(run, scenario, listener, topic, try_)
     if not set(live) & set(heard):
         raise Failure(
             f'{listener.words} receives no messages of {speaker.words} in the run with {run.scenario(scenario).words}',
@@ -80,6 +82,7 @@ def require_lines_of_messages(
     if topic not in _topics(node.subscriptions for node in listener.nodes(recording)):
         thing = f'{listener.words} does not subscribe to {topic}'
         raise Failure(thing, expected=f'a subscription of {listener.words} to {topic}', where=run.source.place, try_=try_)
+    _refuse_incompatible(run, scenario, listener, topic, try_)
     times = [time_s for time_s, _ in recording.messages(topic)] if topic in recording.topics else []
     for number, (time_s, text) in enumerate(lines, 1):
         if number > bisect_right(times, time_s):
@@ -90,6 +93,25 @@ def require_lines_of_messages(
         near = ', '.join(text for time_s, text in lines if sent_s <= time_s <= sent_s + HEARD_AFTER_S) or 'no line'
         raise Mismatch(
             f'the line of {listener.words} for the message of {sent_s:.2f} s', word, near, where=run.source.place, try_=try_
+        )
+
+
+def _refuse_incompatible(run: Evidence, scenario: str, listener: Program, topic: str, try_: str | None) -> None:
+    """Refuse a subscription that receives nothing, because it is incompatible with each publisher of the topic.
+
+    :raises Failure: with the policy that is incompatible.
+    """
+    recording = run[scenario]
+    names = {node.name for node in listener.nodes(recording)}
+    refused = [each for each in recording.mismatches if each.topic == topic and each.subscriber in names]
+    publishers = set(recording.topics[topic].publishers) if topic in recording.topics else set()
+    if refused and publishers <= {each.publisher for each in refused}:
+        raise Failure(
+            f'{listener.words} receives no messages on {topic} in the run with {run.scenario(scenario).words}',
+            expected='a subscription that is compatible with its publisher',
+            seen=f'the subscription of {refused[0].subscriber} is incompatible with {refused[0].publisher}: {refused[0].why}',
+            where=run.source.place,
+            try_=try_,
         )
 
 

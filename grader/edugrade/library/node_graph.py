@@ -50,15 +50,24 @@ def require_node(
             program = f' of {" ".join(filter(None, (package, executable)))}' if package and others else ''
             raise Missing(
                 f'the node {name}{program}',
-                name=name,
+                name=_to_correct(run, scenario, name, among),
                 among=among,
-                expected=name if others else None,
+                expected=name if among or others else None,
                 seen=', '.join(others) or None,
                 where=run.source.place,
                 try_=try_,
             )
         found[scenario] = nodes[0]
     return found
+
+
+def _to_correct(run: Evidence, scenario: str, name: str, among: Sequence[str]) -> str | None:
+    """Return the name if it can be a correction of one of the other names, or None.
+
+    The value of a launch argument is not a correction of a fixed name, because a launch file cannot contain it.
+    """
+    values = {str(value) for value in run.scenario(scenario).arguments.values()} & set(name.split('/'))
+    return name if any(values <= set(other.split('/')) for other in among) else None
 
 
 def require_nodes(
@@ -185,7 +194,14 @@ def require_topic(
                 where=run.source.place,
                 try_=try_,
             )
-        raise Missing(f'the topic {name}', name=name, among=among, where=run.source.place, try_=try_)
+        raise Missing(
+            f'the topic {name}',
+            name=_to_correct(run, scenario, name, among),
+            among=among,
+            expected=name if among else None,
+            where=run.source.place,
+            try_=try_,
+        )
     if type_ is not None and found.type != type_:
         raise Mismatch(f'the type of {name}', type_, found.type, where=run.source.place, try_=try_)
     if package is not None:

@@ -278,7 +278,7 @@ def bag(run: Evidence, wanted: Wanted) -> None:
         counts = [each['topics'][topic] for each in bags if topic in each['topics']]
         if not counts:
             known = sorted({name for each in bags for name in each['topics']})
-            raise Missing(thing, name=topic, among=known, seen=', '.join(known) or 'bags without messages', **one.advice)
+            raise Missing(thing, expected=topic, seen=', '.join(known) or 'bags without messages', **one.advice)
         count, known = max(counts, key=lambda each: each[1])
         if not len(late) <= known == count:
             seen = f'{count} messages, of which {known} were published'

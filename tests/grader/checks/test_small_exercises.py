@@ -16,6 +16,13 @@ SOLUTIONS = Path(__file__).resolve().parents[3] / 'solutions'
 MISSES = [
     (
         'two_rooms.launch.py',
+        "executable='listener', namespace='hall')",
+        "executable='listener', namespace='hall', remappings=[('chatter', '/cellar/chatter')])",
+        'first_heard',
+    ),
+    ('lost_carrot.launch.py', "        broadcaster('turtle2'),\n", "        broadcaster('turtle1'),\n", 'moves'),
+    (
+        'two_rooms.launch.py',
         "namespace='hall'),\n        Node(package='demo_nodes_py', executable='listener', namespace=room",
         "namespace='hall'),\n        Node(package='demo_nodes_py', executable='listener', namespace='kitchen'",
         'other',

@@ -132,3 +132,13 @@ def test_a_moving_frame_that_stops_coming_is_not_there_to_the_end() -> None:
         )
 
     assert graded('static_frame', stops)['camera_is_on_tf'].seen == 'the frame is first published at 0.00 s, and last at 1.50 s'
+
+
+def test_a_laser_that_is_turned_is_not_in_its_place() -> None:
+    def turned(scenario: Scenario) -> FakeRun:
+        place = run(scenario).frames(0.0)['laser'].translation
+        return run(scenario, laser=frame('base_link', *place, (0.0, 0.0, 0.5, 0.75**0.5), is_static=True))
+
+    results = graded('static_frame', turned)
+    assert statuses(results) == {'laser_is_in_its_place': 'failed'}
+    assert results['laser_is_in_its_place'].seen == 'a yaw of 1.05 rad and a tilt of 0.00 rad'

@@ -109,7 +109,7 @@ FAULTS: dict[str, tuple[str, tuple[str, ...], str]] = {
     'two_pools: too wide': ('two_pools', ('circle', 'copies'), changed(POOLS, ('angular: {z: 1.0}', 'angular: {z: 0.5}'))),
     'two_rooms: nobody in the hall': (
         'two_rooms',
-        ('first_listener',),
+        ('first_listener', 'first_heard'),
         changed(TWO_ROOMS, ("        Node(package='demo_nodes_py', executable='listener', namespace='hall'),\n", '')),
     ),
     'two_rooms: deaf': ('two_rooms', ('heard',), changed(TWO_ROOMS, (HALL, ''))),

@@ -23,6 +23,7 @@ of: a.launch.py
 runs: [{name: run, duration: 3, sends: {/chatter: {word: 3, at: {between: [1.2, 1.3]}}}}]
 checks:
 """
+SENDS = ', sends: {/chatter: {word: 3, at: {between: [1.2, 1.3]}}}'
 RECEIVES = '{node: /my_listener, package: demo_nodes_py, from: {package: demo_nodes_py, executable: talker}}'
 CLOCK = """import rclpy
 from std_msgs.msg import String
@@ -34,10 +35,10 @@ rclpy.spin(node)
 """
 
 
-def judged(folder: Path, check: str, *actions: str) -> tuple[str, str, str]:
+def judged(folder: Path, check: str, *actions: str, first: str = FIRST) -> tuple[str, str, str]:
     """What a turn with one check says of a launch file: the status, the reason and what was seen."""
     (folder / 'checks').mkdir()
-    (folder / 'checks' / 'a.yaml').write_text(f'{FIRST}  - {{{check}, points: 1}}\n')
+    (folder / 'checks' / 'a.yaml').write_text(f'{first}  - {{{check}, points: 1}}\n')
     (folder / 'a.launch.py').write_text(HEAD + '\n'.join(f'        {action}' for action in actions) + '\n    ])\n')
     result = grade_turn('a', str(folder / 'checks' / 'a.yaml'), {}).results[-1]
     return result.status, result.reason or '', result.seen or ''
@@ -92,3 +93,23 @@ def test_lines_of_a_timer_are_not_paid(tmp_path: Path, callback: str, period: st
 def test_a_node_without_a_subscription_receives_nothing(tmp_path: Path) -> None:
     status, said, _ = judged(tmp_path, LOGS.replace('/chatter', '/news'), TALKER.format(''), LISTENER.format(''))
     assert (status, said) == ('failed', '/my_listener does not subscribe to /news')
+
+
+DEAF = """import rclpy
+from rclpy.qos import QoSProfile, ReliabilityPolicy
+from std_msgs.msg import String
+rclpy.init()
+node = rclpy.create_node('my_listener')
+loud = node.create_publisher(String, 'chatter', QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT))
+node.create_subscription(String, 'chatter', print, 10)
+timer = node.create_timer(0.5, lambda: (loud.publish(String(data='x')), node.get_logger().info('I heard: [x]')))
+rclpy.spin(node)
+"""
+
+
+def test_a_subscription_that_is_incompatible_with_each_publisher_hears_nothing(tmp_path: Path) -> None:
+    (tmp_path / 'deaf.py').write_text(DEAF)
+    program = f"ExecuteProcess(cmd=['python3', {str(tmp_path / 'deaf.py')!r}]),"
+    status, reason, seen = judged(tmp_path, LOGS, program, first=FIRST.replace(SENDS, ''))
+    assert (status, reason) == ('failed', '/my_listener receives no messages on /chatter in the run with no arguments')
+    assert seen == 'the subscription of /my_listener is incompatible with /my_listener: RELIABILITY'
