@@ -161,7 +161,7 @@ def test_lessons_and_exercises_are_named(mine: Path, monkeypatch: pytest.MonkeyP
     )
     monkeypatch.chdir(ROOT / 'exercises')
     assert course('list') == 0
-    assert '\n    two_rooms           12 points  Two rooms, one news\n' in capsys.readouterr().out
+    assert '\n    two_rooms           12 points  Two rooms, one topic\n' in capsys.readouterr().out
 
 
 def test_an_exercise_without_a_lesson_stands_at_the_end(mine: Path, capsys: pytest.CaptureFixture[str]) -> None:
