@@ -63,7 +63,7 @@ def progress() -> ProgressPage | Verdict:
     folder = lessons_folder()
     if folder is None:
         return Verdict(
-            'There are no lessons here. Type `edulaunch course status` in the folder of the course, or call progress() in a lesson.'
+            'There are no lessons here. Type `edulaunch course status` in the folder of the course, or call progress() there.'
         )
     file = ProgressFile(os.getcwd() if os.path.isfile(NAME) else folder)
     questions = list(find_questions().questions.values())
