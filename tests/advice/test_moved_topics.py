@@ -44,4 +44,5 @@ def test_the_remapping_that_moved_the_subscription_is_named(tmp_path: Path, old:
 
 def test_a_remapping_of_another_topic_is_not_the_reason(tmp_path: Path) -> None:
     found = advice(tmp_path, old='turtle1/pose', new='/hand/pose', topic='/turtle1/cmd_vell')
-    assert "('/turtle1/cmd_vell', '/turtle1/cmd_vel')" in found['messages.other-topic']
+    action = "write '/turtle1/cmd_vel' instead of '/turtle1/cmd_vell' in the command of ros2-2"
+    assert found['messages.other-topic'] == action

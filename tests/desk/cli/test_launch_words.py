@@ -6,9 +6,11 @@ from pathlib import Path
 
 import pytest
 
+import edulaunch
 from edulaunch.desk.cli.launch import split_words
 from edulaunch.desk.cli.main import main
 from edulaunch.errors import UnusableInput
+from edulaunch.runtime.launching import find_launch_file
 
 from .conftest import describe
 
@@ -39,7 +41,7 @@ def test_files_that_are_none(tmp_path: Path, capsys: pytest.CaptureFixture[str],
             ['turtlesim', 'multisim.lunch.py'],
             "file 'multisim.lunch.py' was not found in the share directory of package 'turtlesim' which is at",
         ),
-        (['turtlesim'], "file 'None' was not found in the share directory of package 'turtlesim'"),
+        (['turtlesim'], 'the launch file of the package turtlesim is not named'),
     ],
 )
 def test_packages_and_files_that_are_none(words: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -110,3 +112,12 @@ def test_a_misspelt_word_is_told_with_the_nearest_that_there_is(
     with pytest.raises(SystemExit) as ended:
         main(words.split())
     assert ended.value.code == 2 and capsys.readouterr().err.endswith(f"  help: did you mean '{near}'?\n")
+
+
+def test_only_ros2_launch_says_what_ros_says_without_the_name_of_a_file() -> None:
+    with edulaunch.Session() as session:
+        with pytest.raises(UnusableInput, match="file 'None' was not found in the share directory of package 'turtlesim'"):
+            find_launch_file(session.index, 'turtlesim', None, as_ros=True)
+        with pytest.raises(UnusableInput, match='the launch file of the package turtlesim is not named') as ours:
+            find_launch_file(session.index, 'turtlesim', None)
+    assert ours.value.help == 'name a launch file of turtlesim: multisim.launch.py'

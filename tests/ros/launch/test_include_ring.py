@@ -37,9 +37,8 @@ def test_a_file_that_includes_itself_is_named_with_the_line(
         f"launch file '{tmp_path / name}' includes itself without end: {name} includes {name} (line {line})"
     )
     assert lines[-1] == (
-        f'  help: {tmp_path / name}:{line} (IncludeLaunchDescription): launch files include each other in a circle: '
-        f'{name}, {name}; remove one of these includes, '
-        'or give it a condition that becomes false'
+        f'  help: {tmp_path / name}:{line} (IncludeLaunchDescription): {name} includes itself; '
+        f'remove this include, or give it a condition that becomes false in {name}'
     )
 
 
