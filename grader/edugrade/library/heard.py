@@ -52,7 +52,7 @@ def require_heard(run: Evidence, scenario: str, listener: Program, speaker: Prog
             require_node(run.only([scenario]), each.node, each.package, try_, each.executable)
     spoken = _topics(node.publishers for node in speaker.nodes(recording))
     heard = _topics(node.subscriptions for node in listener.nodes(recording))
-    live = [name for name in spoken if (topic := recording.topics.get(name)) is not None and topic.count]
+    live = [name for name in spoken if (record := recording.topics.get(name)) is not None and record.count]
     for topic in (name for name in live if name in heard):
         _refuse_incompatible(run, scenario, listener, topic, try_)
     if not set(live) & set(heard):
