@@ -151,7 +151,8 @@ def crossings(layers: list[list[int]], links: list[Edge]) -> int:
 class Route(NamedTuple):
     """The path of an arrow: points from its tail to its head.
 
-    The first, third, fifth segment and so on are straight. The segments between them are S-curves whose ends follow the direction
+    The odd-numbered segments (the first, the third and so on) are straight.
+    The segments between them are S-curves whose ends follow the direction
     of the layers.
     """
 

@@ -120,7 +120,7 @@ class Rubric:
 
             close = nearest(name, known)
             hint = f'write {close}, or ' if close else ''
-            raise NoSuchCheck(f'the rubric has no check {name}', help=f'{hint}use one of its checks: {", ".join(known)}')
+            raise NoSuchCheck(f'the rubric has no check named "{name}"', help=f'{hint}use one of its checks: {", ".join(known)}')
         wanted = {name}
         for check in reversed(self.checks):  # a check comes after the checks that it needs
             if check.name in wanted:

@@ -230,7 +230,7 @@ _STARTS_NOTHING = 'return a LaunchDescription with a Node in it, and remove call
 
 
 def recorded(scenario: Scenario, content: bytes) -> Outcome | None:
-    """Return the outcome of a recording in bytes, or None if they are not a recording of this scenario.
+    """Return the outcome of a serialized recording, or None if the bytes are not a recording of this scenario.
 
     :param content: a line of JSON with the provenance of the rows and the contents of each bag, then the recording.
     """

@@ -219,7 +219,7 @@ def test_a_topic_is_not_paired_with_one_that_another_topic_resembles_more(
         (
             "self.timer = self.create_timer(1.0, lambda: self.kill.call_async(Kill.Request(name='turtle1')))",
             "1. the turtle 'turtle1' cannot be killed a second time, because it does not exist any more",
-            "do:    kill 'turtle1' once only",
+            "do:    kill 'turtle1' only once",
         ),
         (
             "self.timer = self.create_timer(1.0, lambda: self.kill.call_async(Kill.Request(name='turtl1')))",

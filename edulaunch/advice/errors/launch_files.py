@@ -144,13 +144,13 @@ def _is_relative(text: str, path: str) -> bool:
 ABSENT_FILE = about(
     'packages.absent-file',
     what='the package {package} ({belongs_to}) is not part of edulaunch, so its files do not exist here',
-    do='leave this part out here, or add a condition to it',
+    do='remove this include here, or add a condition to it',
     level='info',
     hides=('launch.fails',),
 )
 NOT_SEARCHED = about(
     'packages.not-searched',
-    what='the package {package} is in {below}, which is not searched from the current folder',
+    what='the package {package} is in {below}, where edulaunch does not search from the current folder',
     do='change to that workspace with cd, or name it with --workspace {below}',
 )
 UNKNOWN_PACKAGE = about(
@@ -177,7 +177,7 @@ NOT_THIS_FOLDER = about(
     ),
     do=('delete the file {ignored_by}', 'move the folder out of {inside}', 'write the name of the folder into <name>'),
 )
-BROKEN = about('packages.broken', what='this package cannot be built: {reason}', do='fix that line first')
+BROKEN = about('packages.broken', what='this package cannot be built: {reason}', do='correct the line that the reason names')
 ENTRY_GROUP = about(
     'packages.entry-group',
     what="entry_points in {written}:{at} has the key '{group}', so a build installs no programs of it",
@@ -322,7 +322,7 @@ EXTRAS = {'xacro': 'urdf', 'urdf_parser_py': 'urdf', 'rosbags': 'bags'}
 
 
 def misspelt(module: str) -> str | None:
-    """Return the module of launch or ament_index_python of which this name is a misspelling, or None.
+    """Return the module that this name misspells, in launch or ament_index_python, or None.
 
     `launch_utils` is the name of a package, not a misspelling.
     """

@@ -363,7 +363,7 @@ PARAMETER_VALUE = about(
 @rule(
     'launch.value-as-yaml',
     what="launch reads the value of the parameter '{parameter}' as YAML, but it is not valid YAML",
-    why='without a type, launch reads a value as YAML, so that 5 becomes a number, but a long text can be an error',
+    why='without a type, launch reads a value as YAML, so 5 becomes a number, and an XML document can be an error',
     do=(
         'add type="str" to the <{xml}> of {parameter}',
         'add the line `{yaml}: str` to the parameter {parameter}',

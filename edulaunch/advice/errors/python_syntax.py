@@ -185,5 +185,5 @@ VALUE_AFTER_NAMES = _simple(
     'programs.value-after-names',
     r'positional argument follows keyword argument',
     'an argument without a name follows arguments with names',
-    'write the name of the argument before it, or move it into the list [...] where it belongs',
+    'write the name of the argument before the value, or move the value before the arguments with names',
 )

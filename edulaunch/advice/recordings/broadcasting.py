@@ -211,7 +211,7 @@ def unstamped(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.other-clock',
-    what="{node} uses another clock for the time stamps of '{frame}', which differs by {lag_s} s",
+    what="{node} stamps '{frame}' with a clock that differs from the clock of the other nodes by {lag_s} s",
     why='a lookup between this frame and another frame finds no common time',
     do='get the time with self.get_clock().now(), and set use_sim_time to the same value in all nodes',
     lesson=LESSON,

@@ -168,7 +168,7 @@ _IN_COMMENT = re.compile(r'#.*?\b(\d+(?:\.\d+)?)\s*(?:hz|hertz)\b', re.IGNORECAS
         'create_timer({written}, ...) calls the function every {period_s:g} s, but the comment of this line says {hertz} Hz',
         'create_timer({written}, ...) calls the function every {period_s:g} s, but {variable} is the name of a frequency',
     ),
-    why='create_timer() expects the seconds between two calls, not the calls in a second',
+    why='create_timer() expects the number of seconds between two calls, not the number of calls per second',
     do='write create_timer(1.0 / {written}, ...)',
     lesson='09_broadcaster_and_listener',
 )

@@ -61,7 +61,7 @@ class Around:
         return self._executables[package]
 
     def launch_files(self, package: str) -> dict[str, str]:
-        """Return the path below the share folder of each installed launch file of a package, by its name."""
+        """Return a dict from the name of each installed launch file to its path relative to the share folder."""
         share = self.index.share(package) if package in self.packages else None
         found: dict[str, str] = {}
         for folder, folders, names in os.walk(share or '', followlinks=True) if share else ():

@@ -162,7 +162,7 @@ def _quiet(handler: RequestHandler) -> None:
 def tell(address: str, more: str = '') -> None:
     """Print the address of the page.
 
-    :param address: the address.
+    :param address: the URL of the live view.
     :param more: lines to print after the address.
     """
     sys.stdout.write(f'the live view is at {address}\n{more}')

@@ -74,7 +74,7 @@ class Hosting(LiveMachine):
     def join_network(self, joins: bool) -> str:
         """Join or leave a real network. Return a message. After joining, simulated time follows real time.
 
-        A running simulation keeps its own time. If that time is far from real time, the next launch joins instead.
+        A simulation that runs already keeps its own time. If that time is far from real time, the next launch joins instead.
 
         :param joins: whether to join; otherwise, leave.
         """

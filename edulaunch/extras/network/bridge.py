@@ -204,9 +204,8 @@ class Bridge:
     # Messages from the network
 
     def take(self) -> None:
-        """Pass the data that the link has received to the simulation: messages, requests, responses, diagnostics, changes of the
-        graph.
-        """
+        """Pass to the simulation what the link has received: messages, requests, responses, diagnostics and changes of
+        the graph."""
         if not self._is_open:
             return
         for event in self.link.take():

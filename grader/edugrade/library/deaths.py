@@ -144,9 +144,7 @@ def _failure(recording: Recording, death: Death, words: str) -> Failure:
         seen = f'{error["type"]}: {error["message"]}'
         return Failure(rationale, expected=expected, seen=seen, where=where, try_=_advice_on(death, where, at))
     printed = last_line(recording, death.name)
-    advice = (
-        'correct the mistake that this last line names' if printed else 'start it in a terminal of its own to see why it ends'
-    )
+    advice = 'correct the mistake that the last line names' if printed else 'start it in a terminal of its own to see why it ends'
     return Failure(rationale, expected=expected, seen=printed or 'no output', where=origin, try_=advice)
 
 

@@ -36,10 +36,11 @@ img { max-width: min(100%, 36em); } figcaption, .small { font-size: .85em; color
 
 
 def page(reports: Sequence[Report], refusals: Sequence[Refusal], is_small: bool = False) -> str:
-    """Return the whole page as HTML. Strings of the student are never markup in it, and its policy forbids loading other content.
+    """Return the whole page as HTML. Strings of the student are escaped. The content security policy of
+    the page forbids loading other content.
 
-    :param is_small: whether the page is part of the pages of a class. Pictures then have few colours, and a command replaces
-        the replay.
+    :param is_small: whether the page is part of the pages of a class. Pictures then have few colours, and the page
+        shows a command in place of the replay.
     """
     parts = [_summary(reports, refusals)] if len(reports) + len(refusals) > 1 else []
     parts += [_section(report, number, is_small) for number, report in enumerate(reports)]

@@ -85,7 +85,7 @@ def find_rubric(
     hint = f'write {close}, or ' if close else ''
     raise UnusableInput(
         f'there is no rubric named "{name}". Available rubrics: {", ".join(sorted(known)) or "none"}',
-        help=f'{hint}use one of these names in the name of the file or after --rubric, or the path of a rubric file',
+        help=f'{hint}name one of these rubrics, or the path of a rubric file, with --rubric',
     )
 
 

@@ -127,7 +127,9 @@ def counts_up(run: Evidence, wanted: Wanted) -> None:
 
 @kind('{executable} prints the messages of {topic}', 'package executable pattern topic', 'example')
 def repeats(run: Evidence, wanted: Wanted) -> None:
-    """Require that a program prints each message of a topic soon after it arrives. The first group of `pattern` is the `data`."""
+    """Require that a program prints each message of a topic soon after it arrives. The first group of
+    `pattern` must match the field `data` of the message.
+    """
     for one in wanted.of_each(run):
         topic, lines, program = one.text('topic'), _lines(one), wanted['executable']
         if not lines:

@@ -142,7 +142,7 @@ def test_a_package_that_lies_deeper_below_the_current_folder_is_named_before_one
     workspace.manifest('learning_tf2_py', 'ament_python', folder='a/b/learning_tf2_py')
     monkeypatch.chdir(workspace.folder)
     assert help_of_facts(missing_package(Index(), 'learning_tf2_py')) == (
-        'the package learning_tf2_py is in a/b/learning_tf2_py, which is not searched from the current folder; '
+        'the package learning_tf2_py is in a/b/learning_tf2_py, where edulaunch does not search from the current folder; '
         'change to that workspace with cd, or name it with --workspace a/b/learning_tf2_py'
     )
 

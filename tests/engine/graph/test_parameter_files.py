@@ -50,7 +50,7 @@ def test_what_rcl_refuses_is_refused_with_its_line(text: str, reason: str) -> No
 @pytest.mark.parametrize(
     ('text', 'facts'),
     [
-        ('n:\n  ros_parameters:\n    a: 1\n', {'about': 'launch.parameters-key', 'found': 'ros_parameters'}),
+        ('n:\n  ros_parameters:\n    a: 1\n', {'about': 'launch.parameters-key', 'found': 'ros_parameters', 'at': 3}),
         ('n:\n  a: 1\n', {'about': 'launch.parameter-file'}),
         (
             'n:\n  ros__parameters:\n\ta: 1\n',

@@ -46,7 +46,7 @@ def topic_class(node: Node, topic: str, type_text: str | None, *, verb: str, wai
     :param topic: the name of the topic.
     :param type_text: the type that the user names. If None, use the type that the graph has for the topic.
     :param verb: the name of the verb for error messages, such as 'echo'.
-    :param wait: whether to print a warning and wait until the topic appears.
+    :param wait: whether to wait until the topic appears.
     """
     if type_text is not None:
         try:

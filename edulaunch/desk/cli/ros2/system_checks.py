@@ -55,7 +55,8 @@ def known_topics(node: Node) -> list[tuple[str, int, int]]:
 def connected_pairs(node: Node) -> Iterator[tuple[str, Any, Any, bool, str]]:
     """Yield each pair of a publisher and a subscription of the same topic.
 
-    Each tuple contains the topic, the publisher, the subscription, whether their QoS profiles fit, and the reason if not.
+    Each tuple contains the topic, the publisher, the subscription, whether their QoS profiles are compatible, and the reason if
+    they are not.
     """
     from rclpy.qos import QoSCompatibility, qos_check_compatible
 

@@ -100,7 +100,7 @@ class ParameterEventHandler:
         return handle
 
     def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:
-        """Remove a callback of `add_parameter_event_callback`. Raise RuntimeError if it was not added."""
+        """Remove a callback that was added with `add_parameter_event_callback`. Raise RuntimeError if it was not added."""
         _remove(self._event_callbacks, handle)
 
     def add_parameter_callback(

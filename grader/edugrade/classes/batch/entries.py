@@ -58,7 +58,7 @@ def refuse_nothing(given: str) -> None:
         is_there = os.path.lexists(given)
         raise UnusableInput(
             f'{given} is not a folder, an archive or a table' if is_there else f'{given} does not exist',
-            help='name a folder that contains one folder, archive or launch file for each student, or a zip file of it',
+            help='name a folder that contains one folder, archive or launch file per student, or a zip file of such a folder',
         )
 
 

@@ -20,7 +20,7 @@ class OnIncludeLaunchDescription(BaseEventHandler):
         super().__init__(matcher=lambda event: isinstance(event, IncludeLaunchDescription), **kwargs)
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
-        """Return the description."""
+        """Return the launch description of the event."""
         super().handle(event, context)
         assert isinstance(event, IncludeLaunchDescription)
         return event.launch_description

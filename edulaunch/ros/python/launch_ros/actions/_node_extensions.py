@@ -65,7 +65,9 @@ def instantiate_extension(
     *,
     unique_instance: bool = False,
 ) -> NodeActionExtension | None:
-    """Create an extension and store it in `extensions`. If that fails, log a warning and return None.
+    """Return the extension of this name in `extensions`; create and store it if there is none.
+
+    If that fails, log a warning and return None.
 
     :param unique_instance: whether to create a new extension each time, without storing it.
     """

@@ -25,7 +25,8 @@ def to_parameters_list(
 ) -> list[Parameter]:
     """Return one `rclpy.parameter.Parameter` for each evaluated value, in order.
 
-    Files are read by launch_ros's own rules. The patterns `/**` and `**` come first, and then the exact name. A file without
+    Files are read according to launch_ros's own rules.
+    The patterns `/**` and `**` come first, and then the exact name. A file without
     `ros__parameters` is read as a plain mapping.
 
     :raises AttributeError: for an empty file, with upstream's message.

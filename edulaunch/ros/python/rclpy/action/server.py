@@ -243,7 +243,7 @@ class ActionServer(Waitable):
         return self._node.get_clock().rcl_now_ns()
 
     def rcl_send_feedback(self, goal_handle: ServerGoalHandle, feedback: Any) -> None:
-        """Publish feedback of a goal. The errors are those of :meth:`ServerGoalHandle.publish_feedback`."""
+        """Publish feedback for a goal. The errors are those of :meth:`ServerGoalHandle.publish_feedback`."""
         if not isinstance(feedback, self._action_type.Feedback):
             raise wrong_class(feedback, self._action_type, 'Feedback')
         if not self._node.context.ok():

@@ -47,7 +47,7 @@ def check_alive(endpoint: Any) -> None:
 
 
 def check_endpoint(endpoint: Any, context: ContextProtocol, what: str) -> None:
-    """Raise the error of ROS 2 for the use of a destroyed endpoint, or for a use after shutdown.
+    """Raise the error of ROS 2 if the endpoint is destroyed, or if ROS 2 is shut down.
 
     :param what: the beginning of the error message up to the colon, followed by the kind of endpoint, such as
         'failed to ...: publisher'.
