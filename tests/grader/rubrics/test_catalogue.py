@@ -30,5 +30,5 @@ def test_without_a_near_name_all_are_listed() -> None:
     with pytest.raises(UnusableInput) as error:
         find_rubric('zzzzzz')
     assert error.value.help is not None
-    assert error.value.help.startswith('use one of these names')
+    assert error.value.help.startswith('name one of these rubrics')
     assert all(name in error.value.message for name in exercises())

@@ -65,7 +65,7 @@ def instantiate_extension(
     *,
     unique_instance: bool = False,
 ) -> NodeActionExtension | None:
-    """Return the extension of this name in `extensions`; create and store it if there is none.
+    """Return the extension of this name in `extensions`; create and store it if it is missing.
 
     If that fails, log a warning and return None.
 
