@@ -49,8 +49,8 @@ def require_heard(run: Evidence, scenario: str, listener: Program, speaker: Prog
     spoken = _topics(node.publishers for node in speaker.nodes(recording))
     heard = _topics(node.subscriptions for node in listener.nodes(recording))
     live = [name for name in spoken if (topic := recording.topics.get(name)) is not None and topic.count]
-    for topic in (name for name in live if name in heard):
-        _refuse_incompatible(run, scenario, listener, topic, try_)
+    for shared in (name for name in live if name in heard):
+        _refuse_incompatible(run, scenario, listener, shared, try_)
     if not set(live) & set(heard):
         raise Failure(
             f'{listener.words} receives no messages of {speaker.words} in the run with {run.scenario(scenario).words}',
