@@ -111,10 +111,11 @@ def _release(path: str, claim: str, pid: int) -> None:
 @contextmanager
 def _locked(folder: str) -> Iterator[None]:
     """Keep other processes of this user from claiming or removing a prefix in this folder."""
-    if os.name == 'nt':
+    try:
+        import fcntl
+    except ImportError:  # Windows, and Python in a browser
         yield
         return
-    import fcntl
 
     with open(os.path.join(folder, '.lock'), 'w', encoding='ascii') as file:
         fcntl.lockf(file, fcntl.LOCK_EX)  # closing the file releases it; flock is refused in a sandbox

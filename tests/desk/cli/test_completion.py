@@ -12,7 +12,6 @@ import pytest
 from edulaunch.desk.cli.candidates import candidates
 from edulaunch.desk.cli.completion import SCRIPTS
 from edulaunch.desk.cli.main import main
-from edulaunch.runtime.plugins import grading_verbs
 
 FILE = """
 from launch import LaunchDescription
@@ -47,11 +46,6 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         ('edulaunch completion b', ['bash']),
         ('edulaunch launch --workspace m', ['maps/']),
         ('edulaunch course class --o', ['--out']),
-        ('edugrade ver', ['verify']),
-        ('edugrade export --l', ['--late-per-day', '--list']),
-        ('edugrade export moo', ['moodle']),
-        ('edugrade batch --sandbox r', ['require']),
-        ('edugrade gradescope build --w', ['--wheel']),
         ('edugrade schema m', ['maps/', 'my.launch.py']),
         ('edulaunch nonsense ', []),
         ('edulaunch launch broken"', []),
@@ -148,9 +142,3 @@ def test_without_a_machine_there_are_no_names_to_offer(here: Path, monkeypatch: 
     (here / 'run').mkdir(mode=0o700)
     monkeypatch.setenv('XDG_RUNTIME_DIR', str(here / 'run'))
     assert candidates('ros2 topic echo ', break_words=False) == []
-
-
-def test_each_command_of_edugrade_with_options_has_a_parser() -> None:
-    verbs = grading_verbs()
-    offered = {verb: candidates(f'edugrade {verb} --', break_words=False) for verb in verbs}
-    assert {verb for verb, options in offered.items() if options == ['--help']} == {'doctor', 'schema', 'gradescope'}
