@@ -93,8 +93,9 @@ def test_record_wants_topics_and_a_new_folder(machine) -> None:
     assert "old' already exists.\n" in said and 'help: delete the folder old, or write another name, as in -o old_2' in said
 
 
-def test_regex_and_exclude_choose_topics(machine) -> None:
-    typed = machine.run('ros2 bag record -e turtle1 --exclude-regex color')
+@pytest.mark.parametrize('option', ['--exclude-regex', '-x', '--exclude'])
+def test_regex_and_exclude_choose_topics(machine, option: str) -> None:
+    typed = machine.run(f'ros2 bag record -e turtle1 {option} color')
     assert [line for line in logged(typed.err) if line.startswith('Subscribed')] == ["Subscribed to topic '/turtle1/pose'"]
 
 

@@ -100,6 +100,7 @@ def record_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument('--topic-types', nargs='+', default=[], metavar='Type', help='List of topic types to record.')
     parser.add_argument('-e', '--regex', default='', help='Record only topics containing provided regular expression.')
     parser.add_argument('--exclude-regex', default='', help='Exclude topics containing provided regular expression.')
+    parser.add_argument('-x', '--exclude', dest='exclude_regex', default='', help=argparse.SUPPRESS)  # the names of Humble
     parser.add_argument('--exclude-topics', nargs='+', default=[], metavar='Topic', help='List of topics not being recorded.')
     parser.add_argument(
         '--exclude-topic-types', nargs='+', default=[], metavar='Type', help='List of topic types not being recorded.'
