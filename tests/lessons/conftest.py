@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import shutil
 import threading
 from collections.abc import Callable, Iterator
@@ -49,6 +50,7 @@ def no_threads_are_left() -> Iterator[None]:
     yield
     names = ('IPython', 'edulaunch watchdog')
     left = [thread for thread in threading.enumerate() if thread not in before and thread.name.startswith(names)]
+    gc.collect()  # a machine that no notebook uses any more stops its watchdog when it is collected
     for thread in left:
         thread.join(timeout=WAIT_S)
     assert not [thread for thread in left if thread.is_alive()], left
