@@ -141,7 +141,7 @@ def _guess_build_type(folder: str) -> str:
 
 
 _BUILD_FOLDERS = frozenset(('build', 'install', 'log', '__pycache__', 'node_modules'))
-_IGNORE_FILES = frozenset(('COLCON_IGNORE', 'AMENT_IGNORE', 'CATKIN_IGNORE', 'pyvenv.cfg'))
+IGNORE_FILES = frozenset(('COLCON_IGNORE', 'AMENT_IGNORE', 'CATKIN_IGNORE', 'pyvenv.cfg'))
 _MAX_FOLDERS = 5000
 
 
@@ -170,8 +170,8 @@ def find_packages(workspace: str, warnings: list[PackageWarning], most: int = _M
                 )
             )
             break
-        files, folders = _list(folder)
-        if files & _IGNORE_FILES:
+        files, folders = list_folder(folder)
+        if files & IGNORE_FILES:
             continue
         if 'package.xml' in files:
             found.append(folder)
@@ -180,7 +180,7 @@ def find_packages(workspace: str, warnings: list[PackageWarning], most: int = _M
     return sorted(found, key=lambda folder: (folder.count(os.sep), folder))
 
 
-def _list(folder: str) -> tuple[frozenset[str], list[str]]:
+def list_folder(folder: str) -> tuple[frozenset[str], list[str]]:
     """Return the names of the files in a folder, and of the folders to search. Real folders come before links, so that a folder
     that can be reached in both ways gets its real path.
     """

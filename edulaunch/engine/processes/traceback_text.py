@@ -158,7 +158,8 @@ def student_traceback(error: BaseException) -> tuple[str, Origin | None]:
 
     If all frames belong to the engine, they all stay, because the mistake is then in edulaunch. Errors that edulaunch
     raises deliberately never show frames of the engine: an error with facts, an error of rclpy, and Ctrl-C. The same
-    applies to a file that Python could not parse, because none of its code ran. Newer versions of Python print marks under
+    applies to a file that Python could not parse, because none of its code ran, and to a file that a built-in program could not
+    open, because its path came from the student. Newer versions of Python print marks under
     a line. These are left out, so that recordings are equal with all versions.
     """
     return ''.join(_chain(error, [])), _place(error)
@@ -203,7 +204,7 @@ def _one(error: BaseException) -> Iterator[str]:
     """Yield the lines of one error, without the errors that caused it."""
     own = _own(error)
     knowingly = bool(facts_of(error)) or isinstance(error, KeyboardInterrupt) or type(error).__module__.startswith('rclpy.')
-    explained = knowingly or _unread_file(error) is not None
+    explained = knowingly or _unread_file(error) is not None or _names_a_file(error)
     shown = traceback.extract_tb(error.__traceback__) if not own and not explained else own
     if shown:
         yield 'Traceback (most recent call last):\n'
@@ -231,6 +232,10 @@ def _unread_file(error: BaseException) -> str | None:
     """Return the student's file that Python could not parse, or None for another error."""
     unread = error.filename if isinstance(error, SyntaxError) else None
     return None if unread is None or is_engine(unread) else unread
+
+
+def _names_a_file(error: BaseException) -> bool:
+    return isinstance(error, OSError) and error.filename is not None
 
 
 def runaway_text(program: str, error: BaseException) -> tuple[str, Origin | None]:

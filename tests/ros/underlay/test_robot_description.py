@@ -255,3 +255,18 @@ def test_without_the_parser_the_program_ends_with_the_line_that_installs_it(monk
     monkeypatch.setattr('robot_state_publisher._joints.find_spec', lambda name: None)
     with pytest.raises(SystemExit, match=r"urdf-parser-py, which is not installed\n.*pip install '\.\[urdf\]'"):
         read_joints('<robot name="r"/>')
+
+
+def test_a_file_that_is_not_there_ends_a_built_in_program_without_frames_of_edulaunch(tmp_path: Path) -> None:
+    """Its path came from the student, so nothing in edulaunch is wrong."""
+    (tmp_path / 'arm.launch.py').write_text("""
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='joint_state_publisher', executable='joint_state_publisher', arguments=['/no.urdf'])])
+""")
+    recording = edulaunch.run(tmp_path / 'arm.launch.py', duration_s=1.0)
+    printed = [line.text for line in recording.output if line.process == 'joint_state_publisher-1']
+    assert printed == ["FileNotFoundError: [Errno 2] No such file or directory: '/no.urdf'\n"]
