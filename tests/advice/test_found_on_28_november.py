@@ -289,3 +289,18 @@ def test_a_misspelt_parent_is_told_and_not_broadcast(
     (tmp_path / 'a.launch.py').write_text(launch)
     edulaunch.run(str(tmp_path / 'a.launch.py'), duration_s=3.0)
     assert cure in capsys.readouterr().err
+
+
+def test_a_node_that_is_created_before_a_question_is_only_told_to_wait_for_the_keyboard(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Ctrl-C ends the wait, so at the end of the run no program waits any more."""
+    asks = (
+        'import rclpy\nfrom std_srvs.srv import Trigger\n\nrclpy.init()\nnode = rclpy.create_node("asker")\n'
+        'node.create_service(Trigger, "stop", lambda request, response: response)\ninput("Where to? ")\nrclpy.spin(node)\n'
+    )
+    package = workspace(tmp_path, asks, main_launch_py=launch_file(NODE_OF_WALKER.format(more='')))
+    assert main(['launch', str(package / 'main.launch.py'), '--for', '3', '--fast']) == 0
+    told = capsys.readouterr().err
+    assert 'walker-1 waits for keyboard input' in told
+    assert 'never spins' not in told

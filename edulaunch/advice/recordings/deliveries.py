@@ -31,9 +31,10 @@ SECOND = 1.0
 def never_spun(recording: Recording) -> Iterator[Finding]:
     """Report a node that existed for a second and was never in an executor, if it has timers, subscriptions or services."""
     started = {node.name: node.started_s for node in recording.nodes}
+    asking = _programs_that_ask(recording)
     for fact in recording.facts:
         if fact.kind == 'node not spun' and fact.time_s - started.get(fact.data['node'], fact.time_s) >= SECOND:
-            if _waits_for_somebody(recording, fact.data):
+            if _waits_for_somebody(fact.data) or fact.process in asking:
                 continue
             topic = next((name for name in fact.data['topics'] if not is_ros_own(name)), '')
             has_line = 'file' in fact.data or not topic
@@ -48,9 +49,14 @@ def never_spun(recording: Recording) -> Iterator[Finding]:
 BLOCKING = ('wait_for_service', 'wait_for_server', 'wait_for_message', 'private_input', 'readline', 'read')
 
 
-def _waits_for_somebody(recording: Recording, data: dict[str, object]) -> bool:
+def _waits_for_somebody(data: dict[str, object]) -> bool:
     """Return whether a program waits in `wait_for_service` or `input()`. Another rule reports this cause."""
     return str(data.get('calls', '')).partition('.')[2] in BLOCKING
+
+
+def _programs_that_ask(recording: Recording) -> set[str | None]:
+    """Return the processes that waited for the keyboard. Ctrl-C may have ended this wait before the end of the run."""
+    return {fact.process for fact in recording.facts if fact.kind == 'waits for input'}
 
 
 @rule(
@@ -90,7 +96,7 @@ def not_taken(recording: Recording) -> Iterator[Finding]:
     Other rules report a node that never spins, or that waits for the keyboard.
     """
     unspun = {fact.data['node'] for fact in recording.facts if fact.kind == 'node not spun'}
-    asking = {fact.process for fact in recording.facts if fact.kind == 'waits for input'}
+    asking = _programs_that_ask(recording)
     unspun |= {node.name for node in recording.nodes if node.process in asking}
     for fact in recording.facts:
         if fact.kind == 'messages wait' and fact.data['node'] not in unspun and fact.data['topic'] != '/parameter_events':
