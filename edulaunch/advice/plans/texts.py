@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.outlines import branches, name_of, nodes, place_of
 from edulaunch.advice.rule import Finding, found, rule
+from edulaunch.advice.runs import separate_words
 
 if TYPE_CHECKING:
     from edulaunch.advice.plan import Rehearsal
@@ -87,7 +88,7 @@ def words_in_one(rehearsal: Rehearsal) -> Iterator[Finding]:
     """Report a string that contains an option and its value, or several numbers."""
     for branch, item in nodes(rehearsal):
         for word in item['arguments']:
-            parts = word.split()
+            parts = separate_words(word)
             is_option = len(parts) > 1 and parts[0].startswith('-') and len(parts[0]) > 1 and '=' not in parts[0]
             if is_option or (len(parts) > 2 and all(map(_is_number, parts[:3]))):
                 words = ', '.join(map(repr, parts))
@@ -106,7 +107,7 @@ def _is_number(text: str) -> bool:
 @rule(
     'launch.fails',
     what='launch cannot run this file: {text}',
-    do=('{help}', 'check this line and the line before it'),
+    do=('{help}', 'create the file {missing}, or correct its path', 'check this line and the line before it'),
     level='error',
 )
 def fails(rehearsal: Rehearsal) -> Iterator[Finding]:
@@ -114,6 +115,7 @@ def fails(rehearsal: Rehearsal) -> Iterator[Finding]:
     error = rehearsal.plan['error']
     if error is not None:
         file, _, line = (error.get('origin') or '').rpartition(':')
+        missing = re.search(r"No such file or directory: '([^']+)'", error['text'])
         yield found(
             'file',
             rehearsal.plan['file'],
@@ -121,6 +123,7 @@ def fails(rehearsal: Rehearsal) -> Iterator[Finding]:
             line=int(line) if line.isdigit() else None,
             text=_telling_line(error['text']),
             help=error.get('help'),
+            missing=missing and missing[1],
         )
 
 

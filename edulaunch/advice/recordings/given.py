@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.run_sources import name_of_call, program_scripts, walked
-from edulaunch.advice.runs import origin_place, own_nodes
+from edulaunch.advice.runs import origin_place, own_nodes, separate_words
 from edulaunch.engine.nearest import nearest
 
 if TYPE_CHECKING:
@@ -237,8 +237,8 @@ def _number(text: str) -> float | None:
 @rule(
     'launch.arguments-in-one',
     what="{process} receives the single argument '{text}' with spaces, but it expects several arguments",
-    why='launch passes each entry of arguments=[...] as one word, and only a shell splits at spaces',
-    do='write each word as a separate string: arguments=[{entries}]',
+    why='launch passes each entry of the list as one word, and only a shell splits at spaces',
+    do='write each word as a separate string: {entries}',
     lesson='08_static_broadcaster',
     level='error',
     hides=('programs.died',),
@@ -248,5 +248,5 @@ def arguments_in_one(recording: Recording) -> Iterator[Finding]:
     for process in recording.processes:
         for word in process.argv[1:] if process.package else ():
             if re.match(r'--?[a-z][\w-]* \S|(-?[\d.]+ ){3}', word):
-                entries = ', '.join(repr(one) for one in word.split()[:8])
+                entries = ', '.join(map(repr, separate_words(word)[:8]))
                 yield found('process', process.name, **_place(process), text=word[:80], entries=entries)
