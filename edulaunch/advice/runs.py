@@ -135,13 +135,6 @@ def passed_file(recording: Recording, name: str) -> str:
 
 
 @lru_cache(maxsize=1)
-def separate_words(text: str) -> list[str]:
-    """Return the words of several arguments in one string. Long options of ROS begin with two dashes: `--remap`."""
-    return [
-        f'-{word}' if word in ('-ros-args', '-remap', '-param', '-params-file', '-log-level') else word for word in text.split()
-    ]
-
-
 def own_nodes(recording: Recording) -> set[str]:
     """Return the names of the nodes whose programs were written by a student."""
     own = {process.name for process in recording.own_processes}

@@ -84,7 +84,8 @@ def nearest_file(name: str, names: Iterable[str]) -> str | None:
     files = sorted(file for file in names if _stem(file))
     stem = nearest(_stem(name), map(_stem, files))
     alike = [file for file in files if _stem(file) == stem]
-    return nearest(name, alike) or next(iter(alike), None)
+    is_near = stem is not None and _edits(_folded(_stem(name)), _folded(stem)) <= max(2, len(stem) // 2)
+    return nearest(name, alike) or next(iter(alike), None) if is_near else None
 
 
 def _stem(file: str) -> str:

@@ -97,10 +97,7 @@ def test_the_note_on_dependencies_of_launch_files_names_launch_before_the_index(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     files = {'package_xml': MANIFEST.format(more='', kind='ament_cmake'), 'CMakeLists_txt': 'project(robo)\nament_package()\n'}
-    text = (
-        launch("LogInfo(msg='hello')")
-        .replace('ExecuteProcess', 'LogInfo')
-        .replace('Node\n', 'Node\nfrom ament_index_python import packages\n', 1)
-    )
+    text = launch("LogInfo(msg='hello')").replace('ExecuteProcess', 'LogInfo')
+    text = text.replace('from launch import', 'from ament_index_python import packages\nfrom launch import', 1)
     write(tmp_path / 'robo', **files, launch__a_launch_py=text)
     assert 'a launch file uses launch, but package.xml names no package' in report(capsys, tmp_path / 'robo')

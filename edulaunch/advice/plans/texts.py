@@ -6,9 +6,8 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.advice.outlines import branches, name_of, nodes, place_of
+from edulaunch.advice.outlines import branches, place_of
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.runs import separate_words
 
 if TYPE_CHECKING:
     from edulaunch.advice.plan import Rehearsal
@@ -74,34 +73,6 @@ def _texts(value: Any) -> Iterator[str]:
     elif isinstance(value, (list, tuple)):
         for item in value:
             yield from _texts(item)
-
-
-@rule(
-    'launch.words-in-one',
-    what='{executable} receives a single argument that contains spaces: "{text}"',
-    why='launch uses no shell here, so the program receives the argument as one word',
-    do='write each word as a separate string: arguments=[{words}]',
-    lesson='01_first_launch',
-    level='error',
-)
-def words_in_one(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a string that contains an option and its value, or several numbers."""
-    for branch, item in nodes(rehearsal):
-        for word in item['arguments']:
-            parts = separate_words(word)
-            is_option = len(parts) > 1 and parts[0].startswith('-') and len(parts[0]) > 1 and '=' not in parts[0]
-            if is_option or (len(parts) > 2 and all(map(_is_number, parts[:3]))):
-                words = ', '.join(map(repr, parts))
-                yield found('text', word, **place_of(branch), executable=name_of(item), words=words)
-                break
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
 
 
 @rule(

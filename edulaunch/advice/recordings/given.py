@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.run_sources import name_of_call, program_scripts, walked
-from edulaunch.advice.runs import origin_place, own_nodes, separate_words
+from edulaunch.advice.runs import origin_place, own_nodes
 from edulaunch.engine.nearest import nearest
 
 if TYPE_CHECKING:
@@ -244,9 +244,13 @@ def _number(text: str) -> float | None:
     hides=('programs.died',),
 )
 def arguments_in_one(recording: Recording) -> Iterator[Finding]:
-    """Report an argument of a program that begins with an option, or with several numbers, and continues after a space."""
+    """Report an argument of a program that begins with an option, or with several numbers, and continues after a space.
+
+    Long options of ROS begin with two dashes in the cure, such as `--remap` for `-remap`.
+    """
     for process in recording.processes:
         for word in process.argv[1:] if process.package else ():
             if re.match(r'--?[a-z][\w-]* \S|(-?[\d.]+ ){3}', word):
-                entries = ', '.join(map(repr, separate_words(word)[:8]))
+                words = (re.sub('^-(ros-args|remap|param|params-file|log-level)$', r'--\1', one) for one in word.split()[:8])
+                entries = ', '.join(map(repr, words))
                 yield found('process', process.name, **_place(process), text=word[:80], entries=entries)

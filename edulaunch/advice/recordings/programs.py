@@ -49,6 +49,7 @@ def private_name(recording: Recording) -> Iterator[Finding]:
     what=('{process} died with exit code {code} ({error})', '{process} died with exit code {code}'),
     why='the other programs continue without it, and launch itself reports success',
     do=(
+        'install the program {absent} on this computer',
         'check that the device or program with which line {waits} communicates is on and reachable',
         'check the values that lead to line {raised}, where the program raises this error itself',
         'correct line {at}, where the program ended',
@@ -79,6 +80,7 @@ def died(recording: Recording) -> Iterator[Finding]:
             time_s=process.ended_s,
             code=process.returncode,
             at=error.get('line'),
+            absent=_absent_program(error, line),
             waits=error.get('line') if _OUTSIDE.search(error.get('message', '')) else None,
             raised=line if error and _raises(file, line) else None,
             **{'error': _short(f'{error["type"]}: {error["message"]}') if error else None, **_last_words(printed)},
@@ -107,6 +109,14 @@ def _raises(file: str | None, line: int | None) -> bool:
     """Return whether this line of a program is a `raise` statement."""
     tree = script_of(file)
     return tree is not None and any(isinstance(node, ast.Raise) and node.lineno == line for node in walked(tree))
+
+
+def _absent_program(error: dict[str, Any], line: int | None) -> str | None:
+    """Return the command that a line could not start with `subprocess`, because this computer does not have it, or None."""
+    match = re.search(r"No such file or directory: '([\w-]+)'", error.get('message', ''))
+    tree = script_of(error.get('file')) if match else None
+    calls = (node for node in walked(tree) if isinstance(node, ast.Call) and node.lineno == line) if tree else ()
+    return match[1] if match and any('subprocess' in ast.unparse(node.func) for node in calls) else None
 
 
 def _last_words(printed: list[str]) -> dict[str, Any]:

@@ -102,8 +102,10 @@ def _used_texts(source: PackageInWorkspace) -> Iterator[str]:
 
 def _not_installed(source: PackageInWorkspace) -> Iterator[str]:
     if source.is_certain:
-        installed = source.installed
-        yield from (path for path in source.package.files() if os.path.realpath(path) not in installed)
+        installed, build = source.installed, read_text(source.package.build_file())
+        excluded = set(re.findall(r'PATTERN\s+"?([^\s"]+)"?\s+EXCLUDE', build))
+        files = (path for path in source.package.files() if os.path.basename(path) not in excluded)
+        yield from (path for path in files if os.path.realpath(path) not in installed)
 
 
 def _of_file(package: str, path: str, facts: dict[str, Any]) -> Finding:
