@@ -55,7 +55,15 @@ def nearest_spelling(name: str, names: Iterable[str]) -> str | None:
 def _has_other_word(name: str, near: str) -> bool:
     """Return whether two names of several words contain clearly different words, such as `color_qos` and `color_fps`."""
     pairs = zip(name.split('_'), near.split('_'), strict=True) if name.count('_') == near.count('_') > 0 else ()
-    return any(_edits(one, two) > max(1, len(one) // 2) and sorted(one) != sorted(two) for one, two in pairs)
+    return any(
+        _begins_another_word(one, two) or _edits(one, two) > max(1, len(one) // 2) and sorted(one) != sorted(two)
+        for one, two in pairs
+    )
+
+
+def _begins_another_word(one: str, other: str) -> bool:
+    """Return whether one word is the other one with letters before it, such as `xarm` and `arm`."""
+    return one != other and (one.endswith(other) or other.endswith(one))
 
 
 def _edits(one: str, other: str) -> int:
@@ -76,7 +84,8 @@ def nearest_file(name: str, names: Iterable[str]) -> str | None:
     files = sorted(file for file in names if _stem(file))
     stem = nearest(_stem(name), map(_stem, files))
     alike = [file for file in files if _stem(file) == stem]
-    return nearest(name, alike) or next(iter(alike), None)
+    is_near = stem is not None and _edits(_folded(_stem(name)), _folded(stem)) <= max(2, len(stem) // 2)
+    return nearest(name, alike) or next(iter(alike), None) if is_near else None
 
 
 def _stem(file: str) -> str:

@@ -208,7 +208,7 @@ def test_a_topic_that_has_none_in_its_name_has_a_variable_without_a_value(tmp_pa
     report = reports(launch_file(tmp_path, f'return LaunchDescription([{sims}, {drive}])'))[0]
     assert (
         '/None/cmd_vel' in report
-        and 'None is what an undefined variable becomes in a string' in report
+        and 'its value is None, which becomes the word None in a string' in report
         and 'turtle1' not in report
     )
 

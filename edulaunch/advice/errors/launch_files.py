@@ -339,7 +339,7 @@ def misspelt(module: str) -> str | None:
         'the name {missing} is not defined',
     ),
     do=(
-        "put quotes around the substitution, as in [\"'\", LaunchConfiguration('x'), \"' == '{bare}'\"]",
+        "put quotes around the substitution, as in [\"'\", LaunchConfiguration('x'), \"' == '{value}'\"]",
         'write {python}',
         'add this line: {line}',
         'write {near}, and add this line: {near_line}',
@@ -354,13 +354,23 @@ def unknown_name(failure: Failure) -> Iterator[Finding]:
     if match is None or failure.process is not None:
         return
     name = match[1]
-    bare = name if failure.facts.get('expression') else None
+    written = failure.facts.get('expression')
+    bare = name if written else None
+    value = 'true' if bare == 'false' and "'false'" not in str(written) else bare
     python = {'true': 'True', 'false': 'False', 'null': 'None', 'none': 'None'}.get(name)
     line = import_line(name)
     near = None if bare or python or line else nearest_anywhere(name)
     near_bound = None if bare or python or line else nearest_spelling(name, failure.facts.get('bound') or ())
     yield report(
-        failure, missing=name, bare=bare, python=python, line=line, near=near, near_line=import_line(near), near_bound=near_bound
+        failure,
+        missing=name,
+        bare=bare,
+        value=value,
+        python=python,
+        line=line,
+        near=near,
+        near_line=import_line(near),
+        near_bound=near_bound,
     )
 
 

@@ -90,6 +90,9 @@ def argument_unused(rehearsal: Rehearsal) -> Iterator[Finding]:
         if name in OF_LAUNCH or name in rehearsal.read:
             continue
         times = len({other.origin for other in declared if other.action.name == name})
+        holders = re.findall(rf"""(\w+)\s*=\s*['"]{re.escape(name)}['"]""", text)
+        if any(re.search(rf'LaunchConfiguration\(\s*{holder}\b', text) for holder in holders):
+            continue
         if len(re.findall(rf'(?<![\w-]){re.escape(name)}(?![\w-])', text)) <= times:
             yield found('argument', name, **place_of(branch))
 

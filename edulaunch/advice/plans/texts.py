@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.advice.outlines import branches, name_of, nodes, place_of
+from edulaunch.advice.outlines import branches, place_of
 from edulaunch.advice.rule import Finding, found, rule
 
 if TYPE_CHECKING:
@@ -76,37 +76,9 @@ def _texts(value: Any) -> Iterator[str]:
 
 
 @rule(
-    'launch.words-in-one',
-    what='{executable} receives a single argument that contains spaces: "{text}"',
-    why='launch uses no shell here, so the program receives the argument as one word',
-    do='write each word as a separate string: arguments=[{words}]',
-    lesson='01_first_launch',
-    level='error',
-)
-def words_in_one(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a string that contains an option and its value, or several numbers."""
-    for branch, item in nodes(rehearsal):
-        for word in item['arguments']:
-            parts = word.split()
-            is_option = len(parts) > 1 and parts[0].startswith('-') and len(parts[0]) > 1 and '=' not in parts[0]
-            if is_option or (len(parts) > 2 and all(map(_is_number, parts[:3]))):
-                words = ', '.join(map(repr, parts))
-                yield found('text', word, **place_of(branch), executable=name_of(item), words=words)
-                break
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
-
-
-@rule(
     'launch.fails',
     what='launch cannot run this file: {text}',
-    do=('{help}', 'check this line and the line before it'),
+    do=('{help}', 'create the file {missing}, or correct its path', 'check this line and the line before it'),
     level='error',
 )
 def fails(rehearsal: Rehearsal) -> Iterator[Finding]:
@@ -114,6 +86,7 @@ def fails(rehearsal: Rehearsal) -> Iterator[Finding]:
     error = rehearsal.plan['error']
     if error is not None:
         file, _, line = (error.get('origin') or '').rpartition(':')
+        missing = re.search(r"No such file or directory: '([^']+)'", error['text'])
         yield found(
             'file',
             rehearsal.plan['file'],
@@ -121,6 +94,7 @@ def fails(rehearsal: Rehearsal) -> Iterator[Finding]:
             line=int(line) if line.isdigit() else None,
             text=_telling_line(error['text']),
             help=error.get('help'),
+            missing=missing and missing[1],
         )
 
 

@@ -237,16 +237,20 @@ def _number(text: str) -> float | None:
 @rule(
     'launch.arguments-in-one',
     what="{process} receives the single argument '{text}' with spaces, but it expects several arguments",
-    why='launch passes each entry of arguments=[...] as one word, and only a shell splits at spaces',
-    do='write each word as a separate string: arguments=[{entries}]',
+    why='launch passes each entry of the list as one word, and only a shell splits at spaces',
+    do='write each word as a separate string: {entries}',
     lesson='08_static_broadcaster',
     level='error',
     hides=('programs.died',),
 )
 def arguments_in_one(recording: Recording) -> Iterator[Finding]:
-    """Report an argument of a program that begins with an option, or with several numbers, and continues after a space."""
+    """Report an argument of a program that begins with an option, or with several numbers, and continues after a space.
+
+    Long options of ROS begin with two dashes in the cure, such as `--remap` for `-remap`.
+    """
     for process in recording.processes:
         for word in process.argv[1:] if process.package else ():
             if re.match(r'--?[a-z][\w-]* \S|(-?[\d.]+ ){3}', word):
-                entries = ', '.join(repr(one) for one in word.split()[:8])
+                words = (re.sub('^-(ros-args|remap|param|params-file|log-level)$', r'--\1', one) for one in word.split()[:8])
+                entries = ', '.join(map(repr, words))
                 yield found('process', process.name, **_place(process), text=word[:80], entries=entries)

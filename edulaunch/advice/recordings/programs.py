@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import os
 import re
 from collections.abc import Iterator
@@ -9,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.errors.about import in_share
 from edulaunch.advice.rule import Finding, found, rule
+from edulaunch.advice.run_sources import script_of, walked
 from edulaunch.advice.runs import fact_place
 
 if TYPE_CHECKING:
@@ -22,6 +24,8 @@ launch.
 INTERRUPTED = '[ros2run]: Interrupt'
 """The message of `ros2 run` when Ctrl-C has ended its program, however that program has ended."""
 LONGEST = 400
+_OUTSIDE = re.compile("timed out|Connection (?:refused|reset)|unreachable|No route to host|Name or service not known|'/dev/")
+"""What an error says if a device or another computer does not answer."""
 HELP = 'help: '
 _ENDED = re.compile(r'\[ERROR\] \[(?P<name>[^\]]+)\]: process has died \[pid \d+, exit code (?P<code>-?\d+), cmd ')
 
@@ -45,6 +49,9 @@ def private_name(recording: Recording) -> Iterator[Finding]:
     what=('{process} died with exit code {code} ({error})', '{process} died with exit code {code}'),
     why='the other programs continue without it, and launch itself reports success',
     do=(
+        'install the program {absent} on this computer',
+        'check that the device or program with which line {waits} communicates is on and reachable',
+        'check the values that lead to line {raised}, where the program raises this error itself',
         'correct line {at}, where the program ended',
         '{help}',
         'check the last output of the program: {said}',
@@ -73,6 +80,9 @@ def died(recording: Recording) -> Iterator[Finding]:
             time_s=process.ended_s,
             code=process.returncode,
             at=error.get('line'),
+            absent=_absent_program(error, line),
+            waits=error.get('line') if _OUTSIDE.search(error.get('message', '')) else None,
+            raised=line if error and _raises(file, line) else None,
             **{'error': _short(f'{error["type"]}: {error["message"]}') if error else None, **_last_words(printed)},
         )
     yield from _outside(recording)
@@ -93,6 +103,20 @@ def _outside(recording: Recording) -> Iterator[Finding]:
             yield found(
                 'process', name, file=recording.launch.file, code=code, **{'at': None, 'error': None, **_last_words(printed)}
             )
+
+
+def _raises(file: str | None, line: int | None) -> bool:
+    """Return whether this line of a program is a `raise` statement."""
+    tree = script_of(file)
+    return tree is not None and any(isinstance(node, ast.Raise) and node.lineno == line for node in walked(tree))
+
+
+def _absent_program(error: dict[str, Any], line: int | None) -> str | None:
+    """Return the command that a line could not start with `subprocess`, because this computer does not have it, or None."""
+    match = re.search(r"No such file or directory: '([\w-]+)'", error.get('message', ''))
+    tree = script_of(error.get('file')) if match else None
+    calls = (node for node in walked(tree) if isinstance(node, ast.Call) and node.lineno == line) if tree else ()
+    return match[1] if match and any('subprocess' in ast.unparse(node.func) for node in calls) else None
 
 
 def _last_words(printed: list[str]) -> dict[str, Any]:

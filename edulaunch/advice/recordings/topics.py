@@ -197,7 +197,7 @@ def _commands(recording: Recording) -> set[str]:
     what='{node} sends commands on {topic}, but no node subscribes to it',
     why='a message on a topic without a subscription is lost',
     do=(
-        'set the variable in this name: {empty} is what an undefined variable becomes in a string',
+        'set the variable in this name: its value is {empty}, which becomes the word {empty} in a string',
         'remove the remapping of {topic} to {moved} from {mover}, or add the same remapping to {node}',
         'publish on {near}, which has a subscription',
         'start the node that subscribes to {topic}, or look up the right name with `ros2 topic list -t`',
@@ -212,8 +212,11 @@ def nobody_listens(recording: Recording) -> Iterator[Finding]:
     for end in lone_ends(recording, 'publisher'):
         if end.type in COMMANDS and _sent(recording, end):
             file, line = end_place(recording, end.kind, end.name, end.node)
-            listening = [name for name in subscribed if ends['subscription', name][0].type == end.type]
-            listening = [name for name in listening if ('publisher', name) not in ends] or listening
+            senders = {name: [one.node for one in ends.get(('publisher', name), ())] for name in subscribed}
+            listening = [
+                name for name in subscribed if ends['subscription', name][0].type == end.type and end.node not in senders[name]
+            ]
+            listening = [name for name in listening if not senders[name]] or listening
             near = nearest(end.name, listening) if len(listening) > 1 else next(iter(listening), None)
             mover, moved = _moved(recording, end.name)
             facts = {'node': speaker(recording, end.node), 'near': near, 'empty': _empty_part(end.name)}
@@ -233,7 +236,7 @@ COMMANDS = ('geometry_msgs/msg/Twist', 'geometry_msgs/msg/TwistStamped')
     what='{node} subscribes to {topic}, but no node publishes on this topic',
     why='ROS 2 never calls the callback of this subscription',
     do=(
-        'set the variable in this name: {empty} is what an undefined variable becomes in a string',
+        'set the variable in this name: its value is {empty}, which becomes the word {empty} in a string',
         'subscribe to {near} if you mean that topic',
         'start the node that publishes on {topic}, or look up the right name with `ros2 topic list -t`',
     ),

@@ -60,22 +60,29 @@ def commands(recording: Recording) -> dict[str, list[tuple[int, str, Any]]]:
     'turtlesim.wall',
     what='{turtle} drove into the wall at x={x}, y={y} and pushed against it for {seconds} s',
     why='the field extends from 0 to 11.09 in x and y, and a turtle cannot leave it',
-    do='subscribe to the pose, and turn when x or y is below 1 or above 10',
+    do=(
+        'keep the frame that {follower} follows inside the field',
+        'subscribe to the pose, and turn when x or y is below 1 or above 10',
+    ),
     lesson=LESSON,
 )
 def wall(recording: Recording) -> Iterator[Finding]:
     """Report a turtle that pushed against an edge of the window for half a second."""
     if not any('I hit the wall' in row[4] for row in recording.rows('logs')):
         return
+    followed = ends_by_name(recording).get(('subscription', '/tf'), ())
     for turtle, node in turtles(recording).items():
         at = [
             (time, wire) for time, wire in recording.wires(f'{turtle}/pose', 'turtlesim/msg/Pose') if _at_edge(wire) and wire[3]
         ]
         if len(at) * TICK_S >= 0.5:
-            file, line = node_place(recording, _driver(recording, turtle) or node)
+            driver = _driver(recording, turtle)
+            file, line = node_place(recording, driver or node)
+            follower = driver if driver and any(end.node == driver for end in followed) else None
             x, y = (round(value, 2) for value in at[0][1][:2])
             seconds = round(len(at) * TICK_S, 1)
-            yield found('turtle', turtle, file=file, line=line, time_s=at[0][0] / 1e9, seconds=seconds, x=x, y=y)
+            facts = {'x': x, 'y': y, 'seconds': seconds, 'follower': follower}
+            yield found('turtle', turtle, file=file, line=line, time_s=at[0][0] / 1e9, **facts)
 
 
 def _at_edge(wire: Any) -> bool:

@@ -87,7 +87,10 @@ def entry_point_function(source: PackageInWorkspace) -> Iterator[Finding]:
     'packages.entry-point-colon',
     what="the entry point '{entry}' has no function after a colon",
     why='`ros2 run {package} {executable}` ends with {error}',
-    do="write '{executable} = {near}'",
+    do=(
+        "write '{executable} = {near}'",
+        'remove the entry point, or write a function in {written} and name this function after a colon',
+    ),
     lesson=LESSON,
     level='error',
     edits=(('{entry}', '{executable} = {near}', 'word'),),
@@ -104,7 +107,9 @@ def entry_point_colon(source: PackageInWorkspace) -> Iterator[Finding]:
         path = module_file(package, module)
         if not function and path is not None:
             error = "TypeError: 'module' object is not callable"
-            yield _of_entry(package, executable, module, function, near=f'{module}:main', error=error)
+            tree = parsed(path)
+            near = f'{module}:main' if tree and 'main' in defined_names(tree) else None
+            yield _of_entry(package, executable, module, function, near=near, written=package.relative(path), error=error)
             continue
         outer = None if function else module_file(package, above)
         tree = parsed(outer) if outer else None

@@ -102,8 +102,10 @@ def _used_texts(source: PackageInWorkspace) -> Iterator[str]:
 
 def _not_installed(source: PackageInWorkspace) -> Iterator[str]:
     if source.is_certain:
-        installed = source.installed
-        yield from (path for path in source.package.files() if os.path.realpath(path) not in installed)
+        installed, build = source.installed, read_text(source.package.build_file())
+        excluded = set(re.findall(r'PATTERN\s+"?([^\s"]+)"?\s+EXCLUDE', build))
+        files = (path for path in source.package.files() if os.path.basename(path) not in excluded)
+        yield from (path for path in files if os.path.realpath(path) not in installed)
 
 
 def _of_file(package: str, path: str, facts: dict[str, Any]) -> Finding:
@@ -178,7 +180,7 @@ _XML_LAUNCHED = re.compile(r"""\bpkg\s*[:=]\s*["']?(\w+)["']?""")
         '{dependency} is {how} here, but package.xml names it only as {tags}',
         '{dependency} is {how} here, but package.xml does not name it',
     ),
-    why='rosdep installs only the packages that package.xml names, so this one is missing on other computers',
+    why='rosdep installs only the packages that package.xml names, so this one can be missing on another computer',
     do='add <exec_depend>{dependency}</exec_depend> to package.xml',
     lesson='07_packages',
     edits=(('', '<exec_depend>{dependency}</exec_depend>', 'manifest'),),
@@ -202,10 +204,9 @@ def dependency_missing(source: PackageInWorkspace) -> Iterator[Finding]:
 )
 def launch_not_named(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report a package whose launch files need dependencies that package.xml does not list. Name only the first dependency."""
-    for name, file, line, _ in _missing(source):
-        if _is_of_launch(name, file):
-            yield found('dependency', name, file=file, line=line)
-            return
+    used = [(name not in OF_LAUNCH, name, file, line) for name, file, line, _ in _missing(source) if _is_of_launch(name, file)]
+    for _, name, file, line in sorted(used)[:1]:
+        yield found('dependency', name, file=file, line=line)
 
 
 def _is_of_launch(name: str, file: str) -> bool:

@@ -115,6 +115,7 @@ def package_is_repository(workspace: Workspace) -> Iterator[Finding]:
         'create {script}: with metadata in setup.cfg or pyproject.toml, `from setuptools import setup; setup()` is enough',
         'create {absent} in the folder of the package, or remove package.xml if this folder is not a package',
         'create the empty file {marker}, which marks an installed package',
+        'create the file {lacking}, or remove it from data_files in {file}',
         'correct line {at} of {file}, and run the check again',
         'correct {file}, and run the check again',
     ),
@@ -127,8 +128,11 @@ def build_file(workspace: Workspace) -> Iterator[Finding]:
             name, line = os.path.basename(warning.file), warning.line or None
             absent = None if os.path.exists(warning.file) else name
             script = absent if absent == 'setup.py' else None
-            marker = re.match(r"data_files lists '(resource/[^']+)', which is not there", warning.sentence)
-            facts: dict[str, Any] = {'script': script, 'absent': absent, 'marker': marker and marker[1], 'at': line}
+            listed = re.match(r"data_files lists '([^']+)', which is not there", warning.sentence)
+            lacking = listed and listed[1]
+            is_marker = lacking in {f'resource/{package.name}' for package in workspace.packages}
+            facts: dict[str, Any] = {'script': script, 'absent': absent, 'marker': lacking if is_marker else None, 'at': line}
+            facts['lacking'] = lacking
             yield found('file', name, file=warning.file, line=line, said=warning.sentence, **facts)
 
 

@@ -143,8 +143,9 @@ def missing_executable(index: Index, package: str, executable: str) -> Facts:
     """Return facts about a missing executable: the nearest name, or that its source exists but no build file names it."""
     names = [*index.executables(package), *index.native_executables(package)]
     other_ending = [name for name in (f'{executable}.py', executable.removesuffix('.py')) if name in names]
-    near = other_ending[0] if other_ending else nearest_spelling(executable, names)
-    not_built = {} if other_ending else _not_built(index, package, executable)
+    same = other_ending or [name for name in names if name in _of_module(source_package(index, package), executable)]
+    near = same[0] if same else nearest_spelling(executable, names)
+    not_built = {} if same else _not_built(index, package, executable)
     return not_built or {
         'about': 'packages.no-executable',
         'package': package,
@@ -155,6 +156,14 @@ def missing_executable(index: Index, package: str, executable: str) -> Facts:
         'launch_file': executable if re.search(r'[._]launch\.(py|xml|yaml)$', executable) else None,
         **_unread(index, package, executable),
     }
+
+
+def _of_module(package: SourcePackage | None, module: str) -> list[str]:
+    """Return the executables that start the module of this name: an entry point may have another name than its module."""
+    entries = package.contents.entry_points if package else {}
+    return [
+        os.path.basename(place) for place, (name, _) in entries.items() if name.rpartition('.')[2] == module.removesuffix('.py')
+    ]
 
 
 def _only_owner(index: Index, executable: str) -> str | None:
