@@ -23,6 +23,7 @@ INTERRUPTED = '[ros2run]: Interrupt'
 """The message of `ros2 run` when Ctrl-C has ended its program, however that program has ended."""
 LONGEST = 400
 HELP = 'help: '
+_REQUIRED = re.compile(r"main\(\) missing 1 required positional argument: '(\w+)'")
 _ENDED = re.compile(r'\[ERROR\] \[(?P<name>[^\]]+)\]: process has died \[pid \d+, exit code (?P<code>-?\d+), cmd ')
 
 
@@ -45,6 +46,7 @@ def private_name(recording: Recording) -> Iterator[Finding]:
     what=('{process} died with exit code {code} ({error})', '{process} died with exit code {code}'),
     why='the other programs continue without it, and launch itself reports success',
     do=(
+        'add a default value, as in `def main({required}=None):`',
         'correct line {at}, where the program ended',
         '{help}',
         'check the last output of the program: {said}',
@@ -73,6 +75,7 @@ def died(recording: Recording) -> Iterator[Finding]:
             time_s=process.ended_s,
             code=process.returncode,
             at=error.get('line'),
+            required=required[1] if (required := _REQUIRED.match(error.get('message', ''))) else None,
             **{'error': _short(f'{error["type"]}: {error["message"]}') if error else None, **_last_words(printed)},
         )
     yield from _outside(recording)
