@@ -189,7 +189,10 @@ def failures(recording: Recording) -> Iterator[Failure]:
         error = process.exception
         if error:
             file, line = (error['file'], error['line']) if error['file'] else (process.file, process.line)
-            yield Failure(error['type'], error['message'], file, line, process.ended_s, process.name, error.get('facts') or {})
+            facts = error.get('facts') or {}
+            if 'parameter_path' in facts and 'at' in facts:
+                file, line = os.path.realpath(facts['parameter_path']), facts['at']
+            yield Failure(error['type'], error['message'], file, line, process.ended_s, process.name, facts)
 
 
 def in_order(findings: Iterable[Finding]) -> list[Finding]:

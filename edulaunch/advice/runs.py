@@ -180,6 +180,7 @@ class Broadcasts:
     :ivar length: the length of the first rotation whose length is not 1.
     :ivar odd: (time of the first one in seconds, count) for each kind of invalid transform: 'zero', 'long', 'nan', 'unstamped',
         'clock'.
+    :ivar stamps: the time stamps of the transforms that are counted as 'clock', in nanoseconds.
     :ivar lag_s: the age in seconds that the first transform had when it was broadcast. A negative age means a future time stamp.
     """
 
@@ -191,6 +192,7 @@ class Broadcasts:
         self.odd: dict[str, tuple[float, int]] = {}
         self.lag_s = 0.0
         self.length = 0.0
+        self.stamps: set[int] = set()
 
     @property
     def first_s(self) -> float:
@@ -228,6 +230,7 @@ class Broadcasts:
             self._note('unstamped')
         elif not -CLOCK_NS < (lag_ns := start_ns + self.last_ns - stamp_ns) < CLOCK_NS:
             self._note('clock')
+            self.stamps.add(stamp_ns)
             self.lag_s = self.lag_s or lag_ns / 1e9
 
 

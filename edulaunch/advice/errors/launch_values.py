@@ -18,7 +18,10 @@ from edulaunch.engine.nearest import nearest, nearest_spelling
     'launch.command-failed',
     what=("the command '{command}' failed: {said}", "the command '{command}' failed"),
     why='the launch file needs the output of the command',
-    do='run the command in a terminal, and fix the problem that it reports: {command}',
+    do=(
+        'write the prefix into the root element: <robot name="..." xmlns:{prefix}="http://www.ros.org/wiki/xacro">',
+        'run the command in a terminal, and fix the problem that it reports: {command}',
+    ),
     level='error',
     hides=('programs.died',),
 )
@@ -28,7 +31,8 @@ def command_failed(failure: Failure) -> Iterator[Finding]:
     if matched is not None:
         words = [os.path.realpath(word) if os.path.exists(word) else word for word in matched[1].split()]
         lines = [line.strip() for line in (matched[2] or '').splitlines() if line.strip()]
-        yield report(failure, command=in_share(' '.join(words)), said=lines[0] if lines else None)
+        prefix = 'xacro' if lines and 'unbound prefix' in lines[0] and 'xacro' in matched[1] else None
+        yield report(failure, command=in_share(' '.join(words)), said=lines[0] if lines else None, prefix=prefix)
 
 
 @rule(
@@ -389,6 +393,12 @@ LIST_OF_ONE_TYPE = about(
         "replace '{word}' with a number, or put every value in quotes",
         'write all numbers of a list with a decimal point, or all without',
     ),
+)
+NESTED_LIST = about(
+    'launch.nested-list',
+    what='the list on line {at} of {parameter_file} contains another list or a mapping, which parameters cannot have',
+    do='write one flat list, such as [1.0, 2.0, 5.0, 6.0], and let the program read two values at a time',
+    lesson='03_parameters',
 )
 NO_VALUE = about('launch.no-value', what='this parameter has no value', do='remove the line, or write "" for an empty string')
 PARAMETER_RULE = about(

@@ -182,7 +182,7 @@ def unknown_name(failure: Failure) -> Iterator[Finding]:
     do=(
         'write {made}(seconds=...)',
         'call {callee}: write parentheses after its name, as in now()',
-        'write a Duration, as in now - Duration(seconds=0.5); time.nanoseconds / 1e9 is a Time in seconds',
+        'write Duration(seconds=5.0) in place of the number 5.0, or turn the other side into a number: time.nanoseconds / 1e9',
     ),
     level='error',
 )

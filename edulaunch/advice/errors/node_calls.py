@@ -194,9 +194,16 @@ def other_part_of_value(failure: Failure) -> Iterator[Finding]:
 
 @rule(
     'programs.attribute-never-set',
-    what='line {line_read} reads self.{attribute}, but no line of the class {klass} gives it a value',
-    why='an attribute exists only after its first assignment, so assign it in the constructor',
+    what=(
+        'line {line_read} reads self.{attribute}, but line {inside} defines {attribute}() inside another function',
+        'line {line_read} reads self.{attribute}, but no line of the class {klass} gives it a value',
+    ),
+    why=(
+        'the indentation makes {inner}() a local function, not a method of the class',
+        'an attribute exists only after its first assignment, so assign it in the constructor',
+    ),
     do=(
+        'indent `def {inner}` on line {inside} as deep as `def __init__`, and its body four spaces deeper',
         'write self.{near} if you mean that one, or self.{attribute} = ... in __init__ of {klass}',
         'write self.{attribute} = ... in __init__ of {klass}',
     ),
@@ -218,5 +225,9 @@ def attribute_never_set(failure: Failure) -> Iterator[Finding]:
         is_called = any(name_of_call(node) == match[2] for node in inner)
         has_local = any(isinstance(node, ast.Name) and node.id == match[2] for node in inner)
         if uses and not (is_set or is_called or has_local):
+            methods = {id(node) for node in owner.body}
+            functions = [node for node in inner if isinstance(node, ast.FunctionDef) and node.name == match[2]]
+            inside = next((node.lineno for node in functions if id(node) not in methods), None)
             facts = {'attribute': match[2], 'klass': match[1], 'near': match[3], 'line_read': failure.line}
+            facts |= {'inside': inside, 'inner': match[2] if inside else None}
             yield report(failure, **facts)

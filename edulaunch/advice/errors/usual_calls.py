@@ -100,6 +100,26 @@ def not_callable(failure: Failure) -> Iterator[Finding]:
 
 
 @rule(
+    'programs.method-replaced',
+    what='this line gives self.{method} a value, which replaces the method {method}() of line {defined}',
+    why='Python finds the attribute of an object before the method of its class',
+    do='use another name for the attribute or for the method',
+    lesson='00_python',
+    level='error',
+    hides=('programs.not-callable',),
+)
+def method_replaced(failure: Failure) -> Iterator[Finding]:
+    """Report an attribute with the name of a method of its class, if a program calls it as the method."""
+    tree = script_of(failure.file) if failure.process is not None and failure.message.endswith('object is not callable') else None
+    for owner in (node for node in ast.walk(tree) if isinstance(node, ast.ClassDef)) if tree is not None else ():
+        methods = {node.name: node.lineno for node in owner.body if isinstance(node, ast.FunctionDef)}
+        for node in ast.walk(owner):
+            is_own = isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store) and ast.unparse(node.value) == 'self'
+            if is_own and isinstance(node, ast.Attribute) and node.attr in methods:
+                yield report(failure._replace(line=node.lineno), method=node.attr, defined=methods[node.attr])
+
+
+@rule(
     'programs.no-local-value',
     what='this function assigns {variable}, so Python does not use the {variable} of the file, and {variable} has no value yet',
     why='a name that a function assigns anywhere is a local variable in the whole function',

@@ -155,6 +155,7 @@ DO = (
     why='launch finds the file only if every user starts it from that folder',
     do=DO,
     lesson=LESSON,
+    hides=('launch.parameter-file-absent',),
 )
 def relative_path(rehearsal: Rehearsal) -> Iterator[Finding]:
     """Report a relative path of an included launch file or a parameter file."""

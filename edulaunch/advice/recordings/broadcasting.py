@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import linecache
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -25,7 +27,8 @@ def _odd(recording: Recording, what: str) -> Iterator[Finding]:
     for one in broadcasts(recording):
         if what in one.odd:
             time_s, times = one.odd[what]
-            yield _found(recording, one, time_s=time_s, times=times, lag_s=round(abs(one.lag_s), 1))
+            again = times if len(one.stamps) == 1 < times else None
+            yield _found(recording, one, time_s=time_s, times=times, lag_s=round(abs(one.lag_s), 1), again=again)
 
 
 @rule(
@@ -211,12 +214,21 @@ def unstamped(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.other-clock',
-    what="{node} stamps '{frame}' with a clock that differs from the clock of the other nodes by {lag_s} s",
-    why='a lookup between this frame and another frame finds no common time',
-    do='get the time with self.get_clock().now(), and set use_sim_time to the same value in all nodes',
+    what=(
+        "{node} sends {again} transforms of '{frame}' with the same time stamp",
+        "{node} stamps '{frame}' with a clock that differs from the clock of the other nodes by {lag_s} s",
+    ),
+    why=(
+        'tf2 keeps only one of {again} transforms with the same time stamp, so the frame does not move',
+        'a lookup between this frame and another frame finds no common time',
+    ),
+    do=(
+        'set the stamp before each of the {again} transforms, not once: t.header.stamp = self.get_clock().now().to_msg()',
+        'get the time with self.get_clock().now(), and set use_sim_time to the same value in all nodes',
+    ),
     lesson=LESSON,
     level='error',
-    hides=('tf.lookup-past', 'tf.lookup-future'),
+    hides=('tf.lookup-past', 'tf.lookup-future', 'turtlesim.wall'),
 )
 def other_clock(recording: Recording) -> Iterator[Finding]:
     """Report time stamps that differ greatly from the time of the broadcast, unless a node publishes /clock."""
@@ -225,9 +237,15 @@ def other_clock(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.listener-not-kept',
-    what='Python deletes the TransformListener of {node} as soon as it is created',
+    what=(
+        '{node} replaces {kept} by a new TransformListener each time this line runs, and Python deletes the old one',
+        'Python deletes the TransformListener of {node} as soon as it is created',
+    ),
     why='Python deletes an object that nothing refers to, and the buffer then receives no transforms',
-    do='store it in an attribute of the node: self.tf_listener = TransformListener(self.tf_buffer, self)',
+    do=(
+        'create the Buffer and {kept} only once, in __init__',
+        'store it in an attribute of the node: self.tf_listener = TransformListener(self.tf_buffer, self)',
+    ),
     lesson=LESSON,
     level='error',
     hides=('tf.empty-buffer',),
@@ -239,4 +257,5 @@ def listener_not_kept(recording: Recording) -> Iterator[Finding]:
         end = ends.get(fact.process or '')
         if fact.kind == 'listener dropped' and (end is None or end > fact.time_s):
             file, line = fact_place(recording, fact)
-            yield found('node', fact.data['node'], file=file, line=line, time_s=fact.time_s)
+            kept = re.match(r'\s*(self\.\w+)\s*=', linecache.getline(file or '', line or 0))
+            yield found('node', fact.data['node'], file=file, line=line, time_s=fact.time_s, kept=kept and kept[1])

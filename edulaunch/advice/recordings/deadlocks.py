@@ -79,6 +79,7 @@ def goes_on(recording: Recording) -> Iterator[Finding]:
     """Report a callback that still runs at the end, after at least half a second, while other callbacks of its node wait."""
     for finding in _of(recording, 'callback goes on', 'timers', 'calls', but=EXPLAINED):
         calls = (finding.facts['calls'] or '').rpartition('.')[2] or None
+        calls = None if calls == '<lambda>' else calls
         yield finding._replace(facts={**finding.facts, 'calls': calls})
 
 

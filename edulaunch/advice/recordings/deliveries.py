@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from edulaunch.advice.rule import Finding, found, rule
+from edulaunch.advice.run_sources import name_of_call, script_of, walked
 from edulaunch.advice.runs import asking_place, end_place, fact_place, is_ros_own, names_of, own_nodes, programs, speaker
 from edulaunch.engine.nearest import nearest
 
@@ -23,10 +24,14 @@ SECOND = 1.0
         '{node} never spins, so none of its callbacks runs',
     ),
     why='a node handles messages, timers and services only while it spins',
-    do='call rclpy.spin(node) after you create the node, and do not wait for its callbacks before that',
+    do=(
+        'replace the loop in {looping}() with self.create_timer(0.1, self.step), and call rclpy.spin(node) in main()',
+        'add the node to the executor before it spins: executor.add_node({added})',
+        'call rclpy.spin(node) after you create the node, and do not wait for its callbacks before that',
+    ),
     lesson=LESSON,
     level='error',
-    hides=('messages.reply-not-taken', 'messages.not-taken', 'tf.empty-buffer', 'tf.unknown-frame'),
+    hides=('messages.reply-not-taken', 'messages.not-taken', 'tf.empty-buffer', 'tf.unknown-frame', 'turtlesim.slow-commands'),
 )
 def never_spun(recording: Recording) -> Iterator[Finding]:
     """Report a node that existed for a second and was never in an executor, if it has timers, subscriptions or services."""
@@ -42,8 +47,19 @@ def never_spun(recording: Recording) -> Iterator[Finding]:
             stands_at = str(fact.data.get('calls', '')).partition('.')[2]
             calls = None if stands_at.startswith('spin') else stands_at or None
             if any(not is_ros_own(topic) for topic in fact.data['topics']) or fact.data['timers'] or fact.data['services']:
+                facts = {
+                    'calls': calls,
+                    'looping': fact.data.get('function') if calls in ('sleep', 'sleep_for') else None,
+                    'added': 'node' if stands_at.startswith('spin') and _is_executor_empty(place[0]) else None,
+                }
                 file, line = place
-                yield found('node', fact.data['node'], file=file, line=line, time_s=started[fact.data['node']], calls=calls)
+                yield found('node', fact.data['node'], file=file, line=line, time_s=started[fact.data['node']], **facts)
+
+
+def _is_executor_empty(file: str | None) -> bool:
+    """Return whether a program creates an executor, but adds no node to it."""
+    calls = {name_of_call(node) for node in walked(tree)} if (tree := script_of(file)) is not None else set()
+    return any(name.endswith('Executor') for name in calls) and 'add_node' not in calls
 
 
 BLOCKING = ('wait_for_service', 'wait_for_server', 'wait_for_message', 'private_input', 'readline', 'read')

@@ -33,13 +33,14 @@ _COMPONENTS = re.compile(r'Failed to find class.*\n  help: components of \S+: (.
         "add (os.path.join('share', package_name, '{folder}'), glob('{pattern}')) to data_files of setup.py",
         'add install(DIRECTORY {folder} DESTINATION share/${{PROJECT_NAME}}) to CMakeLists.txt',
         'write {near}',
+        'write the path of {relative} with os.path.join(get_package_share_directory(...), ...), not relative to the terminal',
         'create that file, or write the path of the file that you mean',
     ),
     lesson='03_parameters',
     level='error',
 )
 def parameter_file_absent(recording: Recording) -> Iterator[Finding]:
-    """Report a missing parameter file that launch_ros has logged. Another rule reports relative paths."""
+    """Report a missing parameter file that launch_ros has logged."""
     logs = [message for _, process, _, _, message in recording.rows('logs') if message.startswith(_NO_FILE)]
     for path in dict.fromkeys(message.removeprefix(_NO_FILE) for message in logs):
         file, line, joined = _written(recording, path)
@@ -51,6 +52,8 @@ def parameter_file_absent(recording: Recording) -> Iterator[Finding]:
             shown = os.path.join('share', tail) if is_shared else path
             source = _not_installed(file, *tail.split(os.sep, 1)) if is_shared and joined is None else {}
             yield found('file', name, file=file, line=line, path=shown, joined=joined, near=near, **source)
+        else:
+            yield found('file', os.path.basename(path), file=file, line=line, path=path, relative=path)
 
 
 def _not_installed(launch_file: str | None, package: str, *inside: str) -> dict[str, Any]:

@@ -166,11 +166,15 @@ def _turned(recording: Recording) -> list[tuple[Broadcasts, str, list[tuple[floa
 
 @rule(
     'tf.other-yaw',
-    what="{node} broadcasts '{frame}' with a rotation that is not the heading of {turtle}",
+    what=(
+        "{node} broadcasts '{frame}' with a rotation by the heading of {in_degrees} in degrees",
+        "{node} broadcasts '{frame}' with a rotation that is not the heading of {turtle}",
+    ),
     why='a listener computes directions from this rotation, so a follower turns the wrong way',
     do=(
+        'leave out the conversion to degrees: the theta of {in_degrees} and the angles of quaternion_from_euler() are in radians',
         'use transform.rotation.z = math.sin(message.theta / 2) and transform.rotation.w = math.cos(message.theta / 2), '
-        'or compare your function with these formulas'
+        'or compare your function with these formulas',
     ),
     lesson=LESSON,
     level='error',
@@ -185,12 +189,20 @@ def other_yaw(recording: Recording) -> Iterator[Finding]:
         upright = [(s, c, q) for s, c, q in known if abs(q[0]) < CLOSE and abs(q[1]) < CLOSE]
         if len(upright) < SAMPLES or len(upright) < len(known) or one.parent.removeprefix('/') != 'world':
             continue
-        off = [abs(s * q[2] + c * q[3]) < FAR * math.hypot(q[2], q[3]) for s, c, q in upright]
+        off = [_differ(s, c, q) for s, c, q in upright]
+        halves = [(math.degrees(math.atan2(s, c)), q) for s, c, q in upright]
+        in_degrees = sum(not _differ(math.sin(half), math.cos(half), q) for half, q in halves) >= 0.9 * len(off)
         turns = max(s for s, _, _ in upright) - min(s for s, _, _ in upright) > MOVES
         is_left_out = all(abs(q[2]) < CLOSE for _, _, q in upright)  # w = 1 alone sets no direction
-        if sum(off) >= 0.9 * len(off) and (turns or not is_left_out):
+        if (sum(off) >= 0.9 * len(off) and (turns or not is_left_out)) or (in_degrees and sum(off) >= 0.5 * len(off)):
             file, line = broadcast_place(recording, one.node, '/tf')
-            yield found('frame', one.child, file=file, line=line, time_s=one.first_s, node=one.node, turtle=turtle)
+            facts = {'node': one.node, 'turtle': turtle, 'in_degrees': turtle if in_degrees else None}
+            yield found('frame', one.child, file=file, line=line, time_s=one.first_s, **facts)
+
+
+def _differ(sine: float, cosine: float, rotation: Any) -> bool:
+    """Return whether a rotation differs from an angle, given by the sine and cosine of its half, by more than 0.4 rad."""
+    return bool(abs(sine * rotation[2] + cosine * rotation[3]) < FAR * math.hypot(rotation[2], rotation[3]))
 
 
 @rule(

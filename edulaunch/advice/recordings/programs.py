@@ -27,6 +27,7 @@ LONGEST = 400
 _OUTSIDE = re.compile("timed out|Connection (?:refused|reset)|unreachable|No route to host|Name or service not known|'/dev/")
 """What an error says if a device or another computer does not answer."""
 HELP = 'help: '
+_REQUIRED = re.compile(r"main\(\) missing 1 required positional argument: '(\w+)'")
 _ENDED = re.compile(r'\[ERROR\] \[(?P<name>[^\]]+)\]: process has died \[pid \d+, exit code (?P<code>-?\d+), cmd ')
 
 
@@ -52,6 +53,7 @@ def private_name(recording: Recording) -> Iterator[Finding]:
         'install the program {absent} on this computer',
         'check that the device or program with which line {waits} communicates is on and reachable',
         'check the values that lead to line {raised}, where the program raises this error itself',
+        'add a default value, as in `def main({required}=None):`',
         'correct line {at}, where the program ended',
         '{help}',
         'check the last output of the program: {said}',
@@ -83,6 +85,7 @@ def died(recording: Recording) -> Iterator[Finding]:
             absent=_absent_program(error, line),
             waits=error.get('line') if _OUTSIDE.search(error.get('message', '')) else None,
             raised=line if error and _raises(file, line) else None,
+            required=required[1] if (required := _REQUIRED.match(error.get('message', ''))) else None,
             **{'error': _short(f'{error["type"]}: {error["message"]}') if error else None, **_last_words(printed)},
         )
     yield from _outside(recording)

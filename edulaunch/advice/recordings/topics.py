@@ -63,6 +63,7 @@ def _sent(recording: Recording, end: EndRecord) -> bool:
     why='ROS 2 connects topics by their full name with the namespace, so every letter and every slash counts',
     do=(
         "write a comma after the string '{first}': without it, Python joins this string to the next one",
+        "write '{relative}' without the first slash in {outside}: with the slash, the name ignores the namespace of the node",
         "write '{right}' instead of '{wrong}' in the remappings of {remapped}",
         "write '{right}' instead of '{wrong}' in the command of {command}",
         "use the same name in both nodes, or add remappings=[('{near}', '{topic}')] to the Node of {subscriber}",
@@ -86,7 +87,8 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
         if other is None or is_moved or _is_outdone(recording, end, other) or _part_of_a_larger_launch(recording, end, other):
             continue
         if (end.node in own or other.node in own) and _sent(recording, end):
-            mine = end if end.node in own else other
+            repair = _repair(recording, end, other)
+            mine = other if repair['outside'] == other.node or end.node not in own else end
             place = end_place(recording, mine.kind, mine.name, mine.node)
             yield found(
                 'topic',
@@ -97,15 +99,21 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
                 node=speaker(recording, end.node),
                 other=speaker(recording, other.node),
                 near=other.name,
-                **_repair(recording, end, other),
+                **repair,
             )
 
 
 def _repair(recording: Recording, end: EndRecord, other: EndRecord) -> dict[str, str | None]:
     """Return the facts for the advice: the node that uses the wrong name, or the nodes to which a remapping can be added."""
-    facts: dict[str, str | None] = dict.fromkeys(('first', 'right', 'wrong', 'remapped', 'command', 'subscriber', 'publisher'))
+    facts: dict[str, str | None] = dict.fromkeys(
+        ('first', 'relative', 'outside', 'right', 'wrong', 'remapped', 'command', 'subscriber', 'publisher')
+    )
     facts['first'] = _joined(recording, end, other) or _joined(recording, other, end)
     how, other_how = _how_named(recording, end), _how_named(recording, other)
+    for one, partner, known in ((end, other, how), (other, end, other_how)):
+        namespace = one.node.rpartition('/')[0]
+        if known is None and namespace and partner.name == namespace + one.name:
+            facts |= {'relative': one.name[1:], 'outside': one.node}
     is_slip = nearest_spelling(end.name, [other.name]) is not None
     if (how is None) != (other_how is None) and (is_slip or 'command' in (how, other_how)):
         wrong, right = (other, end) if how is None else (end, other)

@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.runs import INTERRUPTS, ends_by_name, node_place, own_nodes, speaker
+from edulaunch.advice.runs import INTERRUPTS, end_place, ends_by_name, own_nodes, speaker
 from edulaunch.engine.nearest import nearest
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ def wall(recording: Recording) -> Iterator[Finding]:
         ]
         if len(at) * TICK_S >= 0.5:
             driver = _driver(recording, turtle)
-            file, line = node_place(recording, driver or node)
+            file, line = end_place(recording, 'publisher', f'{turtle}/cmd_vel', driver or node)
             follower = driver if driver and any(end.node == driver for end in followed) else None
             x, y = (round(value, 2) for value in at[0][1][:2])
             seconds = round(len(at) * TICK_S, 1)
@@ -103,9 +103,9 @@ def _driver(recording: Recording, turtle: str) -> str | None:
 )
 def spawn_taken(recording: Recording) -> Iterator[Finding]:
     """Report a spawn with a name that already existed. In that case, the name in the reply is empty."""
-    for time_s, _, client, request, response in _calls(recording, 'Spawn'):
+    for time_s, service, client, request, response in _calls(recording, 'Spawn'):
         if response is not None and not response[0]:
-            file, line = node_place(recording, client)
+            file, line = end_place(recording, 'client', service, client)
             yield found('turtle', request[3], file=file, line=line, time_s=time_s, node=speaker(recording, client))
 
 
@@ -123,7 +123,7 @@ def outside(recording: Recording) -> Iterator[Finding]:
     for kind in ('Spawn', 'TeleportAbsolute'):
         for time_s, service, client, request, _ in _calls(recording, kind):
             if not (0 <= request[0] <= SIDE and 0 <= request[1] <= SIDE):
-                file, line = node_place(recording, client)
+                file, line = end_place(recording, 'client', service, client)
                 name = (request[3] or 'a turtle') if kind == 'Spawn' else service.rpartition('/')[0]
                 place = {'x': round(request[0], 2), 'y': round(request[1], 2)}
                 yield found('turtle', name, file=file, line=line, time_s=time_s, node=speaker(recording, client), **place)
@@ -145,7 +145,7 @@ def degrees(recording: Recording) -> Iterator[Finding]:
     for kind, at in (('Spawn', 2), ('TeleportAbsolute', 2), ('TeleportRelative', 1)):
         for time_s, service, client, request, _ in _calls(recording, kind):
             if abs(request[at]) > FULL_TURN:
-                file, line = node_place(recording, client)
+                file, line = end_place(recording, 'client', service, client)
                 name = request[3] if kind == 'Spawn' else service.rpartition('/')[0]
                 yield found(
                     'turtle',
@@ -159,7 +159,7 @@ def degrees(recording: Recording) -> Iterator[Finding]:
     for turtle, rows in commands(recording).items():
         fast = next((row for row in rows if abs(row[2][5]) > FAST), None)
         if fast is not None and len({round(abs(row[2][5]), 2) for row in rows if row[1] == fast[1]}) <= WRITTEN:
-            file, line = node_place(recording, fast[1])
+            file, line = end_place(recording, 'publisher', f'{turtle}/cmd_vel', fast[1])
             angle = round(fast[2][5], 2)
             yield found(
                 'turtle', turtle, file=file, line=line, time_s=fast[0] / 1e9, node=speaker(recording, fast[1]), angle=angle
@@ -179,7 +179,7 @@ def pen_off(recording: Recording) -> Iterator[Finding]:
     down = {row[1] for row in _calls(recording, 'SetPen') if not row[3][4]}
     for time_s, service, client, request, _ in _calls(recording, 'SetPen'):
         if request[4] and any(request[:4]) and service not in down:
-            file, line = node_place(recording, client)
+            file, line = end_place(recording, 'client', service, client)
             turtle = service.rpartition('/')[0]
             yield found('turtle', turtle, file=file, line=line, time_s=time_s, node=speaker(recording, client), off=request[4])
 
@@ -206,8 +206,8 @@ def kill_unknown(recording: Recording) -> Iterator[Finding]:
     for time_ns, process, _, _, message in recording.rows('logs'):
         match = _NO_TURTLE.match(message)
         if match is not None:
-            asker = next((row[2] for row in _calls(recording, 'Kill') if row[3][0] == match[1]), '')
-            file, line = node_place(recording, asker)
+            asker = next((row[1:3] for row in _calls(recording, 'Kill') if row[3][0] == match[1]), ('', ''))
+            file, line = end_place(recording, 'client', *asker)
             time_s, kills = time_ns / 1e9, [row for row in _calls(recording, 'Kill') if row[3][0] == match[1]]
             was_killed = match[1] in names and sum(row[0] <= time_s for row in kills) > 1
             facts = {
@@ -234,7 +234,7 @@ def killed(recording: Recording) -> Iterator[Finding]:
         turtle = f'{service.rpartition("/")[0]}/{request[0]}'
         late = next((row for row in commands(recording).get(turtle, ()) if row[0] / 1e9 > time_s and any(row[2])), None)
         if late is not None and not any(at_s > time_s and name == request[0] for at_s, name in spawned):
-            file, line = node_place(recording, late[1])
+            file, line = end_place(recording, 'publisher', f'{turtle}/cmd_vel', late[1])
             facts = {'node': speaker(recording, late[1]), 'short': request[0]}
             yield found('turtle', turtle, file=file, line=line, time_s=late[0] / 1e9, **facts)
 
@@ -258,7 +258,7 @@ def ignored_axes(recording: Recording) -> Iterator[Finding]:
         for node in dict.fromkeys(row[1] for row in rows):
             used = [any(row[2][axis] for row in rows if row[1] == node) for axis in range(6)]
             if any(used) and not any(used[axis] for axis in counting):
-                file, line = node_place(recording, node)
+                file, line = end_place(recording, 'publisher', f'{turtle}/cmd_vel', node)
                 axes = [name for name, is_used in zip(AXES, used, strict=True) if is_used]
                 yield found(
                     'turtle', turtle, file=file, line=line, time_s=rows[0][0] / 1e9, node=speaker(recording, node), axes=axes
@@ -292,6 +292,6 @@ def slow_commands(recording: Recording) -> Iterator[Finding]:
         over = recording.duration_s - moving[-1] / 1e9
         middle = gaps[len(gaps) // 2] if gaps else None
         if (middle is None and over > 2.0) or (len(moving) > 2 and middle is not None and middle > TIMEOUT_NS):
-            file, line = node_place(recording, rows[0][1])
+            file, line = end_place(recording, 'publisher', f'{turtle}/cmd_vel', rows[0][1])
             gap_s = None if middle is None else round(middle / 1e9, 2)
             yield found('turtle', turtle, file=file, line=line, time_s=moving[0] / 1e9, node=rows[0][1], gap_s=gap_s)

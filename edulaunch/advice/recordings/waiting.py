@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import ast
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.runs import ends_by_name, fact_place, node_of, node_place, places
+from edulaunch.advice.run_sources import script_of, walked
+from edulaunch.advice.runs import ends_by_name, fact_place, files_of, node_of, node_place, places
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
     from edulaunch.engine.recording.records import Fact
 
 LESSON = '09_broadcaster_and_listener'
+_IDLE = re.compile(r'\b(True|1|ok|time|now|monotonic)\b')
+"""Matches the condition of a `while` loop that only lets time pass."""
 OFTEN = 3
 """With at least this many late calls, they form a pattern. The first calls of nodes are often late."""
 
@@ -78,18 +83,22 @@ def sleep_in_callback(recording: Recording) -> Iterator[Finding]:
     'time.slow-callback',
     what='the timer of {callback}() in {node} has a period of {period_s} s, but is up to {late_s} s late ({times} times)',
     why='the node is busy for longer than the period, and rclpy skips the calls that it misses',
-    do='use a longer period for the timer, or make the callbacks of {node} shorter',
+    do=(
+        'remove the loop on line {loop}: the timer calls {callback}() again',
+        'use a longer period for the timer, or make the callbacks of {node} shorter',
+    ),
     lesson=LESSON,
 )
 def slow_callback(recording: Recording) -> Iterator[Finding]:
     """Report a callback that made a timer miss at least three whole periods."""
     for fact in _of(recording, 'timer skipped'):
         if fact.times >= OFTEN:
-            file, line = node_place(recording, fact.data['node'] or '')
+            file, line, loop = _callback_place(recording, fact.data['node'] or '', fact.data['callback'])
             facts = {
                 'callback': fact.data['callback'] or 'timer',
                 'period_s': fact.data['period_s'],
                 'late_s': fact.data['late_s'],
+                'loop': loop,
             }
             yield found(
                 'node',
@@ -100,6 +109,20 @@ def slow_callback(recording: Recording) -> Iterator[Finding]:
                 times=fact.times,
                 **facts,
             )
+
+
+def _callback_place(recording: Recording, node: str, callback: str | None) -> tuple[str | None, int | None, int | None]:
+    """Return the file and line of a callback and the line of its `while` loop, or the place at which its program was started."""
+    for file in sorted(files_of(recording, node)):
+        for function in walked(tree) if (tree := script_of(file)) is not None else ():
+            if isinstance(function, ast.FunctionDef) and function.name == callback:
+                loops = [
+                    inner.lineno
+                    for inner in ast.walk(function)
+                    if isinstance(inner, ast.While) and _IDLE.search(ast.unparse(inner.test))
+                ]
+                return file, function.lineno, loops[0] if loops else None
+    return (*node_place(recording, node), None)
 
 
 @rule(

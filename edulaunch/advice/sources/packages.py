@@ -260,7 +260,7 @@ _PROJECT = re.compile(r'^\s*project\s*\(\s*([\w.-]+)', re.MULTILINE | re.IGNOREC
         'colcon uses the name in package.xml, but setup.py installs files into {place}',
         'ament_package() stops the build if the two names differ',
     ),
-    do="write '{package}' in both files",
+    do=("write '{folder}' in both files", "write '{package}' in both files"),
     lesson='07_packages',
     level='error',
 )
@@ -275,4 +275,6 @@ def name_differs(source: PackageInWorkspace) -> Iterator[Finding]:
         if place is not None and not any(name.startswith(place) for name in package.contents.files):
             return  # only the build itself uses the other name
         line = read_text(build).count('\n', 0, named.start(1)) + 1
-        yield found('package', package.name, file=build, line=line, other=named[1], written=os.path.basename(build), place=place)
+        folder = os.path.basename(os.path.dirname(build))
+        facts: dict[str, Any] = {'other': named[1], 'written': os.path.basename(build), 'place': place}
+        yield found('package', package.name, file=build, line=line, folder=folder if folder == named[1] else None, **facts)

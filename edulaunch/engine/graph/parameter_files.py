@@ -183,7 +183,8 @@ def _read_sequence(reader: _Reader) -> list[Any]:
     while type(event := reader.next()).__name__ != 'SequenceEndEvent':
         if type(event).__name__ != 'ScalarEvent':
             what = 'Sequences' if type(event).__name__ == 'SequenceStartEvent' else 'Mappings'
-            raise ParameterFileError(f'{what} cannot be values of a sequence. Error at line {line_of(event)}')
+            reason = f'{what} cannot be values of a sequence. Error at line {line_of(event)}'
+            raise with_facts(ParameterFileError(reason), 'launch.nested-list', at=line_of(event))
         item = _scalar(event)
         if items and type(item) is not type(items[0]):
             kind = sequence_type_name(item)

@@ -255,7 +255,7 @@ def _add_file(result: RosArguments, flag: str, path: str, entries_of: Callable[[
         refused = _refuse('params file', flag, path, 'Error parsing a event: the file is not UTF-8 text')
         raise with_facts(refused, 'launch.parameter-file-encoding', unreadable=path) from None
     except ParameterFileError as error:
-        facts_of(error)['parameter_file'] = os.path.basename(path)
+        facts_of(error).update(parameter_file=os.path.basename(path), parameter_path=path)
         raise with_facts_of(_refuse('params file', flag, path, str(error)), error) from None
     base = path.replace('\\', '/').rpartition('/')[2]
     for entry in entries:

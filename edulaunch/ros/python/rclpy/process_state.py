@@ -19,6 +19,7 @@ class ProcessState:
     :ivar contexts: all initialised contexts, in order of initialisation; signals shut them down.
     :ivar previous_handlers: pairs (rclpy's handler, the previous handler) by signal number, while rclpy handles signals.
     :ivar goal_ids: the random generator of action goal IDs.
+    :ivar interrupted_at: the student's line at which the last signal interrupted the main thread, as in `student_line`.
     """
 
     def __init__(self, process: Any) -> None:
@@ -30,6 +31,7 @@ class ProcessState:
         self.previous_handlers: dict[int, Any] = {}
         self.logging: LoggingState | None = None
         self.goal_ids: Any = None
+        self.interrupted_at: dict[str, Any] = {}
 
 
 def process_state() -> ProcessState:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from edulaunch.ros.passed_on import passed_on
 from rclpy.impl.c_enum import Pybind11Enum
+from rclpy.impl.facts import note_interruption
 from rclpy.process_state import ProcessState, process_state
 
 
@@ -42,6 +43,7 @@ def _install(state: ProcessState, number: int, default: Callable[[int], object] 
 
     def handler(signum: int) -> None:
         for context in list(state.contexts):
+            note_interruption(context)
             context.rcl_end_by_signal()
         following = default if before is None or before == state.process.signals.die_at_once else before
         if following is not None:

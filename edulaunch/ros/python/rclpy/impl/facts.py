@@ -20,8 +20,9 @@ from rclpy.node_parts.core import core_of
 from rclpy.process_state import process_state
 
 if TYPE_CHECKING:
+    from edulaunch.engine.sim.task import Task
     from rclpy.impl.entity import Entity
-    from rclpy.impl.protocols import ExecutorProtocol, NodeProtocol
+    from rclpy.impl.protocols import ContextProtocol, ExecutorProtocol, NodeProtocol
     from rclpy.node_parts.core import NodeCore
 
 
@@ -176,6 +177,8 @@ WAITING_NS = 500_000_000
 """How long a message or request must wait for a callback before the wait counts as unusual."""
 VERY_LONG_NS = 3_000_000_000
 """A callback that delays a timer for this time is assumed not to end."""
+ENDLESS_NS = 7_000_000_000
+"""How much longer a timer's own callback must run until it is assumed not to end."""
 DEEP = 5
 """The smallest depth at which a full queue is unusual, because it drops messages. Smaller queues are often full briefly."""
 GIVEN_BY_ROS = ('use_sim_time', 'start_type_description_service', 'qos_overrides.')
@@ -189,7 +192,10 @@ def odd_facts(core: NodeCore) -> Facts:
     yield from _passed_over(core)
     waiting = [*_waiting(core)]
     yield from waiting
-    yield from _going_on(core, bool(waiting))
+    executor = core.ready_list.executor
+    task = None if executor is None else executor.spinner
+    if executor is not None and task is not None and task is not running_task():
+        yield from _going_on(core, executor, task, waiting_line(task), bool(waiting))
     if not core.was_spun:
         yield from _never_spun(core)
 
@@ -233,21 +239,28 @@ def _waiting(core: NodeCore) -> Facts:
             yield 'reply waits', {'node': core.full_name, 'service': client.endpoint.service_name}
 
 
-def _going_on(core: NodeCore, something_waits: bool) -> Facts:
+def note_interruption(context: ContextProtocol) -> None:
+    """Record which callbacks do not end, and where the main thread waits, when a signal is about to end the program."""
+    state = process_state()
+    state.interrupted_at = student_line()
+    for executor in context.executors:
+        for core in map(core_of, executor.get_nodes() if executor.spinner is current_task() else ()):
+            for kind, data in _going_on(core, executor, current_task(), state.interrupted_at, any(_waiting(core))):
+                _keep(kind, data)
+
+
+def _going_on(core: NodeCore, executor: ExecutorProtocol, task: Task, line: dict[str, Any], something_waits: bool) -> Facts:
     """Yield a fact about a callback that does not end, if timers of the node are long overdue because of it.
 
-    The callback also counts if it waits without a timeout while messages or replies wait.
+    The callback also counts if it waits without a timeout while messages or replies wait. `line` is the line at which it waits.
     """
-    executor = core.ready_list.executor
-    task = None if executor is None else executor.spinner
-    if executor is None or task is None or task is running_task():
-        return
     entity, late_ns = executor.rcl_running_entity(), core.graph.sim.now_ns - VERY_LONG_NS
-    due = [timer for timer in core.timers if timer.rcl_due_ns <= late_ns and timer is not entity]
-    if entity is not None and entity.ready_list is core.ready_list and (due or (something_waits and task.waits_for_ever())):
+    late = [timer for timer in core.timers if timer.rcl_due_ns <= late_ns]
+    due = [timer for timer in late if timer is not entity]
+    is_endless = task.waits_for_ever() or (entity in late and entity.rcl_due_ns <= late_ns - ENDLESS_NS)
+    if entity is not None and entity.ready_list is core.ready_list and (due or (something_waits and is_endless)):
         timers = [callback_name(timer) or 'timer' for timer in due]
-        data = {'node': core.full_name, 'callback': callback_name(entity), 'timers': timers}
-        yield 'callback goes on', {**data, **waiting_line(task)}
+        yield 'callback goes on', {'node': core.full_name, 'callback': callback_name(entity), 'timers': timers, **line}
 
 
 def _never_spun(core: NodeCore) -> Facts:
@@ -256,7 +269,8 @@ def _never_spun(core: NodeCore) -> Facts:
     own = [name for name in services if not name.startswith(f'{core.full_name}/')]
     if core.timers or topics or own:
         task = core.process.lifecycle.task
-        line = {} if task is running_task() or task.finished else waiting_line(task)
+        is_over = task is running_task() or task.finished
+        line = process_state().interrupted_at if is_over else waiting_line(task)
         data = {'node': core.full_name, 'timers': len(core.timers), 'topics': topics, 'services': own}
         yield 'node not spun', {**data, **line}
 

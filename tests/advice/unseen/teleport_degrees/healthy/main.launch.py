@@ -1,0 +1,12 @@
+import os
+
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='turtlesim', executable='turtlesim_node', name='sim'),
+        Node(package='my_robot', executable='jumper', name='jumper', output='screen'),
+    ])
