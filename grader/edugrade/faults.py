@@ -18,6 +18,8 @@ from typing import TYPE_CHECKING
 from edulaunch.errors import how_to_install
 from edulaunch.runtime.quiet_start import LOADING_FAULTS
 
+from .sandbox.allowance import MOST_BYTES, MOST_BYTES_OF_FILE, MOST_FILES
+
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
 
@@ -41,6 +43,10 @@ REPORT_IT = 'report this with the launch file and the --json report; it costs no
 REPAIR = 'free disk space, memory or processes (see df, free and ulimit -a), and grade again; a batch continues with --resume'
 _NUMBER = re.compile(r'\[Errno (\d{1,3})\]')
 _LONGEST_LOOK = 200_000
+_NO_FOLDER = 'No usable temporary directory'
+FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+"""Errors of a run that has written as much as it may, unless the disk of the computer is full."""
+WRITE_LESS = f'write at most {MOST_BYTES >> 20} MiB, {MOST_FILES} files, and {MOST_BYTES_OF_FILE >> 20} MiB to one file in a run'
 TRIED_BYTES, TRIED_MEMORY, TRIED_DESCRIPTORS = 1 << 18, 64 << 20, 24
 
 
@@ -96,10 +102,15 @@ def fault_in(text: str) -> str | None:
     return next((SENTENCES[number] for number in numbers if number in OF_THE_COMPUTER), None)
 
 
+def advice_on_limits(text: str) -> str | None:
+    """Return what to do about a message that says that a run wrote more than it may, or None for another message."""
+    return WRITE_LESS if any(int(number) in FULL for number in _NUMBER.findall(text)) else None
+
+
 def looks_like_one(outcome: Outcome) -> bool:
     """Return whether the computer may have caused an outcome. The error numbers and messages in the outcome decide."""
     text = _text_of(outcome)
-    return fault_in(text) is not None or 'MemoryError' in text or any(words in text for words in LOADING_FAULTS)
+    return fault_in(text) is not None or any(words in text for words in (*LOADING_FAULTS, 'MemoryError', _NO_FOLDER))
 
 
 def _text_of(outcome: Outcome) -> str:

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from .evidence import Outcome, Scenario
 from .places import environment
+from .sandbox.allowance import MOST_BYTES_OF_FILE
 from .submission import Submission
 
 MEBI = 1 << 20
@@ -45,7 +46,7 @@ class Limits(NamedTuple):
         return {
             'CPU': int(self.wall_s) + 5,
             'AS': self.memory_mib * MEBI,
-            'FSIZE': 64 * MEBI,
+            'FSIZE': MOST_BYTES_OF_FILE,
             'NOFILE': 256,
             'CORE': 0,
             'SIGPENDING': 256,

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from .child_run import HEADER_BYTES, ChildRun
 from .evidence import Outcome, Scenario
-from .faults import REPORT_IT, fault_in, missing_for, no_mark_for
+from .faults import REPORT_IT, advice_on_limits, fault_in, missing_for, no_mark_for
 from .sandbox.allowance import MOST_BYTES, MOST_FILES, VIEW
 from .shortened import shortened
 from .source import Place, is_engine
@@ -110,6 +110,8 @@ def _stopped_itself(run: ChildRun, report: dict[str, Any], where: Place | None) 
 def _broken(run: ChildRun, report: Any) -> Outcome:
     """Return the outcome for a failure of edulaunch in the process of the submission. The submission may have caused it."""
     words = report if isinstance(report, dict) else {}
+    if advice_on_limits(_text(words, 'text')):
+        return _too_much_written(run)._replace(detail=_text(words, 'trace'))  # faults.py reads the number in it
     text = f'edulaunch failed in the process that runs this file: {_text(words, "text") or "the reason is unknown"}'
     advice = "remove code that changes edulaunch's own objects; without such code, show this report to your teacher"
     return _stopped(run, text, advice)._replace(detail=_text(words, 'trace'))
@@ -132,6 +134,11 @@ def _too_many(run: ChildRun) -> Outcome:
     return _stopped(run, 'the run started too many programs', advice)
 
 
+def _too_much_written(run: ChildRun) -> Outcome:
+    text = f'the run wrote more than {MOST_BYTES >> 20} MiB or {MOST_FILES} files'
+    return _stopped(run, text, 'find a loop that writes without pause')
+
+
 def _cut(run: ChildRun) -> Outcome:
     if run.cut == 'garbage':
         return _garbage(run)
@@ -144,9 +151,7 @@ def _cut(run: ChildRun) -> Outcome:
     if run.cut == 'memory':
         return _memory(run)
     if run.cut == 'disk':
-        return _stopped(
-            run, f'the run wrote more than {MOST_BYTES >> 20} MiB or {MOST_FILES} files', 'find a loop that writes without pause'
-        )
+        return _too_much_written(run)
     return _timeout(run, None)
 
 
@@ -283,4 +288,4 @@ def _launch_error(scenario: Scenario, launch: LaunchRecord) -> Outcome:
     what, do = launch.advice or ('', '')
     if what and what.removeprefix('the ') not in text:
         text += f'\n{what}'
-    return Outcome(scenario, 'unusable', text=text, try_=do or _LOOK, where=where)
+    return Outcome(scenario, 'unusable', text=text, try_=advice_on_limits(text) or do or _LOOK, where=where)

@@ -24,16 +24,18 @@ from typing import Any
 
 FORM = '=qqq'
 LOADING, FIRST_OF_EACH, NO_PROCESSES = -1, -2, -3
-CALLS = {
+CALLS: dict[Any, tuple[str, ...]] = {
     os: (
         *('open', 'write', 'read', 'fork', 'fsync', 'mkdir', 'pipe', 'dup', 'dup2', 'chdir'),
         *('chmod', 'listdir', 'rename', 'replace', 'rmdir', 'scandir', 'symlink', 'unlink'),
     ),
     socket: ('socketpair', 'send_fds', 'recv_fds'),
+    socket.socket: ('sendmsg', 'recvmsg', 'sendall', 'recv'),
     mmap: ('mmap',),
 }
 
 _create_dynamic: Callable[..., Any] = _imp.create_dynamic
+_start_thread: Callable[..., Any] = threading.Thread.start
 
 
 def failing(function: Callable[..., Any], memory: mmap.mmap) -> Callable[..., Any]:
@@ -47,6 +49,8 @@ def failing(function: Callable[..., Any], memory: mmap.mmap) -> Callable[..., An
         if left == 1:
             if number == LOADING:
                 raise ImportError('a.so: failed to map segment from shared object')
+            if function is _start_thread:
+                raise RuntimeError("can't start new thread")
             raise OSError(number, os.strerror(number))
         return function(*arguments, **options)
 
@@ -84,6 +88,7 @@ def main(starter: str, shared: str) -> None:
     for module, names in CALLS.items():
         for name in names:
             setattr(module, name, failing(getattr(module, name), memory))
+    threading.Thread.start = failing(_start_thread, memory)  # type: ignore[method-assign]
     short_of_processes(memory)
     _imp.create_dynamic = failing(_create_dynamic, memory)
     builtins.open = io.open = failing(io.open, memory)

@@ -8,6 +8,7 @@ import os
 import re
 import socket
 import struct
+import threading
 from collections.abc import Callable, Iterator
 from functools import partial
 from importlib.util import find_spec
@@ -31,6 +32,7 @@ from tests.grader import faulty_starter
 
 ROOT = Path(__file__).resolve().parents[2]
 NUMBERS = (errno.ENOSPC, errno.ENOMEM, errno.EMFILE, errno.EIO, errno.EROFS, errno.EAGAIN)
+START = threading.Thread.start
 STEP = 1 if os.environ.get('EDULAUNCH_THOROUGH') else 5
 """Of the calls of a run each one fails in its turn, or each fifth one."""
 
@@ -48,6 +50,9 @@ def test_only_numbers_of_such_errors_are_looked_into() -> None:
     assert looks_like_one(Outcome(scenario, 'unusable', text='OSError: [Errno 28] No space left on device'))
     assert looks_like_one(Outcome(scenario, 'unusable', text='ImportError: math.so: failed to map segment from shared object'))
     assert looks_like_one(Outcome(scenario, 'unusable', text="RuntimeError: can't start new thread"))
+    assert looks_like_one(
+        Outcome(scenario, 'stopped', text="FileNotFoundError: [Errno 2] No usable temporary directory found in ['/tmp']")
+    )
     assert not looks_like_one(Outcome(scenario, 'unusable', text='FileNotFoundError: [Errno 2] No such file'))
     assert not looks_like_one(Outcome(scenario, 'stopped', text='it did not finish'))
 
@@ -194,6 +199,8 @@ class Faulty:
         self.count = self.left = self.number = 0
         for module, name in [(os, name) for name in ('open', 'write', 'fork', 'fsync', 'mkdir', 'pipe', 'replace')] + [
             (socket, 'socketpair'),
+            *((socket.socket, name) for name in ('sendmsg', 'recvmsg', 'sendall', 'recv')),
+            (threading.Thread, 'start'),
             (builtins, 'open'),
         ]:
             monkeypatch.setattr(module, name, self._failing(getattr(module, name)))
@@ -202,6 +209,8 @@ class Faulty:
         def call(*arguments: Any, **options: Any) -> Any:
             self.count += 1
             self.left -= 1
+            if self.left == 0 and function is START:
+                raise RuntimeError("can't start new thread")
             if self.left == 0:
                 raise OSError(self.number, os.strerror(self.number), 'a file')
             return function(*arguments, **options)
@@ -230,6 +239,32 @@ def test_each_call_of_the_grader_fails_once(
         assert code in (0, 3) or (code == 2 and 'cannot be written' in said.err), what
         assert 'Traceback' not in said.err, what
         assert code == 0 or 'no mark' in said.out or 'not graded' in said.err or 'cannot be written' in said.err, what
+
+
+@pytest.mark.processes
+@pytest.mark.parametrize(
+    ('code', 'sentence', 'line'),
+    [
+        ("for each in range(9999):\n    open(f'f{each}', 'w').close()\n", "[Errno 28] No space left on device: 'f", 2),
+        ("open('big', 'wb').write(bytes(80 << 20))\n", '[Errno 27] File too large', 1),
+    ],
+)
+def test_a_run_that_writes_too_much_reads_the_limit_and_its_line(tmp_path: Path, code: str, sentence: str, line: int) -> None:
+    file = tmp_path / 'circle.launch.py'
+    file.write_text(code + (ROOT / 'solutions' / 'circle.launch.py').read_text())
+    with Runner(Limits(), processors=1) as runner:
+        found = graded(runner, Submission(str(file)))
+    assert (found.kind, found.where) == ('unusable', (str(file), line)) and sentence in found.text
+    assert found.try_ == 'write at most 128 MiB, 4096 files, and 64 MiB to one file in a run'
+
+
+@pytest.mark.processes
+def test_a_run_that_fills_its_disk_and_goes_on_is_recorded(tmp_path: Path) -> None:
+    file = tmp_path / 'circle.launch.py'
+    full = "try:\n    for each in range(9999):\n        open(f'f{each}', 'w').close()\nexcept OSError:\n    pass\n"
+    file.write_text(full + (ROOT / 'solutions' / 'circle.launch.py').read_text())
+    with Runner(Limits(), processors=1) as runner:
+        assert graded(runner, Submission(str(file))).kind == 'recorded'
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 from edugrade import Scenario
 from edugrade.evidence import Outcome
+from edugrade.faults import looks_like_one
 from edugrade.job import Limits
 from edugrade.verdicts import recorded, verdict
 
@@ -70,6 +71,14 @@ def test_refused_calls_are_named() -> None:
     outcome = judged('U', {'text': 'PermissionError: [Errno 1]'}, refused=['chmod', 'utimensat'])
     assert outcome.refused == ('chmod', 'utimensat')
     assert outcome.text.splitlines()[1].startswith('The sandbox does not allow the system call chmod or utimensat. ')
+
+
+def test_a_run_that_fills_its_disk_below_edulaunch_reads_the_limit() -> None:
+    """The number stays in the detail, where it makes the grader test the computer."""
+    said = {'text': 'OSError: [Errno 28] No space left on device', 'trace': 'OSError: [Errno 28]'}
+    outcome = judged('S', {'reason': 'broken', 'said': said})
+    assert (outcome.kind, outcome.text) == ('stopped', 'the run wrote more than 128 MiB or 4096 files')
+    assert looks_like_one(outcome)
 
 
 def test_a_broken_engine_is_no_students_fault() -> None:

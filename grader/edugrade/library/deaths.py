@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from ..evidence import Evidence, Failure
+from ..faults import advice_on_limits
 from ..shortened import shortened
 from ..source import Place, is_shipped
 from .identity import processes_of
@@ -142,7 +143,8 @@ def _failure(recording: Recording, death: Death, words: str) -> Failure:
             return _broken_file(death, broken, at, words)
         where = Place(error['file'], error['line']) if error.get('file') else origin
         seen = f'{error["type"]}: {error["message"]}'
-        return Failure(rationale, expected=expected, seen=seen, where=where, try_=_advice_on(death, where, at))
+        advice = advice_on_limits(seen) or _advice_on(death, where, at)
+        return Failure(rationale, expected=expected, seen=seen, where=where, try_=advice)
     printed = last_line(recording, death.name)
     advice = 'correct the mistake that the last line names' if printed else 'start it in a terminal of its own to see why it ends'
     return Failure(rationale, expected=expected, seen=printed or 'no output', where=origin, try_=advice)

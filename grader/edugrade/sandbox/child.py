@@ -86,6 +86,7 @@ def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[
     os.setsid()
     try:
         state = {} if job['sandbox'] == 'off' else confine(job['readable'], job['home'])
+        repeat_temporary_names(job['seed'])
     except OSError as error:
         send(words, *_broke(error))
         os._exit(0)
@@ -97,7 +98,6 @@ def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[
     send(words, b'C', json.dumps(state).encode())
     if job['sandbox'] == 'require' and any(text != 'held' for layer, text in state.items() if layer != 'view'):
         os._exit(0)  # the runner reports the reason
-    repeat_temporary_names(job['seed'])
     answer_before_the_deadline(job, words)
     limit_single_calls(2.5 * job['turn_s'])
     reserve = bytes(RESERVE_BYTES)  # address space, which is limited; unlike a bytearray, it needs no memory
@@ -113,10 +113,14 @@ def run(job: dict[str, Any], link: socket.socket, words: int, confine: Callable[
 
 
 def repeat_temporary_names(seed: int) -> None:
-    """Make `tempfile` choose the same names in each run, because reports show these names. The folder is private to the run."""
+    """Make `tempfile` choose the same names in each run, because reports show these names. The folder is private to the run.
+
+    :raises OSError: if nothing can be written in this folder. Later, only the submission can be the cause.
+    """
     import tempfile
     from random import Random
 
+    tempfile.gettempdir()
     names: Any = tempfile._get_candidate_names()  # type: ignore[attr-defined]
     names._rng, names._rng_pid = Random(seed), os.getpid()
 

@@ -75,6 +75,7 @@ def test_what_cannot_be_loaded_or_found(container) -> None:
 
 
 def test_types_are_listed_by_package(machine) -> None:
-    assert machine.read('ros2 component types').startswith('composition\n  composition::Talker\n')
+    listed = machine.read('ros2 component types')
+    assert 'composition\n  composition::Talker\n' in listed and 'tf2_ros\n  tf2_ros::StaticTransformBroadcasterNode\n' in listed
     assert 'composition::Listener\n' in machine.read('ros2 component types composition')
     assert "did you mean 'composition'?" in machine.fails('ros2 component types compositon')

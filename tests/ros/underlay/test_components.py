@@ -86,7 +86,27 @@ def test_every_component_of_every_package_can_be_loaded(stage: Any) -> None:
     names = [(package, name) for package in packages_with_components(Index()) for name in components_of(Index(), package)]
     failed = {name: reply.error_message for package, name in names if not (reply := load(stage, name, package)).success}
     text = 'Component constructor threw an exception: robot_description parameter must not be empty'
-    assert len(names) >= 13 and failed == {'robot_state_publisher::RobotStatePublisher': text}
+    assert len(names) >= 20 and failed == {'robot_state_publisher::RobotStatePublisher': text}
+
+
+def test_a_component_publishes_the_static_transform_of_its_parameters(stage: Any) -> None:
+    stage.start('rclcpp_components', 'component_container')
+    stage.until(10)
+    numbers = {'translation.z': 0.4, 'rotation.z': 1.0, 'rotation.w': 0.0}
+    values = [Parameter(name=name, value=ParameterValue(type=3, double_value=value)) for name, value in numbers.items()]
+    names = {'frame_id': 'base', 'child_frame_id': 'lamp'}
+    values += [Parameter(name=name, value=ParameterValue(type=4, string_value=value)) for name, value in names.items()]
+    plugin = {'package': 'tf2_ros', 'plugin': 'tf2_ros::StaticTransformBroadcasterNode'}
+    assert load(stage, **plugin, node_name='lamp', parameters=values).full_node_name == '/lamp'
+    (message,) = stage.messages('/tf_static')
+    (sent,) = message.transforms
+    assert (sent.header.frame_id, sent.child_frame_id) == ('base', 'lamp')
+    assert (sent.transform.translation.z, sent.transform.rotation.z, sent.transform.rotation.w) == (0.4, 1.0, 0.0)
+    same = [Parameter(name=name, value=ParameterValue(type=4, string_value='base')) for name in names]
+    refused = load(stage, **plugin, parameters=same)
+    assert 'child_frame_id cannot equal frame_id' in refused.error_message
+    whole = [Parameter(name='translation.x', value=ParameterValue(type=2, integer_value=1))]
+    assert 'invalid type' in load(stage, **plugin, parameters=whole).error_message
 
 
 def test_a_launch_file_loads_its_components() -> None:

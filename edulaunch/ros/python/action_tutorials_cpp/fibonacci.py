@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from typing import Any
 
 import rclpy
 from action_msgs.msg import GoalStatus
@@ -22,8 +23,8 @@ PATIENCE_S = 10.0
 class FibonacciActionServer(CppNode):
     """Serves the action `fibonacci`, and executes each goal in a separate thread."""
 
-    def __init__(self) -> None:
-        super().__init__('fibonacci_action_server')
+    def __init__(self, **options: Any) -> None:
+        super().__init__('fibonacci_action_server', **options)
         self._server = ActionServer(
             self,
             Fibonacci,
@@ -63,8 +64,8 @@ class FibonacciActionServer(CppNode):
 class FibonacciActionClient(CppNode):
     """Sends a goal half a second after the start of the program."""
 
-    def __init__(self) -> None:
-        super().__init__('fibonacci_action_client')
+    def __init__(self, **options: Any) -> None:
+        super().__init__('fibonacci_action_client', **options)
         self._client = ActionClient(self, Fibonacci, 'fibonacci')
         self._timer: Timer = self.create_wall_timer(0.5, self._send_goal)
 

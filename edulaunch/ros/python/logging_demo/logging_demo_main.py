@@ -16,8 +16,8 @@ ROUNDS_BEFORE_DEBUG = 10
 class LoggerUsage(CppNode):
     """Logs twice a second. After ten rounds, it sets its logger to DEBUG, so that more messages appear."""
 
-    def __init__(self) -> None:
-        super().__init__('logger_usage_demo')
+    def __init__(self, **options: Any) -> None:
+        super().__init__('logger_usage_demo', **options)
         self._count = 0
         self._timer = self.create_wall_timer(0.5, self._on_timer)
         self._debug_timer = self.create_wall_timer(0.5 * ROUNDS_BEFORE_DEBUG, self._show_debug)
@@ -52,8 +52,8 @@ class LoggerUsage(CppNode):
 class LoggerConfig(CppNode):
     """Serves the service `config_logger`."""
 
-    def __init__(self) -> None:
-        super().__init__('logger_config')
+    def __init__(self, **options: Any) -> None:
+        super().__init__('logger_config', **options)
         self._service = self.create_service(ConfigLogger, 'config_logger', self._on_request)
 
     def _on_request(self, request: Any, response: Any) -> Any:

@@ -6,7 +6,7 @@ import random
 import re
 import string
 import sys
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import rclpy
 from geometry_msgs.msg import TransformStamped
@@ -136,20 +136,16 @@ def _number(option: str, text: str) -> float:
 NUMBERS = ('translation.x', 'translation.y', 'translation.z', 'rotation.x', 'rotation.y', 'rotation.z', 'rotation.w')
 
 
-class StaticTransformPublisher(CppNode):
-    """Publishes one static transform at its start. Read-only parameters contain the values of the transform."""
+class StaticTransformBroadcasterNode(CppNode):
+    """Publishes one static transform at its start: the component tf2_ros::StaticTransformBroadcasterNode.
 
-    def __init__(self, request: Request) -> None:
+    Read-only parameters contain the transform: `translation.x` to `translation.z` in metres, the quaternion `rotation.x` to
+    `rotation.w`, `frame_id` and `child_frame_id`.
+    """
+
+    def __init__(self, **options: Any) -> None:
         suffix = ''.join(random.choices(string.ascii_letters + string.digits, k=16))
-        asked = {
-            **dict(zip(NUMBERS, request.transform, strict=True)),
-            'frame_id': request.frame_id,
-            'child_frame_id': request.child_frame_id,
-        }
-        super().__init__(
-            f'static_transform_publisher_{suffix}',
-            parameter_overrides=[Parameter(name, value=value) for name, value in asked.items()],
-        )
+        super().__init__(f'static_transform_publisher_{suffix}', **options)
         message = self._declared()
         if message.header.frame_id == message.child_frame_id:
             self.get_logger().error(
@@ -197,7 +193,9 @@ def run() -> int:
         return 1
     if request.old_style:
         RcutilsLogger('').warning('Old-style arguments are deprecated; see --help for new-style arguments')
-    node = StaticTransformPublisher(request)
+    values = {**dict(zip(NUMBERS, request.transform, strict=True)), 'frame_id': request.frame_id}
+    values['child_frame_id'] = request.child_frame_id
+    node = StaticTransformBroadcasterNode(parameter_overrides=[Parameter(name, value=value) for name, value in values.items()])
     node.announce()
     rclpy.spin(node)
     return 0
