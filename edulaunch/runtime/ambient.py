@@ -7,10 +7,13 @@ from __future__ import annotations
 
 import datetime
 import os
+import signal
 import sys
+import threading
 import time
 from collections.abc import Callable
 from types import FrameType
+from typing import Any
 
 from edulaunch.engine.graph.graph import Graph
 from edulaunch.engine.packages.sourced import sourced_index, sourced_path
@@ -33,8 +36,7 @@ def script_sees_the_clock() -> bool:
 
     The result is False in tests and notebooks, whose code is not a script. In these, simulated time passes as fast as possible.
     """
-    main = getattr(sys.modules.get('__main__'), '__file__', None)
-    if main is None or not is_own(main):
+    if not _is_script():
         return False
     frame: FrameType | None = sys._getframe(1)
     while frame is not None:
@@ -45,8 +47,55 @@ def script_sees_the_clock() -> bool:
     return False
 
 
+def _is_script() -> bool:
+    """Return whether Python runs a student's script, and not a notebook, a test or another program."""
+    main = getattr(sys.modules.get('__main__'), '__file__', None)
+    return main is not None and is_own(main)
+
+
+class ScriptHandlers(dict[int, Callable[[int], object]]):
+    """The signal handlers of a plain script. While there is one, it receives the real signal of its number.
+
+    A handler that the script itself installed with `signal.signal` is the earlier handler of its number, as for rclpy in ROS 2.
+
+    :param deliver: delivers a signal to the process of the script.
+    """
+
+    def __init__(self, deliver: Callable[[int], object]) -> None:
+        self._deliver = deliver
+        self._before: dict[int, Any] = {}
+        self._own: list[Any] = []
+
+    def get(self, number: int, default: Any = None) -> Any:
+        """Return the handler of a signal, which can be the script's own."""
+        before = signal.getsignal(number)
+        if number in self or before in (signal.SIG_DFL, signal.default_int_handler, None):
+            return super().get(number, default)
+        self._own.append((lambda signum: before(signum, None)) if callable(before) else (lambda signum: None))
+        return self._own[-1]
+
+    def __setitem__(self, number: int, handler: Callable[[int], object]) -> None:
+        if handler in self._own:  # Python's `signal` has it already
+            return
+        super().__setitem__(number, handler)
+        if number not in self._before and threading.current_thread() is threading.main_thread():
+            self._before[number] = signal.signal(number, self._receive)
+
+    def __delitem__(self, number: int) -> None:
+        super().__delitem__(number)
+        before = self._before.pop(number, None)
+        if before is not None and signal.getsignal(number) == self._receive:
+            signal.signal(number, before)
+
+    def _receive(self, number: int, _: FrameType | None) -> None:
+        self._deliver(number)
+
+
 class AmbientProcess(Process):
     """The process of a script or notebook cell that uses ROS packages directly. It has the real standard streams."""
+
+    keeps_time = False
+    """Whether the script reads the real clock, so simulated time equals real time."""
 
     def has_imported(self, package: str) -> bool:
         """Return whether this interpreter has imported a package. No loader observes the imports of a script."""
@@ -66,6 +115,12 @@ class AmbientProcess(Process):
             return start_real_thread(body, name)
         return super().start_thread(body, name, daemon, at_once=at_once)
 
+    def start_worker(self, body: Callable[[], object], name: str) -> Task:
+        """Start a task that runs callbacks. In a script that reads the real clock, start a real thread, because a callback that
+        waits in `time.sleep` must not stop the other threads.
+        """
+        return start_real_thread(body, name) if self.keeps_time else self.start_thread(body, name, True)
+
 
 def make_ambient_process(task: AmbientTask) -> Process:
     """Create a process around `task`, with its own graph, host and index of sourced packages.
@@ -73,15 +128,20 @@ def make_ambient_process(task: AmbientTask) -> Process:
     In a script that reads the real clock, simulated time equals real time.
     """
     task.real_threads = RealThreads(task)
-    if script_sees_the_clock():
+    keeps_time = script_sees_the_clock()
+    if keeps_time:
         task.real_threads.keep_time()
     prefixes = [path for path in sourced_path().split(os.pathsep) if path]
     commands = CommandSet(shell=SimulatedShell())
     host = Host(task.sim, Graph(task.sim), sourced_index(prefixes), env=dict(os.environ), command_set=commands, hint_of=hint_of)
-    return ambient_process_on(host, task)
+    process = ambient_process_on(host, task)
+    process.keeps_time = keeps_time
+    if _is_script():
+        process.signals.handlers = ScriptHandlers(process.send_signal)
+    return process
 
 
-def ambient_process_on(host: Host, task: AmbientTask) -> Process:
+def ambient_process_on(host: Host, task: AmbientTask) -> AmbientProcess:
     """Create a process around `task` on an existing machine."""
     spec = ProcessSpec(argv=tuple(sys.argv), name='main', env=os.environ)
     process = AmbientProcess(host, spec, host.next_pid(), list(sys.argv), lambda _: None)

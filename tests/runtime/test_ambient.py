@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import datetime
+import os
+import subprocess
 import sys
 import time
 from collections.abc import Iterator
@@ -185,3 +187,77 @@ def test_a_lifespan_ends_while_the_script_is_busy(world: World, script: AmbientT
         rclpy.spin_once(node, timeout_sec=0.01)
     rclpy.shutdown()
     assert heard == ['new']
+
+
+def run_script(folder: Path, text: str) -> tuple[list[str], int]:
+    """The lines that a plain script prints, and its exit code."""
+    (folder / 'script.py').write_text(text)
+    command = [sys.executable, '-m', 'edulaunch', 'python', 'script.py']
+    done = subprocess.run(
+        command, cwd=folder, stdout=subprocess.PIPE, text=True, env={**os.environ, 'PYTHONPATH': str(Path.cwd())}
+    )
+    return done.stdout.splitlines(), done.returncode
+
+
+SIGNALLED = """
+import os, signal, rclpy
+from rclpy.executors import ExternalShutdownException
+{own}
+rclpy.init()
+node = rclpy.create_node('node')
+node.context.on_shutdown(lambda: print('not called after a signal'))
+node.create_timer(0.1, lambda: os.kill(os.getpid(), signal.{number}))
+try:
+    rclpy.spin(node)
+    print('returned')
+except (KeyboardInterrupt, ExternalShutdownException) as error:
+    print(type(error).__name__)
+print(rclpy.ok())
+rclpy.uninstall_signal_handlers()
+print(signal.getsignal(signal.{number}) in (signal.SIG_DFL, signal.SIG_IGN, signal.default_int_handler, *globals().values()))
+"""
+OWN = 'def own(*given): print("own handler", len(given))\nsignal.signal(signal.{number}, own)'
+IGNORED = 'signal.signal(signal.{number}, signal.SIG_IGN)'
+
+
+@pytest.mark.processes
+@pytest.mark.skipif(os.name == 'nt', reason='no such signals there')
+@pytest.mark.parametrize(
+    ('number', 'own', 'lines'),
+    [
+        ('SIGTERM', '', ['returned']),
+        ('SIGINT', '', ['KeyboardInterrupt']),
+        ('SIGINT', OWN, ['own handler 2', 'returned']),
+        ('SIGINT', IGNORED, ['returned']),
+    ],
+)
+def test_a_signal_shuts_rclpy_down_in_a_script(tmp_path: Path, number: str, own: str, lines: list[str]) -> None:
+    text = SIGNALLED.format(number=number, own=own.format(number=number))
+    assert run_script(tmp_path, text) == ([*lines, 'False', 'True'], 0)
+
+
+WAITING_CALLBACK = """
+import threading, time, rclpy
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.executors import MultiThreadedExecutor
+
+rclpy.init()
+node, group, go, done = rclpy.create_node('node'), ReentrantCallbackGroup(), threading.Event(), rclpy.Future()
+
+def wait():
+    first.cancel()
+    print('waits')
+    print(go.wait(20))
+    done.set_result(None)
+
+first = node.create_timer(0.1, wait, callback_group=group)
+node.create_timer(0.2, go.set, callback_group=group)
+executor = MultiThreadedExecutor(2)
+executor.add_node(node)
+executor.spin_until_future_complete(done)
+"""
+
+
+@pytest.mark.processes
+def test_a_callback_that_waits_for_real_does_not_stop_the_others(tmp_path: Path) -> None:
+    assert run_script(tmp_path, WAITING_CALLBACK) == (['waits', 'True'], 0)

@@ -33,7 +33,11 @@ def calls_on_line(failure: Failure) -> list[ast.Call]:
 )
 def type_as_text(failure: Failure) -> Iterator[Finding]:
     """Report a message type that is given as a string or swapped with the topic, as in `create_subscription('Pose', ...)`."""
-    if not failure.message.startswith("type object 'str' has no attribute '_TYPE_SUPPORT'"):
+    as_type, as_name = (
+        r"type object 'str' has no attribute '_TYPE_SUPPORT'",
+        r'incompatible function arguments: a name .* not Metaclass_',
+    )
+    if not re.match(f'{as_type}|{as_name}', failure.message):
         return
     for call in calls_on_line(failure):
         arguments = [*call.args, *[ast.Constant(None)] * 2][:2]

@@ -116,7 +116,9 @@ class InterfaceModule(ModuleType):
         self.__all__ = registry.names(package, kind)
 
     def __getattr__(self, name: str) -> Any:
-        if name in self.__all__:
+        service, _, part = name.rpartition('_')
+        is_part = self.__name__.endswith('.srv') and part in ('Request', 'Response', 'Event') and service in self.__all__
+        if is_part or name in self.__all__:
             cls = self._registry.get(f'{self.__name__.replace(".", "/")}/{name}')
             setattr(self, name, cls)
             return cls

@@ -118,6 +118,10 @@ class Process:
         """Start another task of the program; see :meth:`Lifecycle.start_thread`."""
         return self.lifecycle.start_thread(body, name, daemon, at_once=at_once)
 
+    def start_worker(self, body: Callable[[], object], name: str) -> Task:
+        """Start a task that runs callbacks of the program, which may block it."""
+        return self.start_thread(body, name, True)
+
     def send_signal(self, signum: int) -> None:
         """Send a signal to the program; see :meth:`SignalDelivery.deliver`."""
         self.signals.deliver(signum)

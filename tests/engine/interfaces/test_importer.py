@@ -36,8 +36,10 @@ def test_a_module_is_found_by_every_form_of_import(finder, get):
 
 def test_private_modules_of_ros_can_be_imported(finder, get):
     from geometry_msgs.msg._transform_stamped import TransformStamped
+    from turtlesim.srv import Spawn_Request as from_package
     from turtlesim.srv._spawn import Spawn_Request
 
+    assert from_package is Spawn_Request
     assert (TransformStamped, Spawn_Request) == (get('geometry_msgs/msg/TransformStamped'), get('turtlesim/srv/Spawn').Request)
 
 

@@ -31,6 +31,13 @@ def notes(world: Any, text: str) -> list[str]:
         ('hash(object())', ['hash()']),
         ('import os\nos.umask(os.umask(0o22))', ['os.umask']),
         ('import os.path\nos.path.getmtime("/dev/null")', ['os.path.getmtime']),
+        ('import os\nprint(os.stat("/dev/null").st_mtime)', ['st_mtime of a file']),
+        (
+            'import pathlib\nsorted([pathlib.Path("/dev/null")], key=lambda path: path.stat().st_ctime_ns)',
+            ['st_ctime_ns of a file'],
+        ),
+        ('import os\nfor each in os.scandir("/dev/fd"):\n    each.stat().st_atime\n    break', ['st_atime of a file', '/dev/fd']),
+        ('import os, shutil\nos.stat("/dev/null").st_size, shutil.which("sh")', []),
         ('import copy\ncopy.deepcopy([[]])', []),
         ('import platform\nplatform.node()', ['the module platform']),
         ('for _ in "ab":\n    with open("/proc/uptime"): pass', ['/proc/uptime']),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -89,8 +90,16 @@ def test_goals_may_be_executed_later(world: World) -> None:
 def test_a_forgotten_result_ends_the_server_with_a_hint(world: World) -> None:
     run(world, server(lambda goal_handle: goal_handle.succeed()), client(world))
     assert world.output['program 0'].endswith(
-        "TypeError\n  help: the execute callback of the action '/fibonacci' returned None instead of a Fibonacci.Result; end the callback with `return result`, where result = Fibonacci.Result()\n"
+        "AttributeError: 'NoneType' object has no attribute 'sequence'\n  help: the execute callback of the action '/fibonacci' returned None instead of a Fibonacci.Result; end the callback with `return result`, where result = Fibonacci.Result()\n"
     )
+
+
+def test_a_result_needs_the_fields_and_not_the_class(world: World) -> None:
+    def execute(goal_handle: Any) -> Any:
+        goal_handle.succeed()
+        return SimpleNamespace(sequence=[4, 5])
+
+    assert run(world, server(execute), client(world)) == [(0.0, 'accepted'), (0.0, (GoalStatus.STATUS_SUCCEEDED, [4, 5]))]
 
 
 def test_only_the_execute_callback_is_checked_when_it_is_registered(ros: Ros, world: World) -> None:

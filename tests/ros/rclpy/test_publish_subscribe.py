@@ -134,6 +134,8 @@ def test_wrong_type_objects_are_explained(ros: Ros, world: World, msg_type: Any,
         with pytest.raises(error) as caught:
             Node('n').create_publisher(msg_type, 'chatter', 10)
         world.say(str(caught.value))
+        with pytest.raises(TypeError, match='incompatible function arguments'):  # the name is resolved first
+            Node('n').create_publisher(msg_type, Empty, 10)  # type: ignore[arg-type]
 
     assert ros(body) == [text]
 

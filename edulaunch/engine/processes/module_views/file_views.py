@@ -4,16 +4,23 @@ from __future__ import annotations
 
 import io
 import os
+import sys
 from collections.abc import Callable, Iterator
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.engine.processes.frame_owner import is_own
 from edulaunch.engine.processes.module_views import copy_names
 from edulaunch.engine.processes.real_machine import note_use
 from edulaunch.engine.sim.task import current_task
 
 if TYPE_CHECKING:
+    from types import FrameType
+
     from edulaunch.engine.processes.process import Process
+
+TIMES = frozenset(f'st_{kind}time{unit}' for kind in 'acm' for unit in ('', '_ns'))
+"""The fields of `os.stat` with a time, which depends on the real computer."""
 
 
 class Entry:
@@ -71,7 +78,6 @@ class Listing:
 ONE_PATH = (
     'access',
     'chmod',
-    'lstat',
     'makedirs',
     'mkdir',
     'open',
@@ -79,7 +85,6 @@ ONE_PATH = (
     'remove',
     'removedirs',
     'rmdir',
-    'stat',
     'truncate',
     'unlink',
     'utime',
@@ -129,7 +134,25 @@ class Relative(PlainFunction):
         return self._function(*map(inside, arguments[:paths] or ('.',)), *arguments[paths:], **options)
 
 
+class Stat(Relative):
+    """`os.stat` or `os.lstat`."""
+
+    def __call__(self, *arguments: Any, **options: Any) -> Any:
+        _note_times()
+        return super().__call__(*arguments, **options)
+
+
+def _note_times() -> None:
+    """Record that the calling function of the student's code reads a time of a file, if the function names such a field."""
+    frame: FrameType | None = sys._getframe(2)
+    while frame is not None and not is_own(frame.f_code.co_filename):
+        frame = frame.f_back
+    for name in sorted(TIMES.intersection(frame.f_code.co_names if frame else ())):
+        note_use(current_task().owner, f'{name} of a file')
+
+
 def _scandir(path: Any = '.') -> Any:
+    _note_times()
     return os.scandir(path) if isinstance(path, int) else Listing(path, inside(path))
 
 
@@ -150,6 +173,7 @@ def _walk(top: Any, topdown: bool = True, onerror: Any = None, followlinks: bool
 
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     **{name: Relative(getattr(os, name)) for name in ONE_PATH if hasattr(os, name)},
+    **{name: Stat(getattr(os, name)) for name in ('stat', 'lstat')},
     **{name: Relative(getattr(os, name), 2) for name in TWO_PATHS if hasattr(os, name)},
     'listdir': PlainFunction(_listdir),
     'walk': _walk,

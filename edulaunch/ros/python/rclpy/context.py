@@ -88,9 +88,12 @@ class Context:
             self._end()
 
     def rcl_end_by_signal(self) -> None:
-        """Shut the context down as Ctrl-C does. Later calls fail with a different message than after `shutdown()`."""
+        """Shut the context down as Ctrl-C does. The callbacks of :meth:`on_shutdown` are not called, and later calls fail with a
+        different message than after `shutdown()`.
+        """
         if self.alive:
             self.ended_by_signal = True
+            self._callbacks.clear()
             self._end()
 
     def _end(self) -> None:

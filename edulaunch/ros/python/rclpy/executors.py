@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
+from threading import Lock
 from typing import TYPE_CHECKING, Any
 from warnings import warn
 
@@ -57,6 +58,7 @@ class MultiThreadedExecutor(Executor):
         if self._num_threads <= 0:
             raise ValueError('max_workers must be greater than 0')
         self._jobs: deque[Callable[[], None]] = deque()
+        self._lock = Lock()
         self._idle: list[SimTask] = []
         self._threads: list[SimTask] = []
         self._running: dict[SimTask, tuple[Entity, int]] = {}
@@ -92,14 +94,16 @@ class MultiThreadedExecutor(Executor):
             self.wake()
 
     def _submit(self, job: Callable[[], None]) -> None:
-        self._jobs.append(job)
-        if self._idle:
-            self._idle.pop(0).wake()
+        with self._lock:
+            self._jobs.append(job)
+            idle = self._idle.pop(0) if self._idle else None
+        if idle is not None:
+            idle.wake()
         elif len(self._threads) < self._num_threads:
             process = current_process()
             if not self._threads:
                 process.lifecycle.before_join.append(self._finish)
-            self._threads.append(process.start_thread(self._work_off, f'executor-{len(self._threads)}', True))
+            self._threads.append(process.start_worker(self._work_off, f'executor-{len(self._threads)}'))
 
     def _finish(self) -> None:
         """Wait for running callbacks at the end of the program, as Python waits for the threads of its thread pools."""
@@ -114,23 +118,37 @@ class MultiThreadedExecutor(Executor):
         """
         thread = current_task()
         while True:
-            while self._jobs:
-                job = self._jobs.popleft()
+            job = self._take_job(thread)
+            if job is not None:
                 try:
                     job()
                     if isinstance(job, Task):
                         job.rcl_raise_if_failed()
                 except Exception as error:
                     self._failures.append(error)
-            self._idle.append(thread)
+                continue
             if self._ending is not None:
                 self._ending.wake()
-            while thread in self._idle:
-                thread.park()
-                if self._is_shutdown and not self._jobs:
-                    self._idle.remove(thread)
+            thread.park()
+            if self._is_shutdown and not self._jobs:
+                with self._lock:
                     self._threads.remove(thread)
-                    return
+                    self._idle = [idle for idle in self._idle if idle is not thread]
+                return
+
+    def _take_job(self, thread: SimTask) -> Callable[[], None] | None:
+        """Return the next job for a thread. Without a job, return None, and list the thread as idle.
+
+        In a plain script, the threads can be real, so several of them may do this at once.
+        """
+        with self._lock:
+            if not self._jobs:
+                if thread not in self._idle:
+                    self._idle.append(thread)
+                return None
+            if thread in self._idle:
+                self._idle.remove(thread)
+            return self._jobs.popleft()
 
     def rcl_running_entity(self) -> Entity | None:
         running = self._running.get(current_task())

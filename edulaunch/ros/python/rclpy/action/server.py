@@ -278,14 +278,13 @@ class ActionServer(Waitable):
         """Reply to the requests for the result of a goal. Ignore the result if the goal already has one."""
         future = self._result_futures.get(bytes(goal_handle.goal_id.uuid))
         if future is not None and not future.rcl_ended:
-            if not isinstance(result, self._action_type.Result):
-                raise with_facts(
-                    TypeError(),
-                    'programs.no-result',
-                    action=self._name,
-                    wanted=self._action_type.__name__,
-                    returned=kind_of(result),
-                )
+            result_type = self._action_type.Result
+            if not isinstance(result, result_type):
+                try:  # the C layer reads the fields one by one, whatever the class is
+                    result = result_type(**{name: getattr(result, name) for name in result_type.get_fields_and_field_types()})
+                except AttributeError as error:
+                    facts = {'action': self._name, 'wanted': self._action_type.__name__, 'returned': kind_of(result)}
+                    raise with_facts(AttributeError(str(error)), 'programs.no-result', **facts) from None
             future.set_result(self._action_type.Impl.GetResultService.Response(status=goal_handle.status, result=result))
 
     def _print_traceback(self, error: Exception) -> None:

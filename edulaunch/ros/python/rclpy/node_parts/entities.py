@@ -113,8 +113,8 @@ class NodeEntities:
         """
         core = self._rclpy
         profile = validate_qos(qos_profile)
-        check_is_valid_msg_type(msg_type)
         name = core.resolve(topic, 'topic')
+        check_is_valid_msg_type(msg_type)
         profile = _overridden(self, qos_overriding_options, profile, name, 'publisher')
         check_new_topic_end(core, name, msg_type, 'publisher')
         impl = core.graph.create_publisher(core.entry, name, msg_type, engine_qos(profile))
@@ -145,8 +145,8 @@ class NodeEntities:
         """
         core = self._rclpy
         profile = validate_qos(qos_profile)
-        check_is_valid_msg_type(msg_type)
         name = core.resolve(topic, 'topic')
+        check_is_valid_msg_type(msg_type)
         profile = _overridden(self, qos_overriding_options, profile, name, 'subscription')
         group = callback_group or core.default_callback_group
         check_new_topic_end(core, name, msg_type, 'subscription')
