@@ -153,10 +153,13 @@ class Recorder(Tracer):
         """Delete old records, except for records of live nodes and the last value of each parameter.
 
         :param at_ns: the simulated time in ns; older records are deleted.
-        :param kept: the number of messages of each topic to keep, however old they are. Records of their publishers stay, too.
+        :param kept: the number of messages to keep, however old they are, of each topic with an endpoint. Records of their
+            publishers stay, too.
         """
+        alive = {end.name for node in self._node_row for end in node.endpoints}
         for key, flat in self.columns.items():
-            count = max(0, min(bisect_right(flat[::3], at_ns), len(flat) // 3 - kept))
+            most = len(flat) // 3 - (kept if key[0] in alive else 0)
+            count = max(0, min(bisect_right(flat[::3], at_ns), most))
             del flat[: 3 * count]
             self.forgotten[key] = self.forgotten.get(key, 0) + count
         since = at_ns - self.sim.start_ns
@@ -172,6 +175,7 @@ class Recorder(Tracer):
         publishers = {publisher for flat in self.columns.values() for publisher in flat[1::3]}
         publishers |= {end.index for node in self._node_row for end in node.endpoints}
         self._keep('endpoints', lambda row: row[5] > since or row[4] in publishers)
+        self.lines = {row[4]: self.lines[row[4]] for row in self.endpoints if row[4] in self.lines}
         used = {row[3] for row in self.endpoints}
         self._keep('nodes', lambda row: row[3] is None or row[3] > since or row[4] in used)
         self._keep('processes', lambda row: row['ended'] is None or row['ended'] > since)

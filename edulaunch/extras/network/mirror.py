@@ -175,6 +175,8 @@ class Mirror:
         del self._ends[gid]
         if end.kind == SUBSCRIPTION:
             self.listeners[end.name] -= 1
+            if not self.listeners[end.name]:
+                del self.listeners[end.name]
         mirrored.destroy()
 
     def _class(self, type_name: str) -> Any:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from edulaunch import Session
 from edulaunch.engine.processes.spec import ProcessSpec
 
@@ -55,3 +57,27 @@ def test_what_comes_and_goes_leaves_nothing_behind_and_what_stays_keeps_its_para
         assert [row['name'] for row in content['processes']] == ['stays', 'stays']
         assert ['/turtlesim', 'background_g', 86] in [row[1:4] for row in content['parameters']]
         assert {row[3] for row in content['endpoints']} == {row[4] for row in content['nodes']}
+
+
+def test_topics_and_programs_with_new_names_leave_nothing_but_names_behind(tmp_path: Path) -> None:
+    script = tmp_path / 'says.py'
+    script.write_text(
+        'import rclpy\nfrom rclpy.node import Node\nfrom std_msgs.msg import String\nrclpy.init()\nnode = Node("says")\n'
+        'publisher = node.create_publisher(String, "said", 10)\n'
+        'node.create_timer(0.1, lambda: publisher.publish(String(data="hello")))\nrclpy.spin(node)\n'
+    )
+    with Session() as session:
+        recorder, sizes = session.recorder, []
+        for visit in range(3):
+            words = ('python3', str(script), '--ros-args', '-r', f'__ns:=/visit{visit}')
+            guest = session.host.start(ProcessSpec(argv=words, name=f'guest{visit}'))
+            session.run(1)
+            assert any(file == str(script) for file, _ in recorder.lines.values())
+            recorder.forget_before(session.sim.now_ns, kept=2)
+            assert len(recorder.columns[f'/visit{visit}/said', 'std_msgs/msg/String']) == 2 * 3
+            guest.send_signal(2)
+            session.run(20)
+            recorder.forget_before(session.sim.now_ns - 10**10, kept=2)
+            sizes.append((recorder.publication_count(), len(recorder.endpoints), len(recorder.nodes), len(recorder.lines)))
+        assert sizes == [(0, 0, 0, 0)] * 3
+        assert recorder.forgotten['/visit0/said', 'std_msgs/msg/String'] > 5

@@ -331,3 +331,15 @@ def test_an_endpoint_that_no_node_has_claimed_is_named_in_words(place: Any) -> N
     unknown = place().bridge.mirror.unknown()
     assert unknown.fully_qualified_name == '_NODE_NAMESPACE_UNKNOWN_/_NODE_NAME_UNKNOWN_'
     assert named(unknown) == 'a node with an unknown name'
+
+
+def test_listeners_that_come_and_go_leave_no_name_behind(place: Any, air: Air) -> None:
+    here = place('a')
+    for visit in range(3):
+        real, node = raw(air)
+        real.add(node, 'subscription', f'/visit{visit}', UNDERLAY, QoS())
+        turns(here)
+        assert here.bridge.mirror.listeners == {f'/visit{visit}': 1}
+        real.close()
+        turns(here)
+    assert here.bridge.mirror.listeners == {}

@@ -13,7 +13,6 @@ from cyclonedds.builtin import (
     BuiltinTopicDcpsPublication,
     BuiltinTopicDcpsSubscription,
 )
-from cyclonedds.builtin_types import cqos_to_qos
 from cyclonedds.core import InstanceState, Listener
 from cyclonedds.pub import DataWriter
 from cyclonedds.qos import Policy, Qos
@@ -23,7 +22,7 @@ from cyclonedds.topic import Topic
 from edulaunch.engine.interfaces.registry import underlay_registry
 from edulaunch.errors import InterfaceError
 from edulaunch.extras.network.dds.mangling import remote_name
-from edulaunch.extras.network.dds.qos import PLAIN, enclave_of, from_dds
+from edulaunch.extras.network.dds.qos import PLAIN, enclave_of, from_dds, qos_from
 from edulaunch.extras.network.dds.types import idl_class
 from edulaunch.extras.network.network_link import ENCLAVE, MARK, LinkDiagnostic, RemoteEndpoint, RemoteGraph, RemoteNode
 from edulaunch.ros.serialization.cdr import decode, encode
@@ -78,7 +77,7 @@ class Discovery:
         """Handle some of the changes. Return whether there were any, and whether more may wait."""
         counts = []
         for reader, take, make in self._builtin:
-            found = take(reference(reader), AT_ONCE, make, cqos_to_qos)
+            found = take(reference(reader), AT_ONCE, make, qos_from)
             counts.append(len(found) if isinstance(found, list) else 0)
         infos = ddspy_take(reference(self._infos), ANY, AT_ONCE)
         for data, info in infos if isinstance(infos, list) else ():

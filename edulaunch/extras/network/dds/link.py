@@ -12,7 +12,7 @@ from contextlib import suppress
 from importlib.metadata import version
 from typing import Any
 
-from cyclonedds._clayer import ddspy_take, ddspy_write
+from cyclonedds._clayer import ddspy_get_matched_publication_data, ddspy_take, ddspy_write
 from cyclonedds.core import DDSException, Listener
 from cyclonedds.domain import DomainParticipant
 from cyclonedds.pub import DataWriter
@@ -24,7 +24,7 @@ from edulaunch.engine.graph.qos import QoS
 from edulaunch.extras.network.dds.discovery import ANY, Discovery, padded, reference
 from edulaunch.extras.network.dds.domain import join, leave
 from edulaunch.extras.network.dds.mangling import REPLY, REQUEST, TOPIC, topic_name
-from edulaunch.extras.network.dds.qos import PLAIN, to_dds
+from edulaunch.extras.network.dds.qos import PLAIN, qos_from, to_dds
 from edulaunch.extras.network.dds.service_peers import ServicePeers, is_fast_dds
 from edulaunch.extras.network.dds.types import idl_class
 from edulaunch.extras.network.network_link import (
@@ -63,6 +63,7 @@ class End:
         self.is_marked = False
         self.id = os.urandom(8)
         self.writers: dict[int, bytes] = {}
+        self.topics: list[tuple[str, str]] = []
 
     @property
     def is_on(self) -> bool:
@@ -130,7 +131,7 @@ class CycloneLink:
 
     def remove(self, handle: int) -> None:
         """Implement `Link.remove`."""
-        _stop(self._ends.pop(handle))
+        self._stop(self._ends.pop(handle))
         self._is_announced = False
 
     def _begin(self, handle: int, end: End) -> None:
@@ -151,7 +152,7 @@ class CycloneLink:
                 topic = self._topic(writes, end, parts[1])
                 end.writer = DataWriter(self._participant, topic, qos=to_dds(end.qos, end.interface.hash, False))
         except (DDSException, TypeError, ValueError) as error:
-            _stop(end)
+            self._stop(end)
             raise LinkError(f'{end.name} ({end.interface.name}) cannot cross: {error}') from None
         self._is_announced = False
 
@@ -161,7 +162,19 @@ class CycloneLink:
             self._topics[name, type_name] = Topic(
                 self._participant, name, idl_class(type_name, end.interface.registry, bool(part)), qos=Qos(PLAIN)
             )
+        end.topics.append((name, type_name))
         return self._topics[name, type_name]
+
+    def _stop(self, end: End) -> None:
+        """Delete the reader and the writer of an endpoint, and the topics that no other endpoint uses."""
+        for entity in filter(None, (end.reader, end.writer)):
+            entity.__del__()
+        end.reader = end.writer = None
+        used = {key for other in self._ends.values() if other is not end for key in other.topics}
+        for key in end.topics:
+            if key not in used:
+                self._topics.pop(key).__del__()
+        end.topics.clear()
 
     # Outgoing messages
 
@@ -256,13 +269,13 @@ class CycloneLink:
         """Return the gid of the endpoint that sent a sample."""
         gid = end.writers.get(handle)
         if gid is None:
-            found = end.reader.get_matched_publication_data(handle)
-            if found is None:
+            gid = ddspy_get_matched_publication_data(reference(end.reader), handle, lambda key, *_: key, qos_from)
+            if gid is None:
                 return b''
             if len(end.writers) > 1000:  # most of these writers are closed
                 end.writers.clear()
-            gid = end.writers[handle] = found.key.bytes
-        return gid
+            end.writers[handle] = gid
+        return bytes(gid)
 
     def graph(self) -> RemoteGraph:
         """Return the remote graph; see `Link.graph`. Services that this link cannot use are left out."""
@@ -310,10 +323,3 @@ def _event(handle: int, end: End, gid: bytes, source_ns: int, data: bytes) -> Ev
     if end.kind == SERVICE:
         return Request(handle, who, rest)
     return Response(handle, int.from_bytes(who[8:], 'little', signed=True), rest) if who[:8] == end.id else None
-
-
-def _stop(end: End) -> None:
-    for entity in (end.reader, end.writer):
-        if entity is not None:
-            entity.__del__()
-    end.reader = end.writer = None

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import ctypes
 import re
 from typing import Any
 
-from cyclonedds.qos import Policy, Qos
+from cyclonedds.internal import dds_c_t
+from cyclonedds.qos import Policy, Qos, _CQos
 
 from edulaunch.engine.graph.qos import (
     AUTOMATIC,
@@ -26,6 +28,22 @@ NEVER_NS = (1 << 63) - 1
 PLAIN = Policy.DataRepresentation(use_cdrv0_representation=True, use_xcdrv2_representation=False)
 _ENCLAVE = re.compile(r'(?:^|;)enclave=([^;]*);')
 HASH = re.compile(r'(?:^|;)typehash=(RIHS01_[0-9a-f]{64});')
+
+
+class _FreeingQos(_CQos):  # type: ignore[misc]
+    """Frees the user data that Cyclone DDS copies for each sample of discovery; the base class keeps the copies."""
+
+    @classmethod
+    def _get_p_userdata(cls, qos: Any) -> Any:
+        found = super()._get_p_userdata(qos)
+        cls.free(cls._gc_data_value)
+        cls._gc_data_value.value = None
+        return found
+
+
+def qos_from(pointer: Any) -> Qos:
+    """Return the policies at an address of Cyclone DDS, as `cyclonedds.builtin_types.cqos_to_qos` does."""
+    return _FreeingQos.cqos_to_qos(ctypes.cast(pointer, dds_c_t.qos_p))
 
 
 def to_dds(qos: QoS, type_hash: str, is_reader: bool) -> Qos:

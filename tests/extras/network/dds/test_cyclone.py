@@ -226,3 +226,46 @@ def test_a_reply_for_somebody_else_is_not_taken(domain: int) -> None:
     assert _event(3, end, b'\x01\x10', 0, reply % end.id) == Response(3, 7, b'\0\1\0\0answer')
     for gid, data in ((b'\x01\x0f', reply % end.id), (b'\x01\x10', b'\0\1\0\0short')):
         assert isinstance(_event(3, end, gid, 0, data), LinkDiagnostic)
+
+
+def test_topics_that_come_and_go_leave_no_object_of_cyclone_behind(domain: int) -> None:
+    from cyclonedds.core import Entity
+
+    from edulaunch.extras.network.dds.link import CycloneLink
+
+    link = CycloneLink()
+    link.open(Settings(domain))
+    node, counts = link.add_node('/', 'node'), []
+    stays = link.add(node, PUBLISHER, '/visit0', UNDERLAY, QoS())
+    for visit in range(5):
+        guests = [link.add(node, kind, f'/visit{visit}', UNDERLAY, QoS()) for kind in (PUBLISHER, 'subscription')]
+        for guest in guests:
+            link.remove(guest)
+        counts.append((len(Entity._entities), len(link._topics)))
+    link.publish(stays, text('still here'))
+    assert counts == [counts[0]] * 5 and counts[0][1] == 1
+    assert not any(isinstance(event, LinkDiagnostic) for event in link.take())
+    link.close()
+
+
+def test_the_user_data_of_a_sample_of_discovery_is_freed_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    import ctypes
+
+    from cyclonedds.qos import Policy, Qos, _CQos
+
+    from edulaunch.extras.network.dds.qos import _FreeingQos, qos_from
+
+    free, freed = _FreeingQos.free, []
+
+    def counted(value: Any) -> None:
+        freed.append(value.value)
+        free(value)
+
+    monkeypatch.setattr(_FreeingQos, 'free', counted)
+    with_data, without = (_CQos.qos_to_cqos(qos) for qos in (Qos(Policy.Userdata(b'typehash=x;')), Qos(Policy.Deadline(5))))
+    for pointer in (with_data, without, with_data):
+        found = qos_from(ctypes.cast(pointer, ctypes.c_void_p).value)
+        assert (Policy.Userdata in found) is (pointer is with_data)
+        _CQos.cqos_destroy(pointer) if pointer is without else None
+    assert [value is not None for value in freed] == [True, False, True]
+    _CQos.cqos_destroy(with_data)
