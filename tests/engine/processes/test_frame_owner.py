@@ -79,3 +79,21 @@ def test_a_coroutine_waits_in_the_innermost_line_of_the_student(tmp_path: Path) 
     made.close()
     loop.close()
     assert coroutine_line(made) == {}
+
+
+def test_no_line_of_a_student_is_an_empty_answer() -> None:
+    seen: list[dict[str, Any]] = []
+
+    def hook(frame: FrameType, event: str, argument: Any) -> None:
+        if event == 'call' and not seen:
+            while frame.f_back is not None:
+                frame = frame.f_back
+            seen.append(student_line(frame))
+
+    before = sys.getprofile()
+    sys.setprofile(hook)
+    try:
+        json.loads('1')
+    finally:
+        sys.setprofile(before)
+    assert seen == [{}]
