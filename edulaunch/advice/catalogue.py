@@ -27,7 +27,7 @@ ROOMS = ('advice', 'desk')
 REPORTS = (
     'checks',
     'edugrade/library',
-    *(f'edugrade/rubrics/{name}.py' for name in ('yaml_behaviour', 'yaml_checks')),
+    *(f'edugrade/rubrics/{name}.py' for name in ('yaml_behaviour', 'yaml_checks', 'yaml_movement')),
     *(
         f'edugrade/{name}.py'
         for name in ('attempts', 'evidence', 'faults', 'grading', 'judging', 'repeated', 'results', 'verdicts')

@@ -10,12 +10,12 @@ import os
 import re
 import stat
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from math import isfinite
 from typing import Any, NamedTuple
 
 from edugrade.course import LEVELS
-from edugrade.progress_file import ANSWERS, NAME, PREDICTIONS
+from edugrade.progress_file import ANSWERS, KINDS, NAME, PREDICTIONS
 
 from edulaunch.errors import UnusableInput
 
@@ -24,15 +24,6 @@ MOST_TABLES, MOST_TRIES, MOST_POINTS, MOST_ANSWERS = 500, 100_000, 10_000, 100
 MOST_STUDENTS = 2000
 MOST_ENTRIES, DEEPEST = 20_000, 8  # limits for the folder of one student
 LEFT_OUT = ('node_modules', '__pycache__', 'build', 'install', 'log', 'site-packages')
-KINDS: Mapping[str, tuple[type, ...]] = {
-    'done': (bool,),
-    'attempts': (int,),
-    'hints': (list,),
-    'best_points': (int, float),
-    'points': (int,),
-    'first': (str,),
-    'last': (str,),
-}
 _MOODLE = re.compile(r'_\d+_assignsubmission_file_?$')
 
 

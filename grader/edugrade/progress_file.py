@@ -23,6 +23,16 @@ PREDICTIONS, ANSWERS, EXPLANATIONS = 'my_predictions', 'my_answers', 'my_explana
 """The other tables in addition to those of the exercises: prediction -> value, question -> the answers in their order,
 explanation -> text.
 """
+KINDS: dict[str, tuple[type, ...]] = {
+    'done': (bool,),
+    'attempts': (int,),
+    'hints': (list,),
+    'best_points': (int, float),
+    'points': (int,),
+    'first': (str,),
+    'last': (str,),
+}
+"""The types of the values in the record of an exercise."""
 _BARE = re.compile(r'[A-Za-z0-9_-]+')
 
 
@@ -166,16 +176,7 @@ def _locked(folder: str) -> Iterator[None]:
 def _progress(table: Any) -> Progress:
     """Convert the table of an exercise, and raise an error if it is invalid."""
     found = Progress(**table)
-    kinds = {
-        'done': (bool,),
-        'attempts': (int,),
-        'hints': (list,),
-        'best_points': (int, float),
-        'points': (int,),
-        'first': (str,),
-        'last': (str,),
-    }
-    for name, known in kinds.items():
+    for name, known in KINDS.items():
         if type(getattr(found, name)) not in known:
             raise ValueError(f'{name} = {getattr(found, name)!r} has the wrong type')
     if any(type(level) is not int for level in found.hints):

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from .variant import Variant
 
-PASSED, FAILED, NOT_RUN, GRADER_BROKE = STATUSES = ('passed', 'failed', 'not_run', 'grader_broke')
+PASSED, FAILED, NOT_RUN, GRADER_BROKE = ('passed', 'failed', 'not_run', 'grader_broke')
 
 ALL_PASSED, SOME_FAILED, UNUSABLE_INPUT, BROKEN_GRADER = range(4)  # exit codes
 VERDICTS = ('all passed', 'some failed', 'unusable input', 'grader broke')
@@ -34,7 +34,7 @@ class CheckResult:
 
     :param name: the name of the check's function.
     :param sentence: the sentence that the student reads.
-    :param status: one of STATUSES.
+    :param status: PASSED, FAILED, NOT_RUN or GRADER_BROKE.
     :param points: the points of the check, which a passed check earns.
     :param needs: the names of the checks that this check needs.
     :param reason: one sentence that explains why the check failed, why it was not run, or how the grader broke.

@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 import edulaunch
-from edulaunch.advice.plan import make_plan
+from edulaunch.advice.plan import rehearse
 from edulaunch.advice.plan.rehearsal import Notes, RehearsalHost
 from edulaunch.engine.graph.graph import Graph
 from edulaunch.engine.sim.simulation import Simulation
@@ -132,7 +132,7 @@ def visit_s(path: Path) -> float:
 def plan_s(path: Path) -> float:
     """Seconds of CPU time to plan the file."""
     began = time.process_time()
-    plan = make_plan(path, (), index_for([]), {})
+    plan = rehearse(path, (), index_for([]), {}).plan
     if plan['error'] is not None:
         raise SystemExit(f'{path.name} cannot be planned: {plan["error"]["text"]}')
     return time.process_time() - began

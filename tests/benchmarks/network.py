@@ -78,7 +78,6 @@ def host(words: list[str], link: str, until_closed: bool = True) -> None:
     from edulaunch.runtime.session import Session
 
     session = Session(start_ns=time.time_ns())
-    session.host.is_paced = True
     session.host.start(ProcessSpec(argv=tuple(words), name='command', cwd=os.getcwd(), env=dict(session.host.env)))
     pace = RealTime(session.sim)
     bridge = None

@@ -18,7 +18,7 @@ from greenlet import getcurrent
 from edulaunch.engine.processes import current_process
 from edulaunch.engine.sim import real_threads
 from edulaunch.engine.sim.simulation import EPOCH_NS, Simulation
-from edulaunch.engine.sim.task import AmbientTask
+from edulaunch.engine.sim.task import AmbientTask, current_task
 from edulaunch.runtime import ambient
 from edulaunch.runtime.ambient import script_sees_the_clock
 
@@ -261,3 +261,21 @@ executor.spin_until_future_complete(done)
 @pytest.mark.processes
 def test_a_callback_that_waits_for_real_does_not_stop_the_others(tmp_path: Path) -> None:
     assert run_script(tmp_path, WAITING_CALLBACK) == (['waits', 'True'], 0)
+
+
+def test_a_script_has_imported_what_its_interpreter_has(script: AmbientTask) -> None:
+    assert [script.owner.has_imported(name) for name in ('time', 'no_such_package')] == [True, False]
+
+
+def test_a_thread_of_a_script_takes_turns_with_it_in_simulated_time(script: AmbientTask) -> None:
+    sim, log = script.sim, list[tuple[float, str]]()
+    began = sim.now_ns
+
+    def body() -> None:
+        current_task().sleep_until(began + 2 * 10**9)
+        log.append((round((sim.now_ns - began) / 1e9, 2), current_task().name))
+
+    thread = script.owner.start_thread(body, 'worker', daemon=True)
+    log.append((0.0, thread.name))
+    script.sleep_until(began + 3 * 10**9)
+    assert log == [(0.0, 'worker'), (2.0, 'worker')] and not thread.is_real_thread

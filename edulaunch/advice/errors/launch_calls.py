@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import linecache
 import re
 from collections.abc import Iterator
 from typing import Any
@@ -328,85 +327,6 @@ def condition_object(failure: Failure) -> Iterator[Finding]:
 def no_event_actions(failure: Failure) -> Iterator[Finding]:
     """Report a string in place of actions, as in `on_exit='shutdown'` in Python."""
     if failure.message.startswith("expected all items in 'on_event' iterable"):
-        yield report(failure)
-
-
-@rule(
-    'launch.value-too-early',
-    what='a {given} has no value yet while Python reads the launch file',
-    do=(
-        'use its value in an OpaqueFunction: int({counted}(...).perform(context))',
-        "let launch compute the result later: PythonExpression([LaunchConfiguration('count'), ' > 1']), or an EqualsSubstitution",
-    ),
-    level='error',
-)
-def value_too_early(failure: Failure) -> Iterator[Finding]:
-    """Report a substitution that is used like its value, as in `LaunchConfiguration('count') > 1`.
-
-    Also report a call of `.perform()` without a context.
-    """
-    match = re.match(r"'[<>]=?' not supported between instances of '(\w+)'|(\w+)\.perform\(\) missing 1 req", failure.message)
-    counted = re.match(r"'(\w+)' object cannot be interpreted as an integer", failure.message)
-    name = counted[1] if counted is not None else None if match is None else match[1] or match[2]
-    if name is not None and failure.process is None and hasattr(class_named(name), 'perform'):
-        yield report(failure, given=name, counted=counted and name)
-
-
-@rule(
-    'launch.default-no-choice',
-    what="the default '{default}' is not one of the choices",
-    do="write a list of strings that contains the default: choices=['{default}', '...']",
-    level='error',
-)
-def default_no_choice(failure: Failure) -> Iterator[Finding]:
-    """Report a default that is not among the choices, as with `choices=[True, False]`.
-
-    Python reads `choices='true false'` as a list of letters.
-    """
-    match = re.match(r'Provided default_value "(.*)" is not in provided choices', failure.message)
-    if match is not None:
-        yield report(failure, default=match[1])
-
-
-@rule(
-    'launch.bool-wanted',
-    what='{value} is used where True or False is expected',
-    do='write True or False, without quotes',
-    level='error',
-)
-def bool_wanted(failure: Failure) -> Iterator[Finding]:
-    """Report a string for a boolean argument, as in `respawn='yes'`."""
-    match = re.match(r"value=(.*) is not an instance of <class 'bool'>", failure.message)
-    if match is not None and failure.process is None:
-        yield report(failure, value=match[1])
-
-
-@rule(
-    'launch.number-wanted',
-    what="'{value}' is not a number",
-    do='write only the number, without a unit and without quotes: 2.0',
-    level='error',
-    hides=('launch.element',),
-)
-def number_wanted(failure: Failure) -> Iterator[Finding]:
-    """Report a string that is not a number where launch expects a number, as in `period='2 s'`."""
-    match = re.match(r"could not convert string to float: '(.*)'", failure.message)
-    if match is not None and failure.process is None:
-        yield report(failure, value=match[1])
-
-
-@rule(
-    'launch.text-is-bytes',
-    what='event.text is bytes, but this line uses it as a string',
-    do='convert it to a string first: event.text.decode()',
-    level='error',
-)
-def text_is_bytes(failure: Failure) -> Iterator[Finding]:
-    """Report a string that a handler of OnProcessIO compares with bytes, as in `'ready' in event.text`."""
-    match = re.match(
-        'a bytes-like object is required|argument should be integer or bytes-like|.*must be bytes or', failure.message
-    )
-    if match is not None and failure.process is None and '.text' in linecache.getline(failure.file or '', failure.line or 0):
         yield report(failure)
 
 

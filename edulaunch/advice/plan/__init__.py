@@ -10,9 +10,9 @@ TYPE_CHECKING = False  # equals `typing.TYPE_CHECKING`, but does not load `typin
 if TYPE_CHECKING:
     from typing import Any
 
-    from edulaunch.advice.plan.dry_run import Rehearsal, make_plan, rehearse
+    from edulaunch.advice.plan.dry_run import Rehearsal, rehearse
 
-__all__ = ['Rehearsal', 'make_plan', 'rehearse']
+__all__ = ['Rehearsal', 'rehearse']
 
 
 def __getattr__(name: str) -> Any:

@@ -48,35 +48,12 @@ class AssumingIndex(Index):
         return os.path.join(self.prefix(package), 'lib', package, executable)
 
 
-def make_plan(
-    path: str | os.PathLike[str],
-    arguments: Mapping[str, str] | Iterable[str],
-    index: Index,
-    environ: Mapping[str, str],
-    *,
-    assume_packages: bool = False,
-    command_set: CommandSet | None = None,
-) -> Plan:
-    """Return what `ros2 launch path arguments...` would do, in plan format 1: plain data with sorted keys.
-
-    :param path: the path of the launch file.
-    :param arguments: the launch arguments, as a mapping or as strings 'name:=value'.
-    :param index: the index of the packages.
-    :param environ: the environment variables of launch.
-    :param assume_packages: whether to assume an empty share folder for every missing package, and to accept every executable.
-    :param command_set: the tools and the shell for commands whose output the launch file needs. By default, no command runs.
-    :returns: a dictionary with `arguments` (declared), `configurations` (after the first visit), `given`, `items`, `log`,
-        `warnings`, `stdout` and `shutdown_reason`. After an error, `error` has type, text, stage, origin and help. `not_done`
-        lists the changes that the dry run did not make.
-    :raises UnusableInput: for an argument that does not have the form 'name:=value'.
-    """
-    return rehearse(path, arguments, index, environ, assume_packages=assume_packages, command_set=command_set).plan
-
-
 class Rehearsal(NamedTuple):
     """The result of a dry run.
 
-    :ivar plan: the plan in plan format 1.
+    :ivar plan: the plan in plan format 1: plain data with sorted keys. It has `arguments` (declared), `configurations` (after the
+        first visit), `given`, `items`, `log`, `warnings`, `stdout` and `shutdown_reason`. After an error, `error` has type, text,
+        stage, origin and help. `not_done` lists the changes that the dry run did not make.
     :ivar outline: the plan as a tree for users, including the actions that were not executed.
     :ivar missing: the names of the packages that were assumed to exist, and descriptions of other missing things.
     :ivar placeholders: the share folder of the assumed packages, or None if the dry run assumes no packages.
@@ -99,8 +76,14 @@ def rehearse(
     assume_packages: bool = False,
     command_set: CommandSet | None = None,
 ) -> Rehearsal:
-    """Do the same dry run as :func:`make_plan`, and return the plan with more details.
+    """Return what `ros2 launch path arguments...` would do.
 
+    :param path: the path of the launch file.
+    :param arguments: the launch arguments, as a mapping or as strings 'name:=value'.
+    :param index: the index of the packages.
+    :param environ: the environment variables of launch.
+    :param assume_packages: whether to assume an empty share folder for every missing package, and to accept every executable.
+    :param command_set: the tools and the shell for commands whose output the launch file needs. By default, no command runs.
     :raises UnusableInput: for an argument that does not have the form 'name:=value'.
     """
     by_name = _by_name(arguments)

@@ -117,7 +117,6 @@ def main() -> None:
     machine.use(session)
     server = Server(machine, listener, address.token)
     signal.signal(signal.SIGTERM, lambda signum, frame: setattr(server, 'is_asked_to_end', True))
-    session.host.is_paced = True
     server.on_accept = wake_by_signal
     Impatience(server).begin()
     Heartbeat(server).begin()

@@ -149,13 +149,8 @@ class Hosting(LiveMachine):
         if not self._is_going:
             self._is_going = True
             self.time.go_on()
-        host = self.session.host
-        host.is_paced = True
-        try:
-            with in_its_turn():
-                due_s = server.run_due()
-        finally:
-            host.is_paced = False
+        with in_its_turn():
+            due_s = server.run_due()
         server.drop_the_silent()
         self.show_pages()
         if is_seen:

@@ -58,7 +58,6 @@ class Host:
         input is a string, a list of (simulated seconds, string), or an open text file. All other programs read an empty
         input; in a launch, this input is a pipe that stays open.
     :cvar is_real: whether programs run on the real rclpy, and query this computer instead of the host.
-    :ivar is_paced: whether another object already makes simulated time keep pace with real time.
     :ivar watchdog: stops programs that never wait, or None.
     :ivar join_network: a function that joins a real ROS 2 network, or None where this is impossible. Its arguments are an
         environment, the words of the command's options, and a function that reports joining and leaving. It returns a
@@ -97,7 +96,6 @@ class Host:
         self.unread_stdin = list(self._stdin)
         self.hints = DeferredHints(hint_of)
         self.watchdog: Watchdog | None = None
-        self.is_paced = False
         self.join_network: JoinNetwork | None = None
         self.where_on_network: Callable[[], str | None] = lambda: None
         self.make_launch_observer: Callable[[Any], Any] | None = None

@@ -33,7 +33,6 @@ class HostFace(Protocol):
     """The part of a machine that its programs may use; `Host` documents each member."""
 
     is_real: bool
-    is_paced: bool
     sim: Simulation
     graph: Graph
     index: Index

@@ -8,6 +8,5 @@ from __future__ import annotations
 
 from edulaunch.engine.tf.buffer import TransformBuffer
 from edulaunch.engine.tf.failure import TransformFailure
-from edulaunch.engine.tf.missing import explain_missing
 
-__all__ = ['TransformBuffer', 'TransformFailure', 'explain_missing']
+__all__ = ['TransformBuffer', 'TransformFailure']

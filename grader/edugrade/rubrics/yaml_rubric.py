@@ -14,7 +14,7 @@ import yaml
 from ..evidence import Evidence, Failure, Scenario
 from ..library.parameters import MissingParameterFile
 from ..rubric import Check, CheckFunction, Rubric, RubricMistake
-from . import yaml_behaviour as _  # noqa: F401  (its kinds)
+from . import yaml_behaviour, yaml_movement  # noqa: F401  (their kinds)
 from .yaml_checks import KINDS
 from .yaml_wanted import ARGUMENT, Wanted
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from edulaunch.advice.plan import make_plan
+from edulaunch.advice.plan import rehearse
 from edulaunch.runtime.session import index_for
 
 INDEX = index_for([])
@@ -28,7 +28,7 @@ NODE = (
 
 def planned(path: Path, text: str) -> dict[str, Any]:
     path.write_text(text)
-    return make_plan(path, {}, INDEX, {'PATH': '/nowhere'})
+    return rehearse(path, {}, INDEX, {'PATH': '/nowhere'}).plan
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from edulaunch.advice.plan import make_plan
+from edulaunch.advice.plan import rehearse
 from edulaunch.desk.cli.main import main
 from edulaunch.engine.packages import Index
 
@@ -35,7 +35,7 @@ def plan(tmp_path: Path) -> Plan:
         path = tmp_path / 'a.launch.py'
         lines = body.replace('FOLDER', str(tmp_path)).strip().splitlines()
         path.write_text(HEAD + ''.join(f'    {line}\n' for line in lines), encoding='utf-8')
-        return make_plan(path, (), Index(), {'HOME': '/h', 'PATH': os.environ['PATH']})
+        return rehearse(path, (), Index(), {'HOME': '/h', 'PATH': os.environ['PATH']}).plan
 
     return make
 

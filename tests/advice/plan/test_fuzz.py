@@ -14,7 +14,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from edulaunch.advice.plan import make_plan
+from edulaunch.advice.plan import rehearse
 from edulaunch.runtime.session import index_for
 
 FILE = """
@@ -83,7 +83,7 @@ def folder() -> Iterator[Path]:
 
 
 def planned(path: Path) -> dict[str, Any]:
-    plan = make_plan(path, {}, INDEX, {'PATH': '/usr/bin:/bin'})
+    plan = rehearse(path, {}, INDEX, {'PATH': '/usr/bin:/bin'}).plan
     error = plan['error']
     if error is not None:
         assert error['text'] and 'Traceback' not in error['text'] and not ADDRESS.search(error['text'])

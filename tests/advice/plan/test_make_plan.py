@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from edulaunch import Session
-from edulaunch.advice.plan import make_plan
+from edulaunch.advice.plan import rehearse
 from edulaunch.engine.packages import Index
 from edulaunch.errors import UnusableInput
 
@@ -38,7 +38,7 @@ def plan(tmp_path: Path) -> Plan:
     def make(body: str, *arguments: str, **options: Any) -> dict[str, Any]:
         path = tmp_path / 'a.launch.py'
         path.write_text(HEAD + 'def entities():\n' + body, encoding='utf-8')
-        return make_plan(path, arguments, Index(), {'HOME': '/h'}, **options)
+        return rehearse(path, arguments, Index(), {'HOME': '/h'}, **options).plan
 
     return make
 
@@ -109,7 +109,7 @@ def test_no_folder_of_logs_is_made(tmp_path: Path) -> None:
     launch_file = tmp_path / 'a.launch.py'
     launch_file.write_text(HEAD + "def entities():\n    return [LogInfo(msg='a'), run('b', output='both')]", encoding='utf-8')
     environ = {'ROS_HOME': str(tmp_path / 'home'), 'ROS_LOG_DIR': str(tmp_path / 'logs')}
-    assert len(make_plan(launch_file, [], Index(), environ)['items']) == 3
+    assert len(rehearse(launch_file, [], Index(), environ).plan['items']) == 3
     assert [path.name for path in tmp_path.iterdir()] == ['a.launch.py']
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from edulaunch.advice.plan import make_plan
+from edulaunch.advice.plan import rehearse
 from edulaunch.engine.packages import Index
 from edulaunch.ros.sources import read_source
 from tests.advice.plan.conftest import FILES, SEEDS, TOOLS, seed_rows
@@ -20,7 +20,7 @@ PLANS = [(row, entry) for row, entry in seed_rows() if entry['outcome'] == 'plan
 def test_the_plan_is_that_of_the_original_launch(row: Any, entry: Any, places: Any) -> None:
     expected = json.loads((SEEDS / entry['plan']).read_text(encoding='utf-8'))
     index = places.index(row['file'])
-    plan = make_plan(FILES / row['file'], entry['args'], index, places.environ(), assume_packages=True, command_set=TOOLS)
+    plan = rehearse(FILES / row['file'], entry['args'], index, places.environ(), assume_packages=True, command_set=TOOLS).plan
     assert places.normalised(plan, index) == expected
 
 
@@ -45,8 +45,8 @@ def without_places(text: str) -> str:
 
 @pytest.mark.parametrize(('file', 'args', 'error'), strict_rows())
 def test_without_placeholders_the_outcome_is_that_of_a_real_machine(file: str, args: list[str], error: str | None) -> None:
-    plan = make_plan(
+    plan = rehearse(
         FILES / file, args, Index([], [FILES], read_source=read_source), {'USER': 'student', 'PATH': '/usr/bin:/bin'}
-    )
+    ).plan
     found = plan['error'] and f'{plan["error"]["type"]}: {plan["error"]["text"]}'
     assert (found and without_places(found)) == (error and without_places(error))

@@ -164,3 +164,37 @@ def test_an_array_of_another_kind_is_converted_as_in_jazzy(get):
 def test_a_sequence_of_floats_may_hold_what_is_no_number(get):
     values = [float('nan'), 1.0, float('inf'), float('-inf')]
     assert list(map(repr, get('std_msgs/msg/Float32MultiArray')(data=values).data)) == ['nan', '1.0', 'inf', '-inf']
+
+
+@pytest.mark.parametrize(
+    ('type_name', 'field', 'good', 'bad'),
+    [
+        ('std_msgs/msg/Bool', 'data', True, 1),
+        ('std_msgs/msg/Byte', 'data', b'a', b'ab'),
+        ('geometry_msgs/msg/Twist', 'linear', None, 2.0),
+    ],
+)
+def test_a_value_without_a_range_is_checked_by_its_class_alone(get, type_name, field, good, bad):
+    message = get(type_name)()
+    value = getattr(message, field) if good is None else good
+    setattr(message, field, value)
+    assert getattr(message, field) == value
+    with pytest.raises(AssertionError, match=f"The '{field}' field must be"):
+        setattr(message, field, bad)
+
+
+def test_a_bounded_sequence_is_a_tuple_of_numbers_in_a_snapshot_and_refused_where_it_grew_too_long(get):
+    message = get('shape_msgs/msg/SolidPrimitive')(type=1, dimensions=[1.0, 2.0])
+    assert message.to_wire(message)[1] == (1.0, 2.0)
+    message.dimensions.extend([3.0, 4.0])
+    with pytest.raises(AssertionError, match='must have a size <= 3'):
+        message.to_wire(message)
+
+
+def test_what_was_appended_to_a_list_of_texts_is_checked_in_the_snapshot(get):
+    message = get('sensor_msgs/msg/JointState')(name=['a', 'b'])
+    message.name.append('c')
+    assert message.to_wire(message)[3] == ('a', 'b', 'c')
+    message.name.append(4)
+    with pytest.raises(AssertionError, match="The 'name' field must be a set or sequence"):
+        message.to_wire(message)

@@ -1,7 +1,7 @@
 import pytest
 
 from edulaunch.engine.facts import facts_of
-from edulaunch.engine.interfaces.message import Lazy, Notices
+from edulaunch.engine.interfaces.message import Lazy, Notices, rules_of, spec_of
 
 
 def test_repr_names_every_field_and_nested_message(get):
@@ -78,3 +78,25 @@ def test_an_unknown_name_has_the_facts_for_an_explanation(get):
         'near': 'x',
         'fields': ['x', 'y', 'z'],
     }
+
+
+def test_an_unknown_argument_is_no_error_where_nobody_listens(get, monkeypatch):
+    monkeypatch.setattr(Notices, 'ignored', None)
+    assert get('geometry_msgs/msg/Point')(z=2.0, w=1.0).z == 2.0
+
+
+def test_check_fields_alone_is_not_noted_as_an_unknown_argument(get, monkeypatch):
+    noted = []
+    monkeypatch.setattr(Notices, 'ignored', lambda *facts: noted.append(facts))
+    assert get('geometry_msgs/msg/Point')(check_fields=True, x=1.0).x == 1.0
+    assert noted == []
+
+
+def test_the_definition_is_that_of_the_class_and_of_its_messages(get):
+    pose = get('geometry_msgs/msg/Pose')
+    assert spec_of(pose) is spec_of(pose())
+    assert (spec_of(pose).type, [field.name for field in spec_of(pose).fields]) == (
+        'geometry_msgs/msg/Pose',
+        ['position', 'orientation'],
+    )
+    assert rules_of(pose)['position'].message is get('geometry_msgs/msg/Point')

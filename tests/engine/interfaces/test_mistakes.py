@@ -4,7 +4,7 @@ import numpy
 import pytest
 
 from edulaunch.engine.facts import facts_of
-from edulaunch.engine.interfaces.mistakes import field_facts, type_help
+from edulaunch.engine.interfaces.mistakes import field_facts, type_help, unknown_type
 
 
 @pytest.mark.parametrize(
@@ -95,3 +95,10 @@ def test_help_names_the_place_or_the_nearest_name(registry, name, help):
 
 def test_homes_are_import_paths(registry):
     assert registry.homes('SetBool') == ['example_interfaces.srv', 'std_srvs.srv']
+
+
+def test_an_unknown_type_is_named_with_the_nearest_one(registry):
+    assert (
+        str(unknown_type(registry, 'geometry_msgs/msg/Twits'))
+        == "unknown interface 'geometry_msgs/msg/Twits'\n  help: did you mean 'geometry_msgs/msg/Twist'?"
+    )

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 import edulaunch
+from edulaunch.engine.processes.error_facts import with_facts_at
 from edulaunch.engine.processes.spec import ProcessSpec
 
 
@@ -120,3 +121,8 @@ def test_windows_of_tkinter_do_not_open(world: Any, use: str) -> None:
     wrote = world.run(f'import tkinter\nfrom tkinter import ttk\n{use}')
     said, help = wrote.splitlines()[-2:]
     assert said.endswith('TclError: no display name and no $DISPLAY environment variable') and 'opens a window' in help
+
+
+def test_an_error_of_another_kind_has_no_facts_of_a_with_statement() -> None:
+    assert with_facts_at(ValueError('too large')) == {}
+    assert with_facts_at(AttributeError('__enter__')) == {}, 'it was never raised'

@@ -6,6 +6,7 @@ import asyncio
 import json
 import os
 import sys
+import threading
 from pathlib import Path
 from types import FrameType
 from typing import Any
@@ -79,3 +80,18 @@ def test_a_coroutine_waits_in_the_innermost_line_of_the_student(tmp_path: Path) 
     made.close()
     loop.close()
     assert coroutine_line(made) == {}
+
+
+def test_no_line_of_a_student_is_an_empty_answer() -> None:
+    seen: list[dict[str, Any]] = []
+
+    def ask() -> None:
+        frame = sys._getframe()
+        while frame.f_back is not None:
+            frame = frame.f_back
+        seen.append(student_line(frame))  # that of the module threading, in which the thread begins
+
+    thread = threading.Thread(target=ask)
+    thread.start()
+    thread.join()
+    assert seen == [{}]

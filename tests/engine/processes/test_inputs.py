@@ -163,3 +163,28 @@ def test_after_a_launch_one_is_told_what_waits_for_input(tmp_path: Path) -> None
 def test_stdin_answers_as_a_pipe_does(world: Any) -> None:
     text = 'import sys\nprint(*(getattr(sys.stdin, name)() for name in ("fileno", "readable", "writable", "isatty")))'
     assert world.run(text) == '0 True False False\n'
+
+
+def test_stdin_is_read_line_by_line_as_bytes_and_as_text(world: Any) -> None:
+    world.host._stdin['program-1'] = [(1.0, 'a\nb\nc\n'), (2.0, 'd\né\n')]
+    text = """
+        import sys
+        print(next(sys.stdin), sys.stdin.buffer.readline(), list(zip(range(1), sys.stdin.buffer)))
+        print(sys.stdin.read(1), sys.stdin.buffer.read(), list(sys.stdin))
+        try:
+            next(sys.stdin)
+        except StopIteration:
+            print('over')
+        """
+    assert world.run(text) == "a\n b'b\\n' [(0, b'c\\n')]\nd b'\\n\\xc3\\xa9\\n' []\nover\n"
+
+
+def test_a_file_as_input_is_no_terminal_and_has_no_size(world: Any) -> None:
+    text = """
+        import os
+        try:
+            os.get_terminal_size(0)
+        except OSError as error:
+            print(error.errno, error.strerror)
+        """
+    assert world.run(text) == '25 Inappropriate ioctl for device\n'

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import edulaunch
+from edulaunch.engine.processes.programs import python_command
 from edulaunch.engine.processes.spec import ProcessSpec
 
 SAYS = 'import sys, time\ntime.sleep(1)\nprint(__name__, __package__, sys.argv[1:], time.time())\n'
@@ -80,3 +83,51 @@ def test_a_package_of_the_workspace_is_not_installed_and_says_so(folder: Path) -
     (folder / 'asks.py').write_text('from importlib.metadata import version\nprint(version("pytest") > "1")\nversion("robo")')
     wrote = said(folder, 'python3', 'asks.py')
     assert wrote.startswith('True\n') and 'read its package.xml' in wrote
+
+
+@pytest.mark.parametrize('words', [['python3', '-m'], ['python3'], ['python3', '-u', '-W'], []])
+def test_a_command_that_names_no_program_is_real(folder: Path, words: list[str]) -> None:
+    assert python_command(words, str(folder), frozenset()) is None
+
+
+@pytest.fixture
+def entry(monkeypatch: pytest.MonkeyPatch, folder: Path) -> Iterator[Callable[[str], dict[str, Any]]]:
+    """The facts of the error that the program of an entry point ends with."""
+
+    def facts(target: str) -> dict[str, Any]:
+        setup = f"from setuptools import setup\nsetup(packages=['robo'], entry_points={{'console_scripts': ['go = {target}']}})"
+        (folder / 'ws/robo/setup.py').write_text(setup)
+        config = '[develop]\nscript_dir=$base/lib/robo\n[install]\ninstall_scripts=$base/lib/robo\n'
+        (folder / 'ws/robo/setup.cfg').write_text(config)
+        with edulaunch.Session(workspaces=[folder / 'ws']) as session:
+            process = session.host.start(
+                ProcessSpec((f'{session.host.index.prefix("robo")}/lib/robo/go',), package='robo', executable='go'),
+                lambda stream, text: None,
+            )
+            session.run(2)
+            exception: dict[str, Any] = process.exception
+            return {'type': exception['type'], **exception['facts']}
+
+    yield facts
+
+
+@pytest.mark.parametrize(
+    ('target', 'found'),
+    [
+        (
+            'robo.nod:main',
+            {'type': 'ModuleNotFoundError', 'about': 'packages.entry-module', 'missing': 'robo.nod', 'near': 'robo.node'},
+        ),
+        ('robo.clean:mian', {'type': 'AttributeError', 'about': 'packages.entry-function', 'missing': 'mian', 'near': 'main'}),
+        ('robo.clean', {'type': 'TypeError', 'about': 'packages.entry-no-function', 'near': 'robo.clean:main'}),
+        ('robo.clean.main', {'type': 'ModuleNotFoundError', 'about': 'packages.entry-no-function', 'near': 'robo.clean:main'}),
+        ('robo.helper', {'type': 'TypeError', 'about': 'packages.entry-no-function', 'near': None}),
+    ],
+)
+def test_an_entry_point_that_leads_nowhere_says_what_it_misses(
+    folder: Path, entry: Callable[[str], dict[str, Any]], target: str, found: dict[str, Any]
+) -> None:
+    (folder / 'ws/robo/robo/clean.py').write_text('def main():\n    pass\n')
+    facts = entry(target)
+    assert {name: facts.get(name) for name in found} == found
+    assert (facts['executable'], facts['package'], facts['entry']) == ('go', 'robo', f'go = {target}')

@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 import edulaunch
+from edulaunch.engine.processes.real_machine import with_real_paths
 from edulaunch.engine.recording import Recorder, Recording
 
 
@@ -113,3 +114,11 @@ def test_a_recording_says_so_wherever_the_machine_was_read(tmp_path: Path) -> No
         'monitor-1 used /proc/loadavg: this run cannot repeat exactly',
     ]
     assert recording.warnings == []
+
+
+def test_a_root_is_followed_by_its_real_path_and_folders_of_the_system_are_left_out(tmp_path: Path) -> None:
+    (tmp_path / 'real').mkdir()
+    (tmp_path / 'link').symlink_to('real')
+    roots = [(str(tmp_path / 'link'), '@tmp'), ('/usr', '@stdlib'), (str(tmp_path / 'real'), '@cwd')]
+    real = str((tmp_path / 'real').resolve())
+    assert list(with_real_paths(roots)) == [[str(tmp_path / 'link'), '@tmp'], [real, '@tmp'], [real, '@cwd']]

@@ -9,7 +9,7 @@ from typing import Any
 from edulaunch.engine.sim import sync
 from edulaunch.engine.sim.aio import new_event_loop
 from edulaunch.engine.sim.simulation import Simulation
-from edulaunch.engine.sim.task import Task
+from edulaunch.engine.sim.task import Task, current_task
 
 
 def run_in_task(sim: Simulation, *bodies: Any) -> list[Task]:
@@ -133,3 +133,23 @@ def test_a_program_that_is_ended_in_a_callback_says_nothing(caplog: Any) -> None
     sim.run()
     assert log == [1.0]
     assert caplog.text == ''
+
+
+def test_a_loop_inside_a_loop_gives_the_task_back_to_the_outer_one() -> None:
+    sim, log = Simulation(), []
+
+    async def inner() -> None:
+        await asyncio.sleep(1)
+        log.append((sim.elapsed_s, 'inner'))
+
+    async def outer() -> None:
+        mine = current_task().loop
+        drive(inner())
+        log.append((sim.elapsed_s, current_task().loop is mine))
+
+    def body() -> None:
+        drive(outer())
+        log.append((sim.elapsed_s, current_task().loop))
+
+    run_in_task(sim, body)
+    assert log == [(1.0, 'inner'), (1.0, True), (1.0, None)]

@@ -94,3 +94,19 @@ def test_who_handles_sigint_already_keeps_it() -> None:
     finally:
         signal.signal(signal.SIGINT, before)
     assert came == [1] and not interruption.came
+
+
+def test_the_first_press_stops_the_run_and_is_told_once_and_the_second_one_interrupts() -> None:
+    sim, log = Simulation(), []
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        with Interruption(sim, lambda: log.append('told')) as interruption:
+            sim.schedule(sim.now_ns + 1, lambda: signal.raise_signal(signal.SIGINT))
+            sim.schedule(sim.now_ns + 2, lambda: log.append('after'))
+            sim.run()
+            assert (log, interruption.came) == (['told'], True)
+            with pytest.raises(KeyboardInterrupt):
+                signal.raise_signal(signal.SIGINT)
+        assert log == ['told'] and signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    finally:
+        signal.signal(signal.SIGINT, before)

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import asyncio
+import sys
 from asyncio import events
 
-from edulaunch.engine.sim.loops import cancel_all_tasks, put_back, set_aside
+import pytest
+
+from edulaunch.engine.sim.loops import cancel_all_tasks, outer_loop_set_aside, put_back, set_aside
 
 
 def test_another_loop_may_run_while_one_is_set_aside() -> None:
@@ -51,3 +54,18 @@ def test_what_is_left_on_a_loop_is_cancelled_and_waited_for() -> None:
     cancel_all_tasks(loop)
     loop.close()
     assert log == ['tidied up'] and task.cancelled()
+
+
+def test_the_outer_loop_its_task_and_its_hooks_are_restored_also_after_an_error() -> None:
+    def first(generator: object) -> None:
+        """Ours."""
+
+    async def outer() -> None:
+        loop, task, hooks = asyncio.get_running_loop(), asyncio.current_task(), sys.get_asyncgen_hooks()
+        with pytest.raises(KeyError), outer_loop_set_aside():
+            assert events._get_running_loop() is None
+            sys.set_asyncgen_hooks(first, None)
+            raise KeyError
+        assert (asyncio.get_running_loop(), asyncio.current_task(), sys.get_asyncgen_hooks()) == (loop, task, hooks)
+
+    asyncio.run(outer())

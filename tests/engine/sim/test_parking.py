@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from edulaunch.engine.sim.parking import POLLS_AFTER_THAT, POLLS_BEFORE_TIME_PASSES
 from edulaunch.engine.sim.simulation import Simulation
 from edulaunch.engine.sim.task import Task, current_task
 
@@ -126,3 +127,19 @@ def test_a_suspended_task_can_be_killed() -> None:
     task.kill()
     sim.run()
     assert (log, task.finished) == ([(0.0, 'unwound')], True)
+
+
+def test_time_passes_for_the_first_reading_beyond_the_limit_and_then_after_fewer() -> None:
+    sim, readings = Simulation(), list[int]()
+
+    def body() -> None:
+        for number in range(1, POLLS_BEFORE_TIME_PASSES + 2 * POLLS_AFTER_THAT + 2):
+            before = sim.now_ns
+            current_task().poll()
+            if sim.now_ns != before:
+                readings.append(number)
+
+    start(sim, body)
+    sim.run()
+    first = POLLS_BEFORE_TIME_PASSES + 1
+    assert readings == [first, first + POLLS_AFTER_THAT + 1]

@@ -19,7 +19,7 @@ from std_srvs.srv import Trigger
 from edulaunch.engine.sim import real_threads
 from edulaunch.engine.sim.real_threads import RealThreadTask
 from edulaunch.engine.sim.simulation import Simulation
-from edulaunch.engine.sim.task import Task, current_task
+from edulaunch.engine.sim.task import AmbientTask, Task, current_task
 
 
 def answer(_: Any, response: Any) -> Any:
@@ -169,3 +169,50 @@ def test_time_never_goes_back_wherever_threads_change(node: Any, monkeypatch: py
     thread.start()
     thread.join(5)
     assert len(times) > 10 and times == sorted(times)
+
+
+class Bell:
+    """A real world in which time passes only while somebody waits; what was waited for."""
+
+    def __init__(self) -> None:
+        self.now_ns = 0
+        self.waits: list[float] = []
+
+    def monotonic_ns(self) -> int:
+        return self.now_ns
+
+    def wait(self, seconds: float) -> None:
+        self.waits.append(round(seconds, 4))
+        self.now_ns += round(seconds * 1e9)
+
+    def set(self) -> None:
+        """Ring."""
+
+    clear = set
+
+
+@pytest.fixture
+def clock(monkeypatch: pytest.MonkeyPatch) -> tuple[real_threads.RealThreads, Bell]:
+    bell = Bell()
+    monkeypatch.setattr(real_threads, 'time', bell)
+    monkeypatch.setattr(real_threads.threading, 'Event', lambda: bell)
+    return real_threads.RealThreads(AmbientTask(Simulation())), bell
+
+
+def test_the_main_thread_waits_until_its_next_item_but_never_for_long(clock: tuple[real_threads.RealThreads, Bell]) -> None:
+    threads, bell = clock
+    began = threads.now_ns()
+    assert [threads.await_turn(due) for due in (None, began + 10**10, began + 24_000_000)] == [False] * 3
+    assert bell.waits == [0.01, 0.01, 0.004] and threads.await_turn(began + 24_000_000)
+
+
+def test_a_thread_that_parks_is_told_of_its_deadline_and_of_a_wake(clock: tuple[real_threads.RealThreads, Bell]) -> None:
+    threads, bell = clock
+    task = threads.join()
+    began = threads.now_ns()
+    assert not task.park(began + 4_000_000) and bell.waits == [0.004]
+    assert task.park() and task.park(began + 10**10), 'it looks again after a moment'
+    assert bell.waits == [0.004, 0.01, 0.01]
+    task.wake()
+    assert task.park(began) and bell.waits == [0.004, 0.01, 0.01]
+    assert not task.park(began) and bell.waits == [0.004, 0.01, 0.01]

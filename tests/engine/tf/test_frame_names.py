@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from edulaunch.engine.tf import TransformBuffer, TransformFailure
+from edulaunch.engine.tf.frame_names import problem
 from edulaunch.engine.tf.transforms import IDENTITY
 
 from .shapes import SECOND, at, chain_of, failure_of, x_of
@@ -56,3 +57,12 @@ def test_latest_common_time_names_itself():
 def test_a_name_that_is_no_text_is_a_type_error():
     with pytest.raises(TypeError, match='a frame name must be str, not NoneType'):
         TransformBuffer().lookup(None, 'a', SECOND)
+
+
+def test_can_transform_names_the_first_frame_that_it_does_not_know():
+    assert problem({'w', 'a'}, 'w', 'a') == ''
+    assert problem({'w', 'a'}, 'w', 'a', 'w') == ''
+    unknown = 'Invalid frame ID "b" passed to canTransform argument source_frame - frame does not exist'
+    assert problem({'w'}, 'w', 'b') == problem({'w'}, 'w', 'b', 'c') == unknown
+    empty = 'Invalid frame ID "" passed to canTransform argument target_frame - in tf2 frame_ids cannot be empty'
+    assert problem({'w'}, '', 'b') == empty

@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from edulaunch.engine.tf import TransformBuffer
+from edulaunch.engine.tf.path import find_path
 from edulaunch.engine.tf.transforms import IDENTITY, canonical, compose, product, relative
 
 from .shapes import SECOND, at, chain_of, poses, x_of
@@ -70,3 +71,21 @@ def test_what_is_shown_is_what_canonical_makes_of_the_product(links):
         buffer.set(f'f{index}', f'f{index + 1}', SECOND, link)
     stored = [buffer._frames[f'f{index + 1}'].poses[-1] for index in range(len(links))]
     assert buffer.lookup('f0', f'f{len(links)}')[1] == canonical(product(stored[::-1]))
+
+
+def test_a_path_covers_the_times_that_all_its_frames_have_poses_of():
+    buffer = TransformBuffer()
+    for second in (1, 2, 3, 4):
+        buffer.set('w', 'a', second * SECOND, at(1.0))
+    for second in (2, 3):
+        buffer.set('a', 'b', second * SECOND, at(1.0))
+    buffer.set('b', 'c', 0, at(1.0), static=True)
+    path = find_path(buffer._frames, 'w', 'c')
+    assert [path.covers(time_ns) for time_ns in (0, 2 * SECOND - 1, 2 * SECOND, 3 * SECOND, 3 * SECOND + 1)] == [
+        True,
+        False,
+        True,
+        True,
+        False,
+    ]
+    assert path.latest_common_time() == 3 * SECOND and path.at(0)[0] == 3 * SECOND and path.at(4 * SECOND) is None

@@ -69,3 +69,12 @@ def test_the_way_does_not_depend_on_the_step(linear: float, angular: float, step
         often.advance_to(now)
     once.advance_to(now)
     assert (often.x, often.y) == pytest.approx((once.x, once.y), abs=1e-9)
+
+
+def test_a_new_command_ends_the_way_of_the_last_one() -> None:
+    robot = PlanarRobot()
+    assert robot.time_ns == 0
+    robot.command(0.2, 0.0, 0)
+    robot.command(0.0, 0.0, 5 * SECOND)
+    robot.advance_to(9 * SECOND)
+    assert place(robot) == pytest.approx((1.0, 0.0, 0.0))

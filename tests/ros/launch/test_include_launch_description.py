@@ -160,3 +160,18 @@ def test_what_was_declared_included_and_read_is_noted(launch_it: Any, write: Any
     state = fresh_simulation.state
     assert [argument.name for argument in state['launch.declared']] == ['x']
     assert (state['launch.includes'], 'y' in state['launch.read']) == ([path], True)
+
+
+def test_a_file_whose_function_returns_no_description_is_named_with_the_function(write: Any, tmp_path: Path) -> None:
+    (tmp_path / 'a.launch.py').write_text('\ndef generate_launch_description():\n    return []\n')
+    with pytest.raises(AttributeError) as caught:
+        IncludeLaunchDescription(str(tmp_path / 'a.launch.py')).execute(LaunchContext())
+    assert (caught.value.edulaunch_file, caught.value.edulaunch_line) == (str(tmp_path / 'a.launch.py'), 2)
+
+
+def test_an_argument_that_the_file_does_not_declare_is_noted_with_those_that_it_does(write: Any, fresh_simulation: Any) -> None:
+    path = write('a.launch.py', "DeclareLaunchArgument('x', default_value='1')")
+    include = IncludeLaunchDescription(path, launch_arguments={'x': '2', 'y': '3'}.items())
+    include.execute(LaunchContext())
+    assert fresh_simulation.state['launch.undeclared'] == [('y', ['x'], path, include.origin)]
+    assert fresh_simulation.state['launch.includes'] == [path]

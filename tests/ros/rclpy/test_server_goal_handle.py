@@ -12,6 +12,7 @@ from rclpy._rclpy_pybind11 import RCLError
 from rclpy.action import ActionClient, ActionServer
 from rclpy.action.server_goal_handle import GoalEvent, ServerGoalHandle, has_ended_until
 from rclpy.node import Node
+from unique_identifier_msgs.msg import UUID
 
 from .conftest import Ros, World
 from .fibonacci import client, compute, run, server
@@ -119,3 +120,10 @@ def test_a_goal_has_ended_from_the_moment_of_its_end_on(world: World) -> None:
     goal.succeed()
     assert [has_ended_until(goal, limit) for limit in (4, 5, 6)] == [False, True, True] and not goal.is_active
     assert server.log == ['changed'] * 2
+
+
+def test_handles_are_equal_where_their_goals_are_the_same() -> None:
+    ids = [UUID(uuid=[number] * 16) for number in (1, 1, 2)]
+    first, same, other = (ServerGoalHandle(None, goal_id, None, None) for goal_id in ids)  # type: ignore[arg-type]
+    assert (first == same, first == other, first == ids[0]) == (True, False, False)
+    assert {first, same} == {first} and len({first, other}) == 2

@@ -25,12 +25,12 @@ def test_one_message_can_be_waited_for_without_spinning(world: World) -> None:
     def speaking() -> None:
         rclpy.init()
         publisher = Node('talker').create_publisher(String, 'c', 10)
-        sleep(0.3)
+        sleep(1.3)
         publisher.publish(String(data='x'))
 
     world.start(program)
     world.start(speaking, name='talker')
-    assert world.run(1) == [(100.0, 'main', (False, None)), (300.0, 'main', (True, 'x'))]
+    assert world.run(2) == [(100.0, 'main', (False, None)), (1300.0, 'main', (True, 'x'))]
 
 
 def test_waiting_for_a_message_of_a_context_that_is_down_is_an_error(ros: Ros, world: World) -> None:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
+
 import pytest
 
-from edulaunch.runtime.shell.filters import Filter, is_filter
+from edulaunch.runtime.shell.filters import Filter, RealFilter, is_filter
 
 
 class Out:
@@ -115,3 +117,20 @@ def test_a_last_line_without_an_end_is_a_line() -> None:
 )
 def test_what_reads_files_or_has_rare_options_is_left_to_the_real_program(command: str, is_one: bool) -> None:
     assert is_filter(command.split()) is is_one
+
+
+def test_another_program_gets_the_whole_input_at_its_end() -> None:
+    out = Out()
+    one = RealFilter(['tr', 'ab', 'xy'], out, None, dict(os.environ))
+    one.write('a1')
+    one.write('b2')
+    assert (out.text, out.is_closed) == ('', False)
+    one.close()
+    assert (out.text, one.returncode, out.is_closed) == ('x1y2', 0, True)
+
+
+def test_a_program_that_does_not_exist_is_said_as_a_shell_says_it() -> None:
+    out = Out()
+    one = RealFilter(['no_such_program'], out, None, dict(os.environ))
+    one.close()
+    assert (out.text, one.returncode, out.is_closed) == ('sh: no_such_program: not found\n', 127, True)

@@ -24,6 +24,7 @@ from rclpy.node_parts.entities import NodeEntities
 from rclpy.node_parts.graph_queries import NodeGraphQueries
 from rclpy.node_parts.parameter_store import ParameterEvents, ParameterStore
 from rclpy.node_parts.parameters import NodeParameters
+from rclpy.node_parts.timers import NodeTimers
 from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter
 from rclpy.qos import engine_qos, qos_profile_rosout_default
 from rclpy.time_source import TimeSource
@@ -47,7 +48,7 @@ _PRIVATE = {
 """Private attributes of a node that programs use, if they do not define an attribute of that name."""
 
 
-class Node(NodeEntities, NodeParameters, NodeGraphQueries):
+class Node(NodeEntities, NodeTimers, NodeParameters, NodeGraphQueries):
     """A node of the ROS graph.
 
     :param node_name: the node's name, which remap rules may change.
@@ -198,7 +199,7 @@ def _refuse_setting(name: str, made: property) -> property:
 
 def _finish_node_class() -> None:
     """Make Python's errors name the class Node for every method, and explain `self.timers = []`."""
-    for part in (NodeEntities, NodeParameters, NodeGraphQueries, Node):
+    for part in (*Node.__bases__, Node):
         for name, member in list(vars(part).items()):
             if isinstance(member, FunctionType):
                 member.__qualname__ = f'Node.{name}'
