@@ -79,6 +79,8 @@ def anchor_of(rule: Rule) -> str:
 
 
 def address_of(rule: Rule) -> str | None:
-    """Return the address of a rule's description in the repository, such as `docs/advice/tf-a-l.md#tflate-lookup`, or None."""
+    """Return the address of a rule's description in the repository, such as `docs/advice/tf-a-l.md#tflate-lookup`. Return None
+    for a rule of a plug-in.
+    """
     page = page_of(rule)
     return f'docs/advice/{page.name}.md#{anchor_of(rule)}' if page else None

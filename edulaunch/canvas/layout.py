@@ -22,7 +22,8 @@ WIDEST = 900.0
 class Layers(NamedTuple):
     """The items of each layer, in order. Items with numbers from `count` are joints.
 
-    Each edge has the chain of its items from the first layer to the last, and whether its arrow points the other way.
+    For each edge, `chains` has its items from the first layer to the last, and `turned` states whether its arrow points the
+    other way.
     """
 
     layers: list[list[int]]

@@ -90,7 +90,7 @@ def read_lessons(folder: str) -> list[Lesson]:
 def the_one(given: str, known: Iterable[str], refusal: str) -> str:
     """Return the full name of a lesson for its number or the beginning of its name.
 
-    :raises UnusableInput: with the message `refusal`, for no match or several matches.
+    :raises UnusableInput: with the message `refusal`, if no lesson or more than one lesson matches.
     """
     fitting = [name for name in known if name.startswith(os.path.basename(given).removesuffix('.ipynb').zfill(2))]
     if len(fitting) == 1:

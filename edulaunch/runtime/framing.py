@@ -58,7 +58,7 @@ class Frames:
         self._data += data
 
     def take(self) -> tuple[int, bytes] | None:
-        """Return the next complete frame as (kind, payload), or None.
+        """Return the next complete frame as (kind, payload), or None if no frame is complete.
 
         :raises BadFrame: for an unknown kind or a payload that is too long.
         """

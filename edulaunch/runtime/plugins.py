@@ -1,4 +1,5 @@
-"""Plug-ins: packages that add verbs, options, packages and rules to edulaunch, without being known to it.
+"""Plug-ins: packages that add verbs, options, packages and rules to edulaunch, although edulaunch does not depend on these
+packages.
 
 An entry point of the group `edulaunch.plugins` in the `pyproject.toml` of a package names a :class:`Plugin`. A process searches
 for plug-ins at most once. Unknown words, help, completion, and code that needs all plug-ins of a kind cause the search.
@@ -272,7 +273,8 @@ def _lacking(name: str) -> str:
 
 
 def absent(what: str) -> UnusableInput | None:
-    """Return the error for a feature of a plug-in of edulaunch that is missing. Return None for any other feature.
+    """Return the error for a feature if one of edulaunch's own plug-ins provides it and is missing. Return None for any other
+    feature.
 
     :param what: a command and its verb or option, such as 'edulaunch network' or 'ros2 launch --network'.
     """

@@ -233,7 +233,7 @@ class Session:
         return found
 
     def snapshot(self) -> Recording:
-        """Return a copy of the recording so far. Later events do not change it, and appear in the next snapshot."""
+        """Return a copy of the recording so far. Later events do not change this copy. They appear in the next snapshot."""
         self.describe()
         self.recorder.stop()
         content = self.recorder.content()

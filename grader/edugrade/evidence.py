@@ -231,7 +231,7 @@ class Failure(Exception):
     def correct(self, texts: Iterable[str]) -> None:
         """Advise to correct a name that the student wrote and that is near to the expected one, before the other advice.
 
-        :param texts: what the student wrote. The advice never names anything that is not a whole word of them.
+        :param texts: what the student wrote. The advice never names anything that is not a whole word of these strings.
         """
         name, try_ = self.name, self.try_
         if name is None or name in self.known or not self._may_ask:

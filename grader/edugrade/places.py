@@ -10,7 +10,7 @@ from edulaunch.engine.underlay_place import engine_folder
 
 
 def environment(home: str) -> dict[str, str]:
-    """Return the environment of a run: the search path for programs, its private folder, and few other variables.
+    """Return the environment of a run: the search path for programs, its private folder, and a few other variables.
 
     :param home: the private folder of the run.
     """
@@ -29,7 +29,7 @@ def environment(home: str) -> dict[str, str]:
 def import_path() -> list[str]:
     """Return the module search path of the child.
 
-    It is that of this process, limited to Python's own folders and to folders with modules that the engine needs.
+    This is the path of this process, limited to Python's own folders and to folders with modules that the engine needs.
     """
     engine = os.path.dirname(engine_folder())
     here = os.getcwd()

@@ -186,7 +186,7 @@ class Runner:
             self._on_outcome()
 
     def fault(self) -> str | None:
-        """Return a sentence about what this computer cannot provide for runs now, or None."""
+        """Return a sentence about what this computer cannot provide for runs now, or None if nothing is missing."""
         return fault_here(self._home)
 
 

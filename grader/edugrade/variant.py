@@ -113,10 +113,10 @@ def personal(exercise: Exercise, student: str, secret: CourseSecret) -> Variant 
 
 
 def variant_for(name: str, student: str, secret: CourseSecret | None) -> Variant | None:
-    """Return the variant for grading an exercise, or None.
+    """Return the variant for grading an exercise, or None if the exercise has no variant.
 
-    With a secret, it is computed for this student. Otherwise, it is read from the student's copy of the course. The search
-    for the course begins in the current folder, never in the submission.
+    With a secret, the variant is computed for this student. Otherwise, it is read from the student's copy of the course. The
+    search for the course begins in the current folder, never in the submission.
 
     :raises UnusableInput: if the course, or the student's file in it, cannot be read.
     """

@@ -193,7 +193,9 @@ def period_in_hertz(recording: Recording) -> Iterator[Finding]:
 
 
 def only_number(tree: ast.Module, name: str) -> float | None:
-    """Return the number that the only assignment to a variable or attribute assigns, or None."""
+    """Return the number in the only assignment to a variable or attribute. Return None for any other value, and for several
+    assignments.
+    """
     values = [
         node.value
         for node in walked(tree)

@@ -148,7 +148,7 @@ class Connection:
     def look_for_signals(self, deliver: Callable[[int], object]) -> None:
         """Deliver Ctrl-C and the end of the terminal to a program of the terminal that does not yield.
 
-        :param deliver: a function that delivers the signal with a number.
+        :param deliver: a function that delivers a signal, given its number.
         :raises BaseException: the exception that the signal raises in the middle of the program's code.
         """
         if not self._read():

@@ -152,7 +152,7 @@ class Subscription(Endpoint):
         return len(self.publishers)
 
     def take(self) -> Sample | None:
-        """Return the oldest waiting sample, or None."""
+        """Return the oldest waiting sample, or None if no sample is waiting."""
         if self.may_expire:
             self.drop_expired()
         return self.queue.popleft() if self.queue else None

@@ -166,9 +166,7 @@ class Host:
         return TypedInput(given) if isinstance(given, (list, tuple)) else RealInput(given, self)
 
     def program_here(self) -> Process | None:
-        """Return the program of this machine whose code is running now, or None. Programs that it starts find the same
-        packages.
-        """
+        """Return the program of this machine whose code is running now. Return None outside the programs of this machine."""
         task = running_task()
         owner = None if task is None else task.owner
         return owner if isinstance(owner, Process) and owner.host is self else None

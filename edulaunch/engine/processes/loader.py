@@ -75,8 +75,8 @@ class Loader:
     def run_file(self, path: str, module_name: str, *, script: bool = False) -> ModuleType:
         """Execute a Python file as the module `module_name`, and return the module.
 
-        The folder of a script becomes the first folder of its search path, as in Python. The folder of a launch file does
-        not, as in ROS 2.
+        As in Python, the folder of a script becomes the first folder of the program's search path. As in ROS 2, the folder
+        of a launch file is not added.
 
         :param script: whether the file is a script, and not a launch file.
         :raises: any error of reading, compiling or executing the file (`FileNotFoundError`, `SyntaxError` ...).

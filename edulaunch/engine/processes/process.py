@@ -183,8 +183,8 @@ class Process:
             self.tracer.fact_over(self, kind, key)
 
     def report_error(self, error: BaseException) -> None:
-        """Write the traceback of an error that ended the program. If the program has its own `sys.excepthook`, call that
-        instead.
+        """Write the traceback of an error that ended the program. If the program has its own `sys.excepthook`, call this
+        function instead.
         """
         from edulaunch.engine.processes.error_facts import error_facts
         from edulaunch.engine.processes.traceback_text import student_traceback

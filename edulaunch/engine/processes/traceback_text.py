@@ -247,8 +247,8 @@ def runaway_text(program: str, error: BaseException) -> tuple[str, Origin | None
 
 
 def innermost_place(trace: TracebackType | None) -> Origin | None:
-    """Return the place of the last frame in a student's file. Without such a frame, use the last frame outside the engine, or
-    None.
+    """Return the place of the last frame in a student's file. Without such a frame, return the place of the last frame outside
+    the engine. Return None if all frames belong to the engine.
     """
     own = [frame for frame in traceback.extract_tb(trace) if not is_engine(frame.filename)]
     last = next((frame for frame in reversed(own) if not is_library(frame.filename)), own[-1] if own else None)

@@ -62,7 +62,7 @@ class FrameLink(NamedTuple):
 
 
 def frame_links(recording: Messages) -> dict[str, FrameLink]:
-    """Return the links of the tf tree over the whole run, by child frame. The order is that of the first appearance."""
+    """Return the links of the tf tree over the whole run, by child frame. The frames are in order of first appearance."""
     found: dict[str, FrameLink] = {}
     for topic, is_static in TOPICS:
         for time_ns, node, wire in recording.published(topic, TF_TYPE):

@@ -211,7 +211,9 @@ class Recording(Messages, Views):
 
     @cached_property
     def parameter_rows(self) -> list[tuple[int, str, str, Any, str]]:
-        """Every value that was set, in order: (time in ns, node, parameter, value, origin). The value None means undeclared."""
+        """Every value that was set, in order: (time in ns, node, parameter, value, origin). A row with the value None means
+        that the parameter was undeclared.
+        """
         return list(map(tuple, self._content['parameters']))
 
     @cached_property

@@ -27,8 +27,8 @@ def view(name: str) -> Callable[..., Any]:
 
 
 class Views:
-    """The methods of a recording that show it. Methods that draw with matplotlib accept `ax`, the axes to draw on, and return
-    the axes.
+    """The methods with which a recording shows its content. Methods that draw with matplotlib accept `ax`, the axes to draw on,
+    and return the axes.
     """
 
     def plot(self, topic: str, *fields: str, ax: Any = None) -> Any:

@@ -49,7 +49,7 @@ class History:
         return self.stamps[self.first] if self.stamps else 0
 
     def replace(self, parent: str, pose: Transform) -> None:
-        """Replace all samples by a static transform without a stamp."""
+        """Replace all samples with a static transform without a stamp."""
         self.stamps[:], self.poses[:], self.parents[:] = [0], [pose], [parent]
 
     def forget(self) -> None:

@@ -32,7 +32,7 @@ class Faces:
 
 
 def install(faces: str) -> None:
-    """Provide edulaunch's programs with the modules that they need in the real rclpy.
+    """Make the modules that edulaunch's programs need available in a process with the real rclpy.
 
     :param faces: the folder of edulaunch's Python packages.
     """

@@ -14,7 +14,9 @@ from edulaunch.engine.underlay_place import underlay_python
 
 
 def workspaces_of(path: str) -> list[str]:
-    """Return the workspace whose packages a test file can use, or None. :func:`workspace_around` finds the workspace."""
+    """Return the workspace whose packages a test file can use, as a list. The list is empty if :func:`workspace_around` finds
+    no workspace.
+    """
     found = workspace_around(path)
     return [] if found is None else [found]
 

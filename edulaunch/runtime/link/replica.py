@@ -43,7 +43,9 @@ POLICIES = ((RELIABLE, BEST_EFFORT), (VOLATILE, TRANSIENT_LOCAL), (KEEP_LAST, KE
 
 
 class RemoteQueue:
-    """The queue of a remote endpoint. It holds a message until `on_ready` sends it. The other peer already has old samples."""
+    """The queue of a remote endpoint. It holds a message until `on_ready` sends it. Old samples are not sent, because the other
+    peer already has them.
+    """
 
     item: Any = None
 
@@ -51,7 +53,7 @@ class RemoteQueue:
         self.item = item
 
     def extend(self, items: Any) -> None:
-        """Append nothing, because the other peer already has old samples."""
+        """Append nothing, because the other peer already has the old samples."""
 
     def clear(self) -> None:
         """Do nothing, because the queue is always empty."""

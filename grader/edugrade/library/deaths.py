@@ -100,8 +100,8 @@ def _ends_with_launch(recording: Recording, process: ProcessRecord) -> bool:
 
 
 def words_on_deaths(run: Evidence) -> str:
-    """Return a line about the first program that died, with its exception or the last line that it printed. Return '' without
-    one.
+    """Return a line about the first program that died, with its exception or the last line that it printed. Return '' if no
+    program died.
     """
     for recording in run.values():
         for death in deaths(recording):

@@ -39,7 +39,8 @@ def refuse_strangers(recording: Recording, topic: str, package: str, executable:
 def stranger(
     recording: Recording, topic: str, package: str, executable: str | None = None
 ) -> tuple[NodeRecord, ProcessRecord | None] | None:
-    """Return a node that publishes a topic although its program is not the allowed one, and its process. Return None without one.
+    """Return a node that publishes a topic although its program is not the allowed one, and its process. Return None if there
+    is no such node.
 
     The node of the grader, which publishes the messages of `Scenario.sent`, is ignored.
     """

@@ -29,7 +29,7 @@ def rubrics_folder() -> str:
 def course_rubrics(inside: str = '') -> str | None:
     """Return the directory ``rubrics`` of a course, beside its course.toml or one level above. Return None without a course.
 
-    The course is searched in a folder (default: the current one) and its parents, but never in a submission.
+    The function searches for the course in a folder (default: the current one) and its parents, but never in a submission.
     """
     path = course_manifest(inside)
     if path is None:

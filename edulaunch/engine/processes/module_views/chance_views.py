@@ -34,7 +34,7 @@ def _generator_here() -> random.Random:
 
 
 def make_random(view: ModuleType, process: Process) -> ModuleType:
-    """Make the module's functions use one generator, seeded with (simulation seed, process name).
+    """Make the module's functions use one generator, seeded with (simulation seed, process name), and return the module.
 
     An unseeded `Random()` gets its seed from this generator, too.
     """
@@ -50,7 +50,7 @@ def make_random(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_uuid(view: ModuleType, process: Process) -> ModuleType:
-    """Make `uuid1` and `uuid4` use a generator that is seeded with (simulation seed, process name)."""
+    """Make `uuid1` and `uuid4` use a generator that is seeded with (simulation seed, process name), and return the module."""
     import uuid
 
     generator = process.sim.random(f'{process.name}/uuid')
@@ -92,7 +92,7 @@ def make_numpy(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_numpy_random(view: ModuleType, process: Process) -> ModuleType:
-    """Make the module's functions use one generator, seeded with (simulation seed, process name).
+    """Make the module's functions use one generator, seeded with (simulation seed, process name), and return the module.
 
     Unseeded generators get their seed from the same source.
     """

@@ -57,7 +57,7 @@ def inside(path: str | os.PathLike[str]) -> str:
 
 
 def process_state(key: str, make: Callable[[], T]) -> T:
-    """Return the value stored under `key` in the running process. The first call in each process creates it with `make`.
+    """Return the value stored under `key` in the running process. The first call in each process creates the value with `make`.
 
     Upstream stores such values in globals.
     """

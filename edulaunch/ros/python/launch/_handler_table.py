@@ -39,7 +39,7 @@ class HandlerTable:
         return deque(_in_order(*self._groups.values()))
 
     def add(self, handler: Handler, *, append: bool) -> None:
-        """Add a handler after all others with `append`, and otherwise before all others."""
+        """With `append`, add a handler after all others. Otherwise, add it before all others."""
         if append:
             self._last += 1
         else:

@@ -57,7 +57,9 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
         return self.busy_with is None
 
     def beginning_execution(self, entity: Any) -> bool:
-        """Reserve the group for one callback if the group is free. Raise AssertionError for an entity of another group."""
+        """Reserve the group for one callback, and return True. Return False if the group is busy. Raise AssertionError for an
+        entity of another group.
+        """
         assert ref(entity) in self.entities
         if self.busy_with is not None:
             return False

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Context:
-    """The arguments and the state that nodes share, as `rclpy.context.Context`. A context is initialised and shut down only once.
+    """The arguments and the state that nodes share. A context is initialised and shut down only once.
 
     A context can be used as a context manager, which initialises it and shuts it down.
     """
@@ -142,7 +142,9 @@ class Context:
             self._nodes.remove(node)
 
     def rcl_park(self, deadline_ns: int | None = None) -> bool:
-        """Park the running task until another task wakes it, the deadline is reached, or this context is shut down."""
+        """Park the running task until another task wakes it, the deadline is reached, or this context is shut down. Return
+        False if the deadline came first.
+        """
         task = current_task()
         self.parked.append(task)
         try:

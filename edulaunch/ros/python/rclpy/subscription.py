@@ -52,7 +52,7 @@ class Subscription(TopicEnd, Entity):
         self._from_wire = self._to_bytes if raw else msg_type.from_wire
 
     def rcl_connect(self, impl: GraphSubscription) -> None:
-        """Set the endpoint of the graph to which this subscription belongs."""
+        """Set this subscription's endpoint in the graph."""
         self.endpoint = impl
         self._queue = impl.queue
 

@@ -90,7 +90,7 @@ def one_line(text: str) -> str:
 
 def first_problem(found: Result) -> str | None:
     """Return in one line why the submission was not graded, or why its first failed check did not pass. Return None if all
-    passed.
+    checks passed.
     """
     broken = next((check for check in found.get('checks', ()) if check['status'] not in ('passed', 'not_run')), None)
     words = found.get('refused') or (broken and broken['reason'])

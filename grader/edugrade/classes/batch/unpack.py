@@ -49,8 +49,8 @@ class Member(NamedTuple):
 def unpack(archive: str, folder: str, bounds: Bounds = OF_A_STUDENT) -> None:
     """Unpack a zip or tar archive into a new folder.
 
-    :raises UnusableInput: when a member is refused. Reasons are another kind than file or folder, a path outside of the given
-        folder, an invalid or repeated name, and the size. The message names the member. Files that were written before it
+    :raises UnusableInput: when a member is neither a file nor a folder, is outside of the given folder, or has an invalid or
+        repeated name. Also when the archive is too large. The message names the member. Files that were written before it
         remain.
     """
     try:

@@ -239,7 +239,9 @@ class Executor(Waiting):
         return (self._seen_ns,) if self.spinner is current_task() else None
 
     def rcl_running_entity(self) -> Entity | None:
-        """Return the entity whose callback the running thread executes, or None if its group does not record it."""
+        """Return the entity whose callback the running thread executes, or None if the group of the callback does not record
+        the entity.
+        """
         cores = [core_of(node) for node in self._nodes]
         entities: list[Entity] = [
             entity

@@ -272,7 +272,7 @@ class NodeEntities:
         return _destroy(self._rclpy.guards, guard)
 
     def destroy_rate(self, rate: Rate) -> bool:
-        """Destroy a rate."""
+        """Destroy a rate. Return True."""
         if rate in self._rclpy.rates:
             self._rclpy.rates.remove(rate)
         if rate.timer in self._rclpy.timers:
