@@ -61,7 +61,9 @@ def nearest_anywhere(name: str) -> str | None:
 
 
 def keywords_of(cls: type) -> list[str]:
-    """Return the keyword arguments of a class's constructor. Include inherited arguments if it passes `**kwargs` to its base."""
+    """Return the keyword arguments of a class's constructor. Include inherited arguments if the constructor passes `**kwargs`
+    to its base.
+    """
     found: list[str] = []
     for base in cls.__mro__:
         code = getattr(base.__dict__.get('__init__'), '__code__', None)

@@ -1,8 +1,8 @@
 """The reader of advice (language, folder, notebook), and the translation of complete English sentences.
 
-Reports are created and stored in English, so a rubric does not depend on languages. To translate a complete sentence, the
-templates of a catalogue are matched against it. For example, the template `'{thing} is missing'` matches 'the frame laser is
-missing'. The facts that it finds are put into the template of the other language. Facts that are sentences themselves are
+Reports are created and stored in English, so a rubric does not depend on languages. A complete sentence is translated with
+the templates of a catalogue. For example, the template `'{thing} is missing'` matches 'the frame laser is missing'. The
+facts of the sentence are inserted into the template of the other language. Facts that are sentences themselves are
 translated, too.
 """
 

@@ -73,7 +73,7 @@ def page_of(rule: Rule) -> ReferencePage | None:
 def anchor_of(rule: Rule) -> str:
     """Return the anchor of a rule on its page.
 
-    It is the name without the dot, which Markdown renderers create from the heading.
+    The anchor is the name without the dot, which Markdown renderers create from the heading.
     """
     return rule.name.replace('.', '')
 

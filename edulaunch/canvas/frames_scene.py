@@ -176,7 +176,7 @@ def limits_of(marks: list[FrameMark]) -> tuple[float, float, float, float]:
 class FrameTracks:
     """All transforms of a recording by child frame, in order of publication.
 
-    As in tf2, a static transform replaces earlier transforms. Among dynamic transforms, the newest one is used.
+    As in tf2, a static transform replaces earlier transforms. Among dynamic transforms, the newest transform is used.
     """
 
     def __init__(self, recording: Recording) -> None:

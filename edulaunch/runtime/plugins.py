@@ -61,7 +61,7 @@ class Plugin(NamedTuple):
         `view`, which returns what to serve in place of the page.
     :ivar services: the module that creates each service of the machine. `edulaunch.desk.machine.network` defines the
         service `network`. For any other service, `peer(machine, connection)` returns the peer of a connection.
-    :ivar packages: folders with ROS packages in source form, which are searched after those of the student.
+    :ivar packages: folders with ROS packages in source form, which are searched after the student's packages.
     :ivar rules: modules with rules of advice, by their subject: one of `edulaunch.advice.rule.KINDS`.
     :ivar templates: functions (`module:function`) that create files for a course, for `edulaunch course template NAME`. A
         function runs in the folder of the course. It receives the content of requirements.txt and (name, path) of each
@@ -200,7 +200,7 @@ def _warn(entry: Entry, why: str) -> None:
 
 
 def is_here(module: str) -> bool:
-    """Return whether a module can be imported. This may be False because the folder of the module was deleted."""
+    """Return whether a module can be imported. The result may be False because the folder of the module was deleted."""
     try:
         spec = find_spec(module)
     except ModuleNotFoundError:

@@ -49,7 +49,8 @@ SYSTEM = (
 def readable_by_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
     """Return two lists of paths that every run may read.
 
-    The first list contains paths with everything below them, and the second one folders whose names the run may only list.
+    The first list contains paths with everything below them, and the second list contains folders whose names the run may
+    only list.
 
     :param path: the module search path.
     """

@@ -59,7 +59,7 @@ class CourseSecret:
         return int.from_bytes(hmac.digest(self._key, message, 'sha256')[:8], 'big')
 
     def seed(self, exercise: str, student: str, sha256: str) -> int:
-        """Return the seed for the runs of a submission. It differs for each student and each version of the file."""
+        """Return the seed for the runs of a submission. The seed differs for each student and each version of the file."""
         message = '\0'.join((exercise, student, sha256)).encode('utf-8', 'surrogateescape')
         return int.from_bytes(hmac.digest(self._key, message, 'sha256')[:4], 'big')
 

@@ -264,7 +264,7 @@ SAME_TIME = 20
     hides=('messages.not-taken', 'messages.two-commanders'),
 )
 def own_echo(recording: Recording) -> Iterator[Finding]:
-    """Report a node that subscribes to its own topic and publishes on it many times at one simulated time."""
+    """Report a node that subscribes to its own topic and publishes on it many times at the same simulated time."""
     ends = ends_by_name(recording)
     own = own_nodes(recording)
     for (kind, topic), publishers in ends.items():

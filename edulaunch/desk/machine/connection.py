@@ -68,7 +68,7 @@ class Connection:
         selector.register(client, self._events, self._attend)
 
     def send(self, kind: int, payload: bytes = b'') -> None:
-        """Queue a frame. It is sent with the next :meth:`flush`, or immediately if the last flush was long ago."""
+        """Queue a frame. The frame is sent with the next :meth:`flush`, or immediately if the last flush was long ago."""
         for begin in range(0, len(payload) or 1, wire.LONGEST):
             self._unsent += frame(kind, payload[begin : begin + wire.LONGEST])
         if time.monotonic() - self._flushed_s > SOON_S:

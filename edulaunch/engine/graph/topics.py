@@ -123,7 +123,8 @@ class Subscription(Endpoint):
     """One subscription of one node.
 
     `queue` contains the waiting samples, oldest first. When the queue is full (QoS depth), it drops the oldest sample.
-    `on_ready()` is called after each delivery, while the publisher's code runs. It may only set a mark or wake a task.
+    `on_ready()` is called after each delivery, while the publisher's code runs. This function may only set a mark or wake a
+    task.
     """
 
     kind = 'subscription'

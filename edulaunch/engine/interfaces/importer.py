@@ -142,7 +142,7 @@ class InterfaceModule(ModuleType):
 
 
 class PartModule(ModuleType):
-    """A module such as `<package>.msg._twist`. This is the `__module__` of a class, where pickle finds the class."""
+    """A module such as `<package>.msg._twist`. The module is the `__module__` of a class, where pickle finds the class."""
 
     def __init__(self, name: str, registry: Registry, interface: str) -> None:
         super().__init__(name)

@@ -153,8 +153,8 @@ def find_packages(workspace: str, warnings: list[PackageWarning], most: int = _M
     """Return the folders with a package.xml in `workspace` or below, sorted by depth and name.
 
     The search does not enter packages, build/ install/ log/, hidden folders, virtual environments, or folders with a
-    COLCON_IGNORE. It follows links to folders, as colcon does, but visits no folder twice. It stops with a warning after
-    `most` folders, because the user may have named a whole home folder.
+    COLCON_IGNORE. The search follows links to folders, as colcon does, but visits no folder twice. It stops with a warning
+    after `most` folders, because the user may have named a whole home folder.
     """
     found: list[str] = []
     waiting = [workspace]

@@ -182,7 +182,7 @@ class Host:
 
         :param on_output: called as on_output('stdout' | 'stderr', text) for all output of the program.
         :param on_exit: called once with the return code.
-        :param index: the packages that the program finds (default: those of the program that starts it).
+        :param index: the packages that the program finds (default: the packages of the program that starts it).
         :raises FileNotFoundError: if there is no such command.
         :raises PermissionError: if the command is not executable.
         """
@@ -238,7 +238,7 @@ class Host:
     def known_command(self, spec: ProcessSpec, index: Index | None = None) -> Known | None:
         """Return the command of a spec, or None if it does not run in the simulation.
 
-        :param index: the packages to search (default: those of the program whose code is running).
+        :param index: the packages to search (default: the packages of the program whose code is running).
         """
         packages = index or self._index_here()
         return self.command_set.find(spec, packages, lambda: self.overlay(packages).modules)

@@ -175,7 +175,8 @@ class Loader:
         return module
 
     def import_module(self, name: str) -> ModuleType:
-        """Return a module by its full name, and load its packages first. A private module takes precedence over a shared one.
+        """Return a module by its full name, and load its packages first. A private module takes precedence over a shared
+        module.
 
         :raises ModuleNotFoundError: with Python's own message.
         """
@@ -348,7 +349,7 @@ def absolute_name(name: str, globals: Mapping[str, Any], level: int) -> str:
     """Return the full name of a module that a relative import names.
 
     :param level: the number of leading dots.
-    :raises ImportError: with Python's messages, outside any package or above the topmost one.
+    :raises ImportError: with Python's messages, outside any package or above the topmost package.
     """
     package = globals.get('__package__')
     if not package:

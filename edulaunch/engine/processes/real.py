@@ -74,7 +74,7 @@ class RealLook:
 
 
 class RealProcess:
-    """A program of the operating system with the interface of a simulated one: `pid`, `returncode`, `send_signal`.
+    """A program of the operating system with the interface of a simulated program: `pid`, `returncode`, `send_signal`.
 
     :param host: the simulated machine that starts the program.
     :param spec: the description of the program.

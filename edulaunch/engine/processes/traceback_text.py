@@ -154,7 +154,8 @@ CONTEXT = '\nDuring handling of the above exception, another exception occurred:
 
 
 def student_traceback(error: BaseException) -> tuple[str, Origin | None]:
-    """Return the traceback that Python would print without frames of the engine, and the last place in a student's file or None.
+    """Return Python's traceback without frames of the engine, and the last place in a student's file (None if there is no such
+    place).
 
     If all frames belong to the engine, they all stay, because the mistake is then in edulaunch. Errors that edulaunch
     raises deliberately never show frames of the engine: an error with facts, an error of rclpy, and Ctrl-C. The same
@@ -234,7 +235,8 @@ def _unread_file(error: BaseException) -> str | None:
 
 
 def runaway_text(program: str, error: BaseException) -> tuple[str, Origin | None]:
-    """Return the message about a program that was stopped because it did not yield, and the place where it was stopped, or None.
+    """Return the message about a program that was stopped because it did not yield, and the place of the stop (None if it is
+    unknown).
 
     :param program: the launch name of the program.
     :param error: the exception that stopped the program.

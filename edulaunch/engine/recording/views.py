@@ -15,7 +15,7 @@ _VIEWS: dict[str, Callable[..., Any]] = {}
 
 
 def register(**views: Callable[..., Any]) -> None:
-    """Register views by name. A later view replaces an earlier one with the same name."""
+    """Register views by name. A later view replaces an earlier view with the same name."""
     _VIEWS.update(views)
 
 

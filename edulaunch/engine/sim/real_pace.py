@@ -28,7 +28,7 @@ class RealPace:
         self._anchor = self._last = sim.now_ns, clock()
 
     def begin(self) -> None:
-        """Make simulated time follow real time from now on, starting from the current values of both."""
+        """Make simulated time follow real time from now on, starting from the current values of both times."""
         self._anchor = self._last = self._sim.now_ns, self._clock()
 
     def ahead_s(self) -> float:

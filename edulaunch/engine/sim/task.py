@@ -23,7 +23,7 @@ class Task(Parking):
     """One blocking program in simulated time.
 
     :param sim: the simulation.
-    :param body: the program. `result` stores its return value, and `exception` an exception that it raises.
+    :param body: the program. `result` stores its return value, and `exception` stores the exception that ended it.
     :param name: the name that messages show.
     :param owner: the owner of the running code (a `Process`). Code can read it from :func:`current_task`.
     """

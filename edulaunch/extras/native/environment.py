@@ -1,7 +1,7 @@
 """The environment of the real rclpy: a virtual environment in the user's cache, which `edulaunch network install` creates.
 
-The environment must be separate, because its wheels start every Python of their environment twice. Also, a simulation cannot
-share an interpreter with a real rclpy.
+The environment must be separate, because its wheels make every Python in their environment start twice. Also, a simulation
+cannot share an interpreter with a real rclpy.
 """
 
 from __future__ import annotations

@@ -28,7 +28,9 @@ def is_of_own_package(path: str) -> bool:
 
 
 def absent_linter(source: bytes) -> str | None:
-    """Return the first missing style checker of ROS 2 (such as `ament_flake8`) that a test file imports, or None."""
+    """Return the first missing style checker of ROS 2 (such as `ament_flake8`) that a test file imports. Return None if there
+    is no such import.
+    """
     if b'ament_' not in source:
         return None
     try:

@@ -158,7 +158,7 @@ class Replica:
     # Changes of the other peer are repeated here
 
     def their(self, index: int, kind: type[Any]) -> Any:
-        """Return the other peer's node or endpoint with that number. Raise Violation if it is not a `kind`."""
+        """Return the other peer's node or endpoint with that number. Raise Violation if it is not of the type `kind`."""
         found = self.theirs.get(index)
         if not isinstance(found, kind):
             raise Violation(f'number {index} is not a {kind.__name__} of that peer')

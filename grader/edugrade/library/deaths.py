@@ -79,7 +79,7 @@ def refuse_gone(run: Evidence) -> None:
 
 
 def deaths(recording: Recording) -> Iterator[Death]:
-    """Yield the programs that died: first the simulated ones in the order in which they started, then the real ones."""
+    """Yield the programs that died: first the simulated programs in the order in which they started, then the real programs."""
     known = launched(recording)
     for process in known:
         if process.returncode and not _ends_with_launch(recording, process):

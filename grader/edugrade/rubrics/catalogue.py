@@ -66,7 +66,7 @@ def find_rubric(
     :param given: the file of a rubric, or the name of an exercise that replaces `exercise`, or None.
     :param submission: the folder of the submission. A rubric in this folder is rejected.
     :param personal: a function that changes the content of the rubric to a student's variant, or None.
-    :raises UnusableInput: if there is no such rubric, with the names of the existing ones.
+    :raises UnusableInput: if there is no such rubric, with the names of the existing rubrics.
     :raises RubricMistake: if the rubric cannot be loaded.
     """
     if given is not None and _is_file(given):

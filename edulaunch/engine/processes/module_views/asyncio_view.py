@@ -1,4 +1,4 @@
-"""`asyncio` in simulated time: every event loop of a program is a simulated one."""
+"""`asyncio` in simulated time: every event loop of a program is simulated."""
 
 from __future__ import annotations
 

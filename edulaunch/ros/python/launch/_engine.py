@@ -131,8 +131,8 @@ def run_command(argv: Sequence[str], *, stderr_to_stdout: bool) -> tuple[int, st
     """Run a command until it ends. Return its exit code, standard output and standard error.
 
     A dry run with missing packages may replace the output; see :func:`assumptions`. A command that the simulation has (`ros2
-    ...`) runs in the simulation, while launch waits in simulated time. Any other command is a real program. It takes no simulated
-    time, so that every run is the same.
+    ...`) runs in the simulation, while launch waits in simulated time. Any other command is a real program. Such a program
+    takes no simulated time, so that every run is the same.
 
     :raises FileNotFoundError: when there is no such command.
     """

@@ -87,7 +87,8 @@ class Cache(SimpleFilter):
 
     The times in arguments are rclpy Times of ROS time.
 
-    :param allow_headerless: whether a message without a header gets its time of arrival as its stamp; otherwise, it is dropped.
+    :param allow_headerless: whether a message without a header gets the time of arrival as its stamp; otherwise, it is
+        dropped.
     """
 
     def __init__(self, f: SimpleFilter | None = None, cache_size: int = 1, allow_headerless: bool = False) -> None:
@@ -202,7 +203,8 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
     """Calls its callbacks with one message of each topic if their stamps differ by less than `slop`.
 
     :param slop: the limit of the difference, in seconds.
-    :param allow_headerless: whether a message without a header gets its time of arrival as its stamp; otherwise, it is dropped.
+    :param allow_headerless: whether a message without a header gets the time of arrival as its stamp; otherwise, it is
+        dropped.
     """
 
     def __init__(self, fs: Sequence[SimpleFilter], queue_size: int, slop: float, allow_headerless: bool = False) -> None:

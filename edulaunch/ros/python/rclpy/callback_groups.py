@@ -29,7 +29,7 @@ class CallbackGroup:
         raise NotImplementedError()
 
     def beginning_execution(self, entity: Any) -> bool:
-        """Mark the entity's callback as running. Return False if it must not start."""
+        """Mark the entity's callback as running. Return False if the callback must not start."""
         return self.can_execute(entity)
 
     def ending_execution(self, entity: Any) -> None:

@@ -43,7 +43,7 @@ class Context:
     def init(self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None) -> None:
         """Initialise the context.
 
-        :param args: the command-line arguments; None means those of the program.
+        :param args: the command-line arguments; None means the arguments of the program.
         :raises RuntimeError: when called a second time.
         :raises UnknownROSArgsError: for unknown arguments after `--ros-args`.
         """

@@ -52,7 +52,8 @@ class Node(NodeEntities, NodeParameters, NodeGraphQueries):
 
     :param node_name: the node's name, which remap rules may change.
     :param context: the node's context; None means the default context.
-    :param cli_args: arguments for this node only, beginning with `--ros-args`. They take precedence over those of the program.
+    :param cli_args: arguments for this node only, beginning with `--ros-args`. They take precedence over the arguments of
+        the program.
     :param namespace: the namespace of the node and of its relative names.
     :param use_global_arguments: whether the program's own `--ros-args` apply.
     :param parameter_overrides: Parameter objects whose values replace declared defaults.

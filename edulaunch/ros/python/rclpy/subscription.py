@@ -88,8 +88,8 @@ class Subscription(TopicEnd, Entity):
     def rcl_take_wires(self, callback: Callable[[Any], object]) -> None:
         """Call `callback` with the wire tuple of each message, in place of the current callback.
 
-        Both callbacks must have the same effect. Built-in programs that only copy values use this method, because it creates no
-        message object. Setting another callback ends it.
+        Both callbacks must have the same effect. Built-in programs that only copy values use this method, because it creates
+        no message object. Assigning another callback switches back to message objects.
         """
         self._wire_callback = callback
         self._simple = False

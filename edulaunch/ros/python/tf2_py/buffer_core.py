@@ -239,7 +239,7 @@ class BufferCore:
         return self._tf.all_frames_as_string()
 
     def clear(self) -> None:
-        """Drop all transforms except the static ones."""
+        """Drop all dynamic transforms. Static transforms stay."""
         self._tf.clear()
 
     def _allFramesAsDot(self, time: Any = None) -> str:  # noqa: N802

@@ -103,8 +103,8 @@ def class_csv(results: Results) -> str:
 
 
 def csv_text(columns: Sequence[str], lines: Sequence[dict[str, str]], separator: str = ',') -> str:
-    """Return a table as CSV. An apostrophe precedes every string that a spreadsheet could read as a formula. This also applies
-    after any other separator of cells within the string.
+    """Return a table as CSV. An apostrophe precedes every string that a spreadsheet could read as a formula. An apostrophe is
+    also added after any other separator of cells within the string.
 
     :param separator: the separator of the cells. With a semicolon, numbers have a decimal comma, because such a spreadsheet reads
         9.6 as a date.

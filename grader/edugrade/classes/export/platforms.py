@@ -195,7 +195,7 @@ def moodle_worksheet(path: str, marks: Sequence[Mark]) -> tuple[str, list[str]]:
 
     A student is found by the number after "Participant", which is also in the names of downloads, or by name.
 
-    :raises UnusableInput: when the file is not a worksheet, or its maximum grade is not that of the exercise.
+    :raises UnusableInput: when the file is not a worksheet, or its maximum grade differs from the points of the exercise.
     """
     head, rows, separator = read_list(path)
     lacking = [name for name in (IDENTIFIER, NAME, GRADE) if name not in head]

@@ -77,7 +77,7 @@ class Entity(ABC):
         Return None if the caller must request each attribute. Most elements of a long file have this form, so formats can return
         quickly without creating entities. (edulaunch only.)
 
-        :param is_typed: whether the second value is converted by YAML's rules. Otherwise, both values are strings.
+        :param is_typed: whether the second value is converted according to YAML's rules. Otherwise, both values are strings.
         """
         return None
 

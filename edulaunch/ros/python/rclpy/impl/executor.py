@@ -333,8 +333,8 @@ class Executor(Waiting):
             self.spinner = outer
 
     def rcl_spin_ready(self) -> None:
-        """Execute all ready items, each entity once, without waiting. This is the function spin_some of rclcpp, in rclcpp's
-        order.
+        """Execute all ready items, each entity once, without waiting. The function corresponds to spin_some of rclcpp, and uses
+        rclcpp's order.
         """
         self._run_tasks()
         batch = self._collect()

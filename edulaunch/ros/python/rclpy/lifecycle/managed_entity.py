@@ -46,12 +46,12 @@ class SimpleManagedEntity(ManagedEntity):
         self._enabled = False
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Enable the entity."""
+        """Enable the entity, and return SUCCESS."""
         self._enabled = True
         return TransitionCallbackReturn.SUCCESS
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Disable the entity."""
+        """Disable the entity, and return SUCCESS."""
         self._enabled = False
         return TransitionCallbackReturn.SUCCESS
 

@@ -117,7 +117,7 @@ class NodeParameters:
         return [self.get_parameter(name) for name in names]
 
     def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
-        """Return a parameter, or `alternative_value` (a Parameter) if it is not declared or has no value."""
+        """Return a parameter, or `alternative_value` (a Parameter) if the parameter is not declared or has no value."""
         parameter: Parameter | None = self._rclpy.parameters.values.get(name)
         if parameter is not None and parameter.type_ is not Parameter.Type.NOT_SET:
             return parameter
