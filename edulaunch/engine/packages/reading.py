@@ -96,15 +96,11 @@ class SourceReader(Protocol):
     """A function that reads a package's build file without running it, such as the one in `edulaunch.ros.sources`."""
 
     def __call__(self, manifest: Manifest, /) -> Contents:
-        """Return the files and programs that the package installs. The warnings in the result include everything that a build
-        would reject.
-        """
+        """Return the files and programs that the package installs. Its warnings include everything that a build would reject."""
 
 
 def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | None:
-    """Read `folder`/package.xml, and add its problems to `warnings`. Return None if the file is invalid or contains no package
-    name.
-    """
+    """Read `folder`/package.xml, and add its problems to `warnings`. Return None if it is invalid or contains no name."""
     from xml.etree import ElementTree
 
     file = os.path.join(folder, 'package.xml')

@@ -235,8 +235,9 @@ def _unread_file(error: BaseException) -> str | None:
 
 
 def runaway_text(program: str, error: BaseException) -> tuple[str, Origin | None]:
-    """Return the message about a program that was stopped because it did not yield, and the place of the stop (None if it is
-    unknown).
+    """Return the message about a program that was stopped because it did not yield, and the place of the stop.
+
+    An unknown place gives None as the second value.
 
     :param program: the launch name of the program.
     :param error: the exception that stopped the program.

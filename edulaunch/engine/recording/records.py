@@ -92,9 +92,7 @@ class ProcessRecord(NamedTuple):
 
     @property
     def origin(self) -> tuple[str, int] | None:
-        """The launch file and the line of the action that started the program. The property has the value None if they are
-        unknown.
-        """
+        """The launch file and the line of the action that started the program, or None if the place is unknown."""
         return None if self.file is None or self.line is None else (self.file, self.line)
 
 
