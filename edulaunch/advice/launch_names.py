@@ -37,12 +37,12 @@ def names_in(module: str) -> list[str]:
 
 
 def home_of(name: str) -> str | None:
-    """Return the module of launch that exports a name, or None."""
+    """Return the module of launch that exports a name, or None if no module exports it."""
     return next((one for one in MODULES if name in names_in(one) and f'{one}.{name}' not in MODULES), None)
 
 
 def class_named(name: str) -> Any:
-    """Return the exported class of this name, or None."""
+    """Return the exported class of this name, or None if no module exports it."""
     home = home_of(name)
     return getattr(import_module(home), name) if home is not None else None
 
@@ -56,12 +56,14 @@ def import_line(name: str | None) -> str | None:
 
 
 def nearest_anywhere(name: str) -> str | None:
-    """Return the exported name of any module that is most similar to `name`, or None."""
+    """Return the exported name of any module that is most similar to `name`, or None if no name is similar."""
     return nearest(name, [known for module in MODULES for known in names_in(module)])
 
 
 def keywords_of(cls: type) -> list[str]:
-    """Return the keyword arguments of a class's constructor. Include inherited arguments if it passes `**kwargs` to its base."""
+    """Return the keyword arguments of a class's constructor. Include inherited arguments if the constructor passes `**kwargs`
+    to its base.
+    """
     found: list[str] = []
     for base in cls.__mro__:
         code = getattr(base.__dict__.get('__init__'), '__code__', None)

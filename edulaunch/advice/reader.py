@@ -1,8 +1,8 @@
 """The reader of advice (language, folder, notebook), and the translation of complete English sentences.
 
-Reports are created and stored in English, so a rubric does not depend on languages. To translate a complete sentence, the
-templates of a catalogue are matched against it. For example, the template `'{thing} is missing'` matches 'the frame laser is
-missing'. The facts that it finds are put into the template of the other language. Facts that are sentences themselves are
+Reports are created and stored in English, so a rubric does not depend on languages. A complete sentence is translated with
+the templates of a catalogue. For example, the template `'{thing} is missing'` matches 'the frame laser is missing'. The
+facts of the sentence are inserted into the template of the other language. Facts that are sentences themselves are
 translated, too.
 """
 
@@ -59,7 +59,7 @@ class Reader(NamedTuple):
     def short(self, text: str) -> str:
         """Return a string without folders that are internal to edulaunch. A path in the reader's folder becomes a relative path.
 
-        A file in the share folder of a simulated build is a link to the file in the sources.
+        The path of a file in a simulated build becomes the path of the file in the sources, to which it is a link.
         """
         if 'edulaunch' in text:
             text = text.replace(os.path.join(underlay_prefix(), 'bin', ''), '')
@@ -87,7 +87,7 @@ def language_of(env: Mapping[str, str]) -> str:
     """Return the language that environment variables select: `EDULAUNCH_LANG`, or the language that gettext would use.
 
     The locale is the first value among `LC_ALL`, `LC_MESSAGES` and `LANG`. `LANGUAGE` lists languages by preference. As in
-    gettext, it counts only if the locale is not `C` or `POSIX`. The first language with a catalogue is selected.
+    gettext, `LANGUAGE` counts only if the locale is not `C` or `POSIX`. The first language with a catalogue is selected.
     """
     locale = next(filter(None, (env.get(name) for name in ('LC_ALL', 'LC_MESSAGES', 'LANG'))), 'C')
     wanted = [locale] if _plain_name(locale) in ('C', 'POSIX') else [*env.get('LANGUAGE', '').split(':'), locale]

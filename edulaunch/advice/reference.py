@@ -73,12 +73,14 @@ def page_of(rule: Rule) -> ReferencePage | None:
 def anchor_of(rule: Rule) -> str:
     """Return the anchor of a rule on its page.
 
-    It is the name without the dot, which Markdown renderers create from the heading.
+    The anchor is the name without the dot, which Markdown renderers create from the heading.
     """
     return rule.name.replace('.', '')
 
 
 def address_of(rule: Rule) -> str | None:
-    """Return the address of a rule's description in the repository, such as `docs/advice/tf-a-l.md#tflate-lookup`, or None."""
+    """Return the address of a rule's description in the repository, such as `docs/advice/tf-a-l.md#tflate-lookup`. Return None
+    for a rule of a plug-in.
+    """
     page = page_of(rule)
     return f'docs/advice/{page.name}.md#{anchor_of(rule)}' if page else None

@@ -138,7 +138,8 @@ def help_below(error: dict[str, Any], env: Mapping[str, str]) -> str | None:
 
 
 def help_of(error: dict[str, Any]) -> str | None:
-    """Return one line of help for an error: the mistake and what to do, in the language of the program's user.
+    """Return one line of help for an error: the mistake and what to do, in the language of the program's user. Return None if
+    no rule explains the error.
 
     :param error: a dictionary with `type`, `message`, `facts` and `place`.
     """
@@ -153,7 +154,7 @@ def advice_of(launch: LaunchRecord) -> tuple[str, str] | None:
 
 
 def help_of_facts(facts: dict[str, Any]) -> str:
-    """Return one line of help that is determined by facts alone, or an empty string."""
+    """Return one line of help that is determined by facts alone, or an empty string if no rule explains the facts."""
     return help_text(Failure('', '', facts=facts)) or ''
 
 

@@ -106,5 +106,5 @@ def name_of_call(node: ast.AST) -> str:
 
 
 def keyword_of(call: ast.Call, name: str) -> ast.expr | None:
-    """Return the value of a keyword argument of a call, or None."""
+    """Return the value of a keyword argument of a call, or None if the call does not have this argument."""
     return next((keyword.value for keyword in call.keywords if keyword.arg == name), None)

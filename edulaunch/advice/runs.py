@@ -115,7 +115,7 @@ def asking_place(recording: Recording, node: str, name: str) -> Place:
 
 
 def origin_place(recording: Recording, process: str | None, origin: str) -> Place:
-    """Return the place in the origin of a parameter, such as 'a.launch.py line 4'.
+    """Return the place that the origin of a parameter names, such as 'a.launch.py line 4'.
 
     For any other origin, return the place at which the program was started.
     """

@@ -1,9 +1,9 @@
 """Functions that draw pictures of a Recording.
 
 A recording and a time become a *scene* (plain data, `*_scene.py`), and `draw_*.py` draws it on matplotlib's axes. Each
-`plot_*` function returns a `Picture` that a notebook shows. With `ax=`, it draws on these axes and returns them instead.
-The first picture loads matplotlib.
-An import is inside a function only if most uses of the module do not need it.
+`plot_*` function returns a `Picture` that a notebook shows. With `ax=`, the function draws on these axes and returns the
+axes instead. The first picture loads matplotlib. An import is inside a function only if most uses of the module do not need
+it.
 """
 
 from __future__ import annotations

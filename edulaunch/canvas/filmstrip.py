@@ -1,6 +1,7 @@
 """A run as a strip of small pictures, which replaces the replay where scripts do not run.
 
-Notebooks store the strip, so its bytes must not depend on matplotlib's version. It is therefore an SVG without matplotlib.
+Notebooks store the strip, so its bytes must not depend on matplotlib's version. So the strip is an SVG that is created
+without matplotlib.
 """
 
 from __future__ import annotations

@@ -30,7 +30,8 @@ class Placed(NamedTuple):
 
 
 def placed(frames: dict[str, Frame]) -> dict[str, Placed]:
-    """Return the pose of every frame in its root frame, parents included. Roots come first, in order of appearance.
+    """Return the pose of every frame in its root frame, also for frames that appear only as parents. Roots come first, in order
+    of appearance.
 
     A loop of parents has no root, so its first frame is used as the root.
     """
@@ -80,8 +81,8 @@ def _add(a: Vector, b: Vector) -> Vector:
 class FrameMark(NamedTuple):
     """A frame in its root frame: the position in metres, the parent or '', and the directions of its axes on the sheet.
 
-    `x` and `y` point right and up on the sheet, and `z` points towards the viewer. Each axis is 1 long. From above, these are the
-    root's x, y and z.
+    `x` and `y` point right and up on the sheet, and `z` points towards the viewer. Each axis has the length 1. From above,
+    these are the root's x, y and z.
     """
 
     name: str
@@ -125,7 +126,8 @@ def frames_scene(recording: Recording, time_s: float, side: str = 'xy') -> Frame
     """Return the scene of all frames that were known at a time.
 
     :param side: the axes that point right and up: 'xy' from above, 'xz' or 'yz' from a side.
-    :raises ValueError: for another side, or when there was no frame. The message then names the broadcasters.
+    :raises ValueError: for another side, or when there was no frame. If there was no frame, the message names the
+        broadcasters.
     """
     if side not in SIDES:
         raise NothingToDraw(f'unknown side {side!r}', help=did_you_mean(side, SIDES) or f'choose one of {", ".join(SIDES)}')
@@ -174,7 +176,7 @@ def limits_of(marks: list[FrameMark]) -> tuple[float, float, float, float]:
 class FrameTracks:
     """All transforms of a recording by child frame, in order of publication.
 
-    As in tf2, a static transform replaces earlier transforms. Among dynamic transforms, the newest one is used.
+    As in tf2, a static transform replaces earlier transforms. Among dynamic transforms, the newest transform is used.
     """
 
     def __init__(self, recording: Recording) -> None:

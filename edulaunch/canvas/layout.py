@@ -1,8 +1,8 @@
 """Functions that arrange boxes of given sizes in layers on a sheet, and find paths for arrows between them that cross no box.
 
-The method is Sugiyama's. It reverses edges that close a loop, and puts each item on the layer of its longest path. An arrow over
-several layers gets a *joint* in each layer between. Then each box moves to the mean of its neighbours until the number of
-crossings stays the same.
+Sugiyama's method reverses edges that close a loop, and puts each item on the layer of its longest path. An arrow over
+several layers gets a *joint* in each layer that it crosses. Then each box moves to the mean of its neighbours until the
+number of crossings stays the same.
 """
 
 from __future__ import annotations
@@ -22,7 +22,8 @@ WIDEST = 900.0
 class Layers(NamedTuple):
     """The items of each layer, in order. Items with numbers from `count` are joints.
 
-    Each edge has the chain of its items from the first layer to the last, and whether its arrow points the other way.
+    For each edge, `chains` has its items from the first layer to the last, and `turned` states whether its arrow points the
+    other way.
     """
 
     layers: list[list[int]]

@@ -1,4 +1,4 @@
-"""The outline of a robot from above, as polygons in metres around its base, facing along +x. It comes from a URDF or a
+"""The outline of a robot from above, as polygons in metres around its base, facing along +x. The outline comes from a URDF or a
 footprint.
 """
 

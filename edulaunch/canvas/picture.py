@@ -38,7 +38,7 @@ class Picture:
         return self.caption
 
     def png(self) -> bytes:
-        """Return the image as PNG. It is drawn only once."""
+        """Return the image as PNG. The image is drawn only once."""
         if self._png is None:
             self._png = self._draw()
         return self._png

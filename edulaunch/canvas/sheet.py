@@ -185,7 +185,7 @@ def side_of(ax: Axes) -> float:
 
 
 def points_of(ax: Axes, places: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return points of the axes' world in layout pixels on the sheet."""
+    """Convert points of the axes' world to layout pixels on the sheet."""
     return [(float(x), float(y)) for x, y in ax.transData.transform(list(places)) * PER_INCH / _dpi(ax)]
 
 

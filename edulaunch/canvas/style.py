@@ -90,6 +90,6 @@ def robot() -> list[Part]:
 
 
 def shade(colour: Colour, amount: float = 0.82) -> Colour:
-    """Return a darker colour."""
+    """Return a darker shade of a colour."""
     red, green, blue = (round(part * amount) for part in colour)
     return (red, green, blue)

@@ -1,4 +1,4 @@
-"""Tables of parameters with their origins, of messages and of log lines, for people."""
+"""Tables for people: parameters with their origins, messages, and log lines."""
 
 from __future__ import annotations
 

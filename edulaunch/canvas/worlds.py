@@ -30,7 +30,7 @@ Row = tuple[float, ...]
 
 
 class Pen(NamedTuple):
-    """The pen of a turtle from a time on: its colour, its width in pixels of a turtlesim window, and whether it draws."""
+    """The state of a turtle's pen from a time on: its colour, its width in pixels of a turtlesim window, and whether it draws."""
 
     from_s: float
     colour: Colour
@@ -50,8 +50,8 @@ class Track(NamedTuple):
     outline: list[Part] = []
 
     def row_at(self, time_s: float) -> Row | None:
-        """Return the pose at a time, or None if the object did not exist then. The first pose also counts for the moment before
-        it.
+        """Return the pose at a time, or None if the object did not exist then. The first pose is also used for up to `START_S`
+        seconds before it.
         """
         position = bisect_right(self.rows, time_s, key=itemgetter(0))
         if not position and self.rows and self.rows[0][0] - time_s < START_S:

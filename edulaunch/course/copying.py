@@ -52,7 +52,8 @@ BESIDE = (MANIFEST, 'README.md', 'LICENSE', 'requirements.txt')
 
 
 def student_files(course: str, *, rubrics: bool = False) -> dict[str, bytes]:
-    """Return the content of the files that students get, by their path in the course with slashes, in alphabetical order.
+    """Return a dict from the path of each file that students get to its content, in alphabetical order. The paths are relative
+    to the course, with slashes.
 
     :param rubrics: whether to include the rubrics, so that students can check their work.
     :raises UnusableInput: when a notebook cannot be read, or a file is a link (which may lead to a solution).

@@ -1,7 +1,7 @@
 """Read the progress files of a class, which are untrusted files from a shared drive, home folders or clones.
 
-No code of a student runs, and links are not followed. A file that is too large, or does not come from `check()`, is rejected with
-a fixed reason. It does not affect other students.
+No code of a student runs, and links are not followed. A file that is too large, or does not come from `check()`, is rejected
+with a fixed reason. Such a file does not affect other students.
 """
 
 from __future__ import annotations

@@ -56,7 +56,7 @@ class Part(NamedTuple):
     :param ident: the ID of the cell.
     :param text: the Markdown, the code, the form of the prediction, or the answer.
     :param file: the name of the file to which the code is written.
-    :param folded: whether the outputs answer a prediction, so that readers open them only after it.
+    :param folded: whether the outputs answer a prediction, so that readers open the outputs only after their prediction.
     """
 
     kind: str

@@ -88,9 +88,9 @@ def read_lessons(folder: str) -> list[Lesson]:
 
 
 def the_one(given: str, known: Iterable[str], refusal: str) -> str:
-    """Return the full name of a lesson for its number or the beginning of its name.
+    """Return the full name of the lesson with this number, or with a name that begins with this string.
 
-    :raises UnusableInput: with the message `refusal`, for no match or several matches.
+    :raises UnusableInput: with the message `refusal`, if no lesson or more than one lesson matches.
     """
     fitting = [name for name in known if name.startswith(os.path.basename(given).removesuffix('.ipynb').zfill(2))]
     if len(fitting) == 1:
@@ -169,7 +169,7 @@ def time_plan(notes: str) -> list[tuple[int, str]]:
 
 
 def notes_of(course: str, name: str) -> str:
-    """Return the notes on one lesson, for its number or the beginning of its name.
+    """Return the notes on the lesson with this number, or with a name that begins with this string.
 
     :raises UnusableInput: when the lesson has no notes.
     """

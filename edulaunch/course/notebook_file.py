@@ -43,7 +43,7 @@ class Cell(NamedTuple):
 
 
 class Notebook(NamedTuple):
-    """A notebook.
+    """The content of a notebook file.
 
     :ivar content: the content of the file as JSON data, for tools that write the notebook again.
     """

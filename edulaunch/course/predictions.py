@@ -1,5 +1,5 @@
-"""Predictions, which students enter before a run and compare with the result. They are stored in the progress file of the
-folder.
+"""Predictions, which students enter before a run and compare with the result. Predictions are stored in the progress file of
+the folder.
 """
 
 from __future__ import annotations

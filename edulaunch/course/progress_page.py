@@ -20,7 +20,7 @@ MOST_REPEATED = 5
 
 
 class Row(NamedTuple):
-    """The progress in one lesson. Each entry has the form "done of all". It is empty if there is nothing to do."""
+    """The progress in one lesson. Each entry has the form "done of all". An entry is empty if there is nothing to do."""
 
     title: str
     predictions: str

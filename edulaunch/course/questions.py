@@ -67,8 +67,8 @@ def seal(data: bytes) -> bytes:
 
 
 def questions_file(folder: str) -> str | None:
-    """Return the questions file for a folder of lessons, or None. The file of an update takes precedence over an older readable
-    file.
+    """Return the questions file for a folder of lessons, or None if there is no such file. The file of an update takes
+    precedence over an older readable file.
     """
     folder = os.path.abspath(folder)
     beside = os.path.join(os.path.dirname(folder), SOLUTIONS, FILE)

@@ -1,4 +1,5 @@
-"""The outputs of a lesson's run, stored beside the lesson. Students get the notebook without them, and nbval compares them.
+"""The outputs of a lesson's run, stored beside the lesson. Students get the notebook without outputs. nbval compares the stored
+outputs with the outputs of a new run.
 
 ``lessons/.outputs/01_first_launch.json`` has the outputs of each code cell of ``lessons/01_first_launch.ipynb``, in order.
 Pictures and HTML are not stored: nbval compares their captions and digests instead.
@@ -171,7 +172,7 @@ def fresh_progress() -> Iterator[None]:
 def without_place(outputs: Any, folder: str) -> Any:
     """Return outputs without parts that depend on the folder and the front end.
 
-    Such parts are the paths of the notebook's folder and of edulaunch, and line numbers in cells, which need a history of cells.
+    Such parts are the paths of the notebook's folder and of edulaunch, and line numbers in cells.
     """
     text = json.dumps(outputs)
     for place in (folder, os.path.dirname(engine_folder())):

@@ -32,7 +32,8 @@ def nearest_few(name: str, names: Iterable[str], most: int) -> list[str]:
 
 
 def nearest_name(name: str, names: Iterable[str]) -> str | None:
-    """Return the nearest full name of ROS. Its last part must be equal or nearly equal.
+    """Return the known full name that is most similar to `name`, or None. The last parts of both names must be equal or nearly
+    equal.
 
     `/turtle1/cmd_vel` may mean `/red/turtle1/cmd_vel`, but not `/turtle1/pose`, although many letters are equal.
     """
@@ -79,7 +80,7 @@ def _edits(one: str, other: str) -> int:
 def nearest_file(name: str, names: Iterable[str]) -> str | None:
     """Return the known file name that is most similar to `name`, or None if no name is similar.
 
-    Only the parts before the endings are compared first, because `.launch.py` alone does not make two names similar.
+    First, only the parts before the endings are compared, because `.launch.py` alone does not make two names similar.
     """
     files = sorted(file for file in names if _stem(file))
     stem = nearest(_stem(name), map(_stem, files))

@@ -34,7 +34,7 @@ CLOCKS = frozenset(map(id, (time, datetime, datetime.datetime, *filter(callable,
 def script_sees_the_clock() -> bool:
     """Return whether the script that first uses ROS reads the real clock.
 
-    The result is False in tests and notebooks, whose code is not a script. In these, simulated time passes as fast as possible.
+    The result is False in tests and notebooks, whose code is not a script. There, simulated time passes as fast as possible.
     """
     if not _is_script():
         return False

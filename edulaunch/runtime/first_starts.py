@@ -1,4 +1,6 @@
-"""Programs whose first start fails, as on a computer with too many processes. A rubric hides this from the launch file."""
+"""Programs whose first start fails, as on a computer with too many processes. A launch file cannot read which starts the rubric
+has chosen.
+"""
 
 from __future__ import annotations
 
@@ -14,11 +16,11 @@ class FirstStarts:
     fails: Sequence[str] = ()
 
     def refused_now(self, name: str) -> str | None:
-        """Return the item of `fails` for a program that may not start now, or None."""
+        """Return the item of `fails` for a program that may not start now, or None if the program may start."""
         return next((each for each in self.fails if f'{name} '.startswith(f'{each} ')), None)
 
     def refuses(self, name: str) -> bool:
-        """Return whether this start of a program fails. The next one does not."""
+        """Return whether this start of a program fails. The next start of the same program does not fail."""
         refused = self.refused_now(name)
         if refused is not None:
             self.fails = [each for each in self.fails if each != refused]

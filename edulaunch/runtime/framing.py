@@ -1,8 +1,8 @@
 """Frames between two processes of edulaunch. A frame has the length of the payload, a kind, and the payload. Nothing is
 unpickled or evaluated.
 
-A terminal and its machine exchange such frames. So do the peers of a link, and edulaunch and the process that runs the real
-rclpy. The grader's sandbox has a different kind of frames.
+Such frames pass between a terminal and its machine, and between the two peers of a link. edulaunch and the process with the
+real rclpy exchange them, too. The grader's sandbox has a different kind of frames.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class Frames:
         self._data += data
 
     def take(self) -> tuple[int, bytes] | None:
-        """Return the next complete frame as (kind, payload), or None.
+        """Return the next complete frame as (kind, payload), or None if no frame is complete.
 
         :raises BadFrame: for an unknown kind or a payload that is too long.
         """

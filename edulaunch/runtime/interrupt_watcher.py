@@ -35,7 +35,8 @@ _ENDING = ('SIGTERM', 'SIGHUP', 'SIGQUIT')
 def innermost_own(traceback: str, libraries: Sequence[str]) -> str:
     """Return the innermost place of a student's code in a traceback of `faulthandler`, as `file:line (function)`.
 
-    :param libraries: the beginnings of paths that are not a student's: those of Python, its packages, and edulaunch.
+    :param libraries: the beginnings of paths that do not belong to a student: the paths of Python, its packages, and
+        edulaunch.
     :returns: an empty string when the traceback contains no such place.
     """
     own = [place for place in PLACE.findall(traceback) if not place[0].startswith(('<', *libraries))]
@@ -73,7 +74,7 @@ def watched_signals(libraries: Sequence[str], is_watched: bool = True, end_by: s
 
     On systems without such signals (Windows, a browser), or when no process can be started, the block runs without a watcher.
 
-    :param libraries: the beginnings of paths that are not a student's; see :func:`innermost_own`.
+    :param libraries: the beginnings of paths that do not belong to a student; see :func:`innermost_own`.
     :param is_watched: whether to start a watcher at all.
     :param end_by: the signal that ends this process; see `last_moment.py`.
     """
@@ -113,7 +114,7 @@ class Watcher:
     :param pid: the process ID of the run.
     :param pipe: the reading end of the pipe.
     :param end_by: the signal that ends the run.
-    :param libraries: the beginnings of paths that are not a student's; see :func:`innermost_own`.
+    :param libraries: the beginnings of paths that do not belong to a student; see :func:`innermost_own`.
     """
 
     def __init__(self, pid: int, pipe: int, end_by: int, libraries: Sequence[str]) -> None:

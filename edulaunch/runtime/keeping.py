@@ -61,7 +61,7 @@ class Ending:
             raise KeyboardInterrupt
 
     def text(self, elapsed_s: float) -> str:
-        """Return a message with the signal that ended the run, and the simulated seconds."""
+        """Return a message that names the signal that ended the run, and the simulated time in seconds."""
         return f'{signal.Signals(self.came or 0).name} ended the run at {elapsed_s:.2f} s of simulated time'
 
 

@@ -1,4 +1,5 @@
-"""Plug-ins: packages that add verbs, options, packages and rules to edulaunch, without being known to it.
+"""Plug-ins: packages that add verbs, options, packages and rules to edulaunch, although edulaunch does not depend on these
+packages.
 
 An entry point of the group `edulaunch.plugins` in the `pyproject.toml` of a package names a :class:`Plugin`. A process searches
 for plug-ins at most once. Unknown words, help, completion, and code that needs all plug-ins of a kind cause the search.
@@ -60,7 +61,7 @@ class Plugin(NamedTuple):
         `view`, which returns what to serve in place of the page.
     :ivar services: the module that creates each service of the machine. `edulaunch.desk.machine.network` defines the
         service `network`. For any other service, `peer(machine, connection)` returns the peer of a connection.
-    :ivar packages: folders with ROS packages in source form, which are searched after those of the student.
+    :ivar packages: folders with ROS packages in source form, which are searched after the student's packages.
     :ivar rules: modules with rules of advice, by their subject: one of `edulaunch.advice.rule.KINDS`.
     :ivar templates: functions (`module:function`) that create files for a course, for `edulaunch course template NAME`. A
         function runs in the folder of the course. It receives the content of requirements.txt and (name, path) of each
@@ -199,7 +200,7 @@ def _warn(entry: Entry, why: str) -> None:
 
 
 def is_here(module: str) -> bool:
-    """Return whether a module can be imported. This may be False because the folder of the module was deleted."""
+    """Return whether a module can be imported. The result may be False because the folder of the module was deleted."""
     try:
         spec = find_spec(module)
     except ModuleNotFoundError:
@@ -272,7 +273,8 @@ def _lacking(name: str) -> str:
 
 
 def absent(what: str) -> UnusableInput | None:
-    """Return the error for a feature of a plug-in of edulaunch that is missing. Return None for any other feature.
+    """Return the error for a feature if one of edulaunch's own plug-ins provides it and is missing. Return None for any other
+    feature.
 
     :param what: a command and its verb or option, such as 'edulaunch network' or 'ros2 launch --network'.
     """

@@ -233,7 +233,7 @@ class Session:
         return found
 
     def snapshot(self) -> Recording:
-        """Return a copy of the recording so far. Later events do not change it, and appear in the next snapshot."""
+        """Return a copy of the recording so far. Later events do not change this copy. They appear in the next snapshot."""
         self.describe()
         self.recorder.stop()
         content = self.recorder.content()
@@ -325,8 +325,8 @@ def index_for(workspaces: Sequence[PathLike], near: str | None = None) -> Index:
 def typed_command(words: Sequence[str], name: str, cwd: str, env: Mapping[str, str], index: Index) -> tuple[ProcessSpec, Index]:
     """Return the program that a command line starts, and the index that finds the packages of the command.
 
-    :param cwd: the current folder of the terminal. Packages are looked up in the workspaces of this folder, and in those of a
-        launch file that the command names by path.
+    :param cwd: the current folder of the terminal. Packages are looked up in the workspaces of this folder, and in the
+        workspaces of a launch file that the command names by path.
     :param env: the environment of the terminal.
     :param index: the index to use if there is no workspace.
     """

@@ -24,7 +24,7 @@ NOT_COMPARED = ('/rosout', '/parameter_events')
 
 
 def with_defaults_given(outcomes: Sequence[Outcome], again: Again, known: Plan | None = None) -> list[Outcome]:
-    """Return the outcomes, with repeated runs in place of the original ones where arguments were needed.
+    """Return the outcomes, with repeated runs in place of the original runs where arguments were needed.
 
     If a run accepts any default and the launch file declares none, the run is left out.
 

@@ -145,7 +145,7 @@ class ChildRun:
         return bool(data)
 
     def watch(self) -> None:
-        """Record it if the deadline has passed."""
+        """If the deadline has passed, record this."""
         if self.cut is None and not self.complete and monotonic() > self.deadline:
             self.cut = 'wall'
 

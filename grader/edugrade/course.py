@@ -32,7 +32,7 @@ class Exercise(NamedTuple):
     :param hints: LEVELS strings: a question, the place to look at, and almost the answer.
     :param why: one sentence on why the exercise matters on a robot, or ''.
     :param check_points: the points of checks for which the course replaces the points of the rubric, by the check's name.
-    :param variants: rows of strings. Each student gets one string of each row, and the first string is the usual one. See
+    :param variants: rows of strings. Each student gets one string of each row, and the first string is the usual string. See
         `variant`.
     """
 
@@ -127,7 +127,7 @@ def here_and_above(folder: str) -> Iterator[str]:
 
 
 def course_manifest(inside: str = '') -> str | None:
-    """Return the course.toml of the course around a directory (default: the current one), or None."""
+    """Return the course.toml of the course around a directory (default: the current one), or None if there is no manifest."""
     places = (place for folder in here_and_above(inside) for place in (folder, os.path.join(folder, 'exercises')))
     return _manifest_of(places)
 

@@ -55,7 +55,7 @@ MOST_STUDENTS, TRIES = 2, 400
 def main(argv: Sequence[str] | None = None, also: Sequence[str] = ()) -> int:
     """Check the course in a folder, and print each problem. Return the exit code.
 
-    :param argv: the words of the command line (default: those of this process).
+    :param argv: the words of the command line (default: the words of this process).
     :param also: problems that the caller has found.
     """
     options = course_parser().parse_args(argv)

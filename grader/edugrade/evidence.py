@@ -200,7 +200,8 @@ class Failure(Exception):
     :param expected: what the check expected, in words or as a value.
     :param seen: what the check found instead.
     :param where: (file, line) of the launch action or the file to change.
-    :param try_: what to do, beginning with a verb. If there are several strings, students get a later one after more attempts.
+    :param try_: what to do, beginning with a verb. If there are several strings, students get a later string after more
+        attempts.
     :param share: the share of the points that the check still gives: at least 0 and less than 1.
     :param name: the bare name that the check looked for. With `among`, the report advises to correct the nearest name.
     :param among: the names that exist.
@@ -229,9 +230,9 @@ class Failure(Exception):
         self.name, self.known, self._may_ask = name, list(among), try_ is None or isinstance(try_, str)
 
     def correct(self, texts: Iterable[str]) -> None:
-        """Advise to correct a name that the student wrote and that is near to the expected one, before the other advice.
+        """Advise to correct a name that the student wrote and that is similar to the expected name, before the other advice.
 
-        :param texts: what the student wrote. The advice never names anything that is not a whole word of them.
+        :param texts: what the student wrote. The advice never names anything that is not a whole word of these strings.
         """
         name, try_ = self.name, self.try_
         if name is None or name in self.known or not self._may_ask:
@@ -290,7 +291,7 @@ LONGEST_VALUE = 60
 
 
 class Mismatch(Failure):
-    """A thing has another value than the expected one. The report shows both values in full."""
+    """A thing has another value than the expected value. The report shows both values in full."""
 
     def __init__(
         self,

@@ -97,7 +97,9 @@ def raise_fault(error: BaseException) -> None:
 
 
 def fault_in(text: str) -> str | None:
-    """Return a sentence about the fault of the computer whose error number is in a message, or None."""
+    """Return a sentence about the fault of the computer whose error number is in a message, or None if the message contains no
+    such number.
+    """
     numbers = [int(number) for number in _NUMBER.findall(text)]
     return next((SENTENCES[number] for number in numbers if number in OF_THE_COMPUTER), None)
 
@@ -125,7 +127,8 @@ def _text_of(outcome: Outcome) -> str:
 
 
 def fault_here(folder: str) -> str | None:
-    """Test everything that a run needs on this computer. Return a sentence about the first thing that does not work, or None.
+    """Test everything that a run needs on this computer. Return a sentence about the first thing that does not work, or None if
+    everything works.
 
     :param folder: the directory for the test.
     """

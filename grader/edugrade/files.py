@@ -60,7 +60,7 @@ def files_below(folder: str, is_taken: Callable[[str, str], bool]) -> Iterator[s
 
 
 def write_whole(path: str, text: str | bytes) -> None:
-    """Write a file so that other programs never read an incomplete one.
+    """Write a file so that other programs never read an incomplete file.
 
     A lone surrogate (from a file name that is not UTF-8) is written as an escape sequence. A path that is not a regular file,
     such as ``/dev/stdout`` or a pipe, is written to and never replaced.

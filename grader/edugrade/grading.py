@@ -152,7 +152,7 @@ def runner_here(
 ) -> Runner | InPlace:
     """Return the runner for this system.
 
-    It uses a confined process for each run. On a system without fork, it uses this process.
+    The runner uses a confined process for each run or, on a system without fork, this process.
     """
     if CAN_FORK:
         from .runner import Runner

@@ -203,7 +203,7 @@ SHORTEST_NAME = 4
 
 
 def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckResult]:
-    """Return the results with causes: each finding is at the failed check that it fits best, or nowhere.
+    """Return the results with causes. Each finding becomes the cause of the failed check that it explains best, or of no check.
 
     A check has at most one cause. Marks do not depend on findings.
     """

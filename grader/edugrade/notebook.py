@@ -91,7 +91,8 @@ def find_exercise(name: str) -> str:
     """Return the path of a student's file in this directory or a parent. The path is relative where possible.
 
     :param name: the name of an exercise, or a path.
-    :raises UnusableInput: if there is no exercise with this name, with the nearest name, or if its file does not exist.
+    :raises UnusableInput: if no exercise has this name (the message contains the nearest name), or if the file does not
+        exist.
     """
     known = {entry.name: entry for entry in read_course(find_course(os.getcwd()))}
     if name not in known:

@@ -10,7 +10,7 @@ from edulaunch.engine.underlay_place import engine_folder
 
 
 def environment(home: str) -> dict[str, str]:
-    """Return the environment of a run: the search path for programs, its private folder, and few other variables.
+    """Return the environment of a run: the search path for programs, its private folder, and a few other variables.
 
     :param home: the private folder of the run.
     """
@@ -29,7 +29,7 @@ def environment(home: str) -> dict[str, str]:
 def import_path() -> list[str]:
     """Return the module search path of the child.
 
-    It is that of this process, limited to Python's own folders and to folders with modules that the engine needs.
+    This is the path of this process, limited to Python's own folders and to folders with modules that the engine needs.
     """
     engine = os.path.dirname(engine_folder())
     here = os.getcwd()
@@ -49,7 +49,8 @@ SYSTEM = (
 def readable_by_all(path: Sequence[str]) -> tuple[list[str], list[str]]:
     """Return two lists of paths that every run may read.
 
-    The first list contains paths with everything below them, and the second one folders whose names the run may only list.
+    The first list contains paths with everything below them, and the second list contains folders whose names the run may
+    only list.
 
     :param path: the module search path.
     """

@@ -49,7 +49,8 @@ class Progress:
     last: str = ''
 
     def attempt(self, earned: float, possible: int, passed: bool, text: str = '') -> bool:
-        """Record a graded attempt, and keep the best result. Return True if it repeats the last version, and so does not count.
+        """Record a graded attempt, and keep the best result. Return True if the attempt repeats the last version, so that it
+        does not count.
 
         :param earned: the earned points.
         :param possible: all points of the exercise.
@@ -106,16 +107,17 @@ class ProgressFile:
     @classmethod
     @contextmanager
     def changing(cls, folder: str) -> Iterator[ProgressFile]:
-        """Return a context manager that locks and provides the progress file, so that attempts of two notebooks at once both
-        count.
+        """Return a context manager that locks and provides the progress file, so that simultaneous attempts in two notebooks
+        both count.
         """
         with _locked(place_of(folder)):
             yield cls(folder)
 
     def save(self) -> None:
-        """Write the file completely. After a crash, the file is either the old one or the new one.
+        """Write the file completely. After a crash, the file has either the old content or the new content.
 
-        :raises UnusableInput: if the file cannot be written, or could not be read. It is then not overwritten.
+        :raises UnusableInput: if the file cannot be written, or if the existing file could not be read. An unreadable file
+            is not overwritten.
         """
         if self._unreadable:
             raise UnusableInput(f'{NAME} cannot be read: {self._unreadable}')

@@ -67,7 +67,7 @@ def digest_of(outcome: Outcome) -> str | None:
 
 
 def result(differences: Sequence[tuple[Scenario, str | None]], source: SubmittedText) -> CheckResult:
-    """Return the result that states whether the runs repeat. It has no points.
+    """Return the result that states whether the runs repeat. The result has no points.
 
     :param differences: for each scenario, the first difference or None.
     """

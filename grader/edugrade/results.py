@@ -115,7 +115,9 @@ class Report:
 
     @property
     def sandbox(self) -> dict[str, str]:
-        """For each layer of the sandbox 'held', or the reason why it failed in one of the runs. It is {} without a sandbox."""
+        """For each layer of the sandbox 'held', or the reason why it failed in one of the runs. The dict is empty without a
+        sandbox.
+        """
         found: dict[str, str] = {}
         for outcome in self.outcomes:
             for layer, state in (outcome.sandbox or {}).items():

@@ -73,7 +73,8 @@ class Runner:
     ) -> GradingJob:
         """Request the runs of a submission, and return the job. Earlier requests run first, unless `is_next` is set.
 
-        :param workspaces: additional folders with the student's packages, which are searched before those of the submission.
+        :param workspaces: additional folders with the student's packages, which are searched before the packages of the
+            submission.
         """
         job = GradingJob(scenarios)
         folders = [*workspaces, *submission.workspaces]
@@ -186,7 +187,7 @@ class Runner:
             self._on_outcome()
 
     def fault(self) -> str | None:
-        """Return a sentence about what this computer cannot provide for runs now, or None."""
+        """Return a sentence about what this computer cannot provide for runs now, or None if nothing is missing."""
         return fault_here(self._home)
 
 

@@ -33,7 +33,9 @@ def last_lines(texts: Sequence[str], lines: int = 4, most: int = 300) -> str:
 
 
 def readable(pattern: str) -> str:
-    """Return an example of a line that a regular expression matches. Words replace its patterns, such as ``messages: NUMBER``."""
+    """Return an example of a line that a regular expression matches. Words replace the patterns of the expression, such as
+    ``messages: NUMBER``.
+    """
     for sign, word in _SIGNS:
         pattern = sign.sub(word, pattern)
     return pattern.strip()

@@ -88,7 +88,8 @@ class SubmittedText:
     def own(self, origin: tuple[str, int | None] | None, pattern: str = '') -> Place:
         """Return a place that the student can change.
 
-        This is `origin` if it is in the student's files, or else the line in which `pattern` matches, or else :attr:`place`.
+        The place is `origin` if `origin` is in the student's files, or else the line in which `pattern` matches, or else
+        :attr:`place`.
         """
         if origin is not None and not is_shipped(origin[0]):
             return Place(*origin)

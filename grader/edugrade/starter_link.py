@@ -153,7 +153,9 @@ def start_early() -> None:
 
 
 def take_early() -> tuple[str, StarterLink] | None:
-    """Return the private folder and the starter that `start_early` created, or None. Only one runner gets them."""
+    """Return the private folder and the starter that `start_early` created, or None if there is no unused starter. Only one
+    runner gets them.
+    """
     return _early.pop() if _early else None
 
 

@@ -253,7 +253,7 @@ class PackageFolder(NamedTuple):
 
 
 def package_at(folder: str) -> PackageFolder | None:
-    """Return the package whose package.xml is in this folder, or None."""
+    """Return the package whose package.xml is in this folder, or None if the folder is not a package."""
     try:
         match = _NAME.search(read_regular(os.path.join(folder, MANIFEST), LARGEST_TEXT).decode('utf-8', 'replace'))
     except OSError as error:
@@ -268,7 +268,7 @@ def _is_generated(name: str) -> bool:
 
 
 def package_above(file: str) -> PackageFolder | None:
-    """Return the package that contains a file, or None."""
+    """Return the package that contains a file, or None if the file is not in a package."""
     folder = os.path.dirname(os.path.abspath(file))
     for _ in range(DEEPEST):
         package = package_at(folder)

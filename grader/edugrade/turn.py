@@ -1,8 +1,8 @@
 """``check('radio')`` for the section "Your turn" of a lesson.
 
-Its rubric is in ``checks/`` beside the notebook, and names the file or the values to check. A turn runs in the notebook's own
-process and folder, like the cells above it. Its report and its record have the form of those of an exercise. It never ends with a
-traceback.
+The rubric of such a turn is in ``checks/`` beside the notebook, and names the file or the values to check. A turn runs in
+the notebook's own process and folder, like the cells above it. Its report and its record have the same form as for an
+exercise. A turn never ends with a traceback.
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ it.
 
 
 def find_turn(name: str) -> str | None:
-    """Return the rubric of a lesson's check, or None. The search covers ``checks/`` beside the notebook and in ``lessons``
-    above.
+    """Return the rubric of a lesson's check, or None. The function searches the folder ``checks`` beside the notebook, and in
+    the folder ``lessons`` of this folder and its parents.
     """
     return turns().get(name)
 

@@ -59,7 +59,7 @@ class CourseSecret:
         return int.from_bytes(hmac.digest(self._key, message, 'sha256')[:8], 'big')
 
     def seed(self, exercise: str, student: str, sha256: str) -> int:
-        """Return the seed for the runs of a submission. It differs for each student and each version of the file."""
+        """Return the seed for the runs of a submission. The seed differs for each student and each version of the file."""
         message = '\0'.join((exercise, student, sha256)).encode('utf-8', 'surrogateescape')
         return int.from_bytes(hmac.digest(self._key, message, 'sha256')[:4], 'big')
 
@@ -113,10 +113,10 @@ def personal(exercise: Exercise, student: str, secret: CourseSecret) -> Variant 
 
 
 def variant_for(name: str, student: str, secret: CourseSecret | None) -> Variant | None:
-    """Return the variant for grading an exercise, or None.
+    """Return the variant for grading an exercise, or None if the exercise has no variant.
 
-    With a secret, it is computed for this student. Otherwise, it is read from the student's copy of the course. The search
-    for the course begins in the current folder, never in the submission.
+    With a secret, the variant is computed for this student. Otherwise, it is read from the student's copy of the course. The
+    search for the course begins in the current folder, never in the submission.
 
     :raises UnusableInput: if the course, or the student's file in it, cannot be read.
     """

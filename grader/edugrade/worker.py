@@ -45,7 +45,7 @@ class Exceeded(Exception):
 
 
 class Lost(Exception):
-    """Another process killed the worker each time (its limits end it in other ways), or the worker took too long."""
+    """Another process killed the worker in every attempt, or the worker took too long. (Limits end a worker in other ways.)"""
 
 
 @contextmanager

@@ -322,7 +322,7 @@ EXTRAS = {'xacro': 'urdf', 'urdf_parser_py': 'urdf', 'rosbags': 'bags'}
 
 
 def misspelt(module: str) -> str | None:
-    """Return the module that this name misspells, in launch or ament_index_python, or None.
+    """Return the module that this name misspells, in launch or ament_index_python. Return None if there is no such module.
 
     `launch_utils` is the name of a package, not a misspelling.
     """

@@ -158,7 +158,7 @@ CALLED_WITH = {
     level='error',
 )
 def callback_signature(failure: Failure) -> Iterator[Finding]:
-    """Report a callback with the wrong parameters. It may belong to a service, a timer, an action or a future."""
+    """Report a callback with the wrong parameters. The callback may belong to a service, a timer, an action or a future."""
     match = re.match(r'(?:\w+\.)?(\w+)\(\) (?:takes [1-9]|missing \d+ ).*argument', failure.message)
     tree = script_of(failure.file) if match is not None and failure.process is not None else None
     if match is None or tree is None or any(name_of_call(call) == match[1] for call in calls_on_line(failure)):

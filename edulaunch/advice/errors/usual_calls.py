@@ -87,7 +87,7 @@ def brackets_missing(failure: Failure) -> Iterator[Finding]:
 def not_callable(failure: Failure) -> Iterator[Finding]:
     """Report brackets after something that is not a function, as in `message.x()`.
 
-    The rule reports it only if it is the only call without arguments on its line.
+    The rule reports such a call only if it is the only call without arguments on its line.
     """
     match = re.fullmatch(r"'(float|int|bool|str|list|QoSProfile)' object is not callable", failure.message)
     tree = script_of(failure.file) if failure.process is not None and match is not None else None
@@ -165,7 +165,7 @@ def future_no_answer(failure: Failure) -> Iterator[Finding]:
     level='error',
 )
 def goal_handle_no_result(failure: Failure) -> Iterator[Finding]:
-    """Report `future.result().result` for the future of send_goal_async(). Its result is a goal handle."""
+    """Report `future.result().result` for the future of send_goal_async(). The result of this future is a goal handle."""
     if failure.process is not None and failure.message.startswith("'ClientGoalHandle' object has no attribute 'result'"):
         yield report(failure)
 

@@ -29,7 +29,8 @@ MOMENT_S = 0.5
 def declared_parameters(package: str, executable: str, workspaces: Sequence[str]) -> dict[str, Any]:
     """Return the parameters of a program's first node with their defaults.
 
-    The program runs for a moment in a separate simulation. Return an empty dictionary if it fails before it creates a node.
+    The program runs for a moment in a separate simulation. Return an empty dictionary if the program fails before it creates
+    a node.
     """
     with Session(workspaces=workspaces) as session:
         session.host.start(ProcessSpec(argv=('ros2', 'run', package, executable), name=executable))

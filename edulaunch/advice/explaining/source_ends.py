@@ -1,7 +1,7 @@
 """Find the endpoints, frames and name of a program's node in its Python files. The reader does not run the program.
 
-The reader evaluates only expressions whose value is certain. They are literals, f-strings, variables that one statement sets,
-and parameters with the values from the launch file. It reports every other expression as unknown.
+The reader evaluates only expressions whose value is certain. They are literals, f-strings, variables that one statement
+sets, and parameters with the values from the launch file. The reader reports every other expression as unknown.
 """
 
 from __future__ import annotations

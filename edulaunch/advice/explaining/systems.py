@@ -246,7 +246,8 @@ def _resolved(name: str, kind: str, rules: Sequence[RemapRule], node: str) -> st
 class Difference(NamedTuple):
     """One difference between two systems.
 
-    :ivar sign: '-' if only the first system has it, '+' if only the second system has it, '~' if it differs.
+    :ivar sign: '-' if only the first system has it, '+' if only the second system has it, '~' if it differs between the
+        systems.
     :ivar node: the name of the node that differs, or an empty string for a frame.
     :ivar parameter: the name of the parameter that differs, or an empty string.
     """
@@ -295,7 +296,7 @@ def changed_parameters(found: list[Difference]) -> dict[str, list[str]]:
 def run_differences(before: Recording, after: Recording) -> list[str]:
     """Return the other differences between two runs, one line for each.
 
-    They are the launch arguments, the exit codes, the number of messages of each topic, and the advice.
+    These differences concern the launch arguments, the exit codes, the number of messages of each topic, and the advice.
     """
     found: list[str] = []
     tables: list[tuple[str, list[dict[str, str]]]] = [

@@ -67,7 +67,8 @@ class Assumptions:
     def shown(self, path: str) -> str:
         """Return a short form of a path.
 
-        It is 'package/rest' inside a placeholder package, the name for a program of edulaunch, and otherwise the path itself.
+        The short form is 'package/rest' inside a placeholder package, the name for a program of edulaunch, and otherwise the
+        path itself.
         """
         if os.path.dirname(path) == os.path.join(underlay_prefix(), 'bin'):
             return os.path.basename(path)

@@ -34,8 +34,8 @@ HIDDEN = frozenset(
 def explanation_of(rehearsal: Rehearsal) -> Entry:
     """Return the explanation of a dry run as a dictionary.
 
-    It contains `format`, `file`, `given`, `error`, `missing`, `nodes` and `processes` (their numbers), `shutdown_reason`, and the
-    `tree`.
+    It contains `format`, `file`, `given`, `error`, `missing`, `nodes` and `processes` (the numbers of both),
+    `shutdown_reason`, and the `tree`.
     """
     plan = rehearsal.plan
     kinds = [item['kind'] for item in plan['items']]

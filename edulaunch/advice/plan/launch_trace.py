@@ -264,7 +264,8 @@ class LaunchTrace(Watch):
         return self._process.returncode is not None
 
     def as_data(self, since: int = 0) -> dict[str, Any]:
-        """Return the trace as plain data: the process id of `ros2 launch`, the step before which it waits, and the rows of steps.
+        """Return the trace as plain data: the process id of `ros2 launch`, the step before which the launch waits, and the rows
+        of steps.
 
         :param since: the `count` of an earlier result. Only steps that have changed since then are included.
         """

@@ -284,7 +284,7 @@ STEPS_BETWEEN_COLLECTIONS = 20_000
 
 
 def run_to_rest(sim: Simulation) -> str | None:
-    """Run the simulation until no item is left. Return an error message if it does not end, otherwise None."""
+    """Run the simulation until no item is left. Return an error message if the simulation does not end, otherwise None."""
     instants, now = 0, sim.now_ns
     for step in range(MOST_STEPS):
         if step % STEPS_BETWEEN_COLLECTIONS == STEPS_BETWEEN_COLLECTIONS - 1:

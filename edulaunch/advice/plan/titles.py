@@ -53,7 +53,7 @@ class Branch:
 
     @property
     def given_parameters(self) -> list[Any]:
-        """Return the result of `launch_ros.actions.Node.given_parameters()`. It is cached, because the call is slow."""
+        """Return the result of `launch_ros.actions.Node.given_parameters()`. The result is cached, because the call is slow."""
         if self._given is None:
             self._given = self.action.given_parameters()
         return self._given

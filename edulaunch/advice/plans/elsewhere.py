@@ -56,7 +56,9 @@ _ABOUT = (
     hides=('launch.fails', 'launch.unknown-element'),
 )
 def needs_elsewhere(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a package or module that does not exist here, unless its name resembles the name of an existing one."""
+    """Report a package or module that does not exist here, unless its name resembles the name of an existing package or
+    module.
+    """
     error = rehearsal.plan['error']
     facts: dict[str, Any] = (error or {}).get('facts') or {}
     brought = None if error is None else _ELEMENTS.get(_first(_ELEMENT, error['text']) or '')

@@ -58,7 +58,7 @@ def two_parents(recording: Recording) -> Iterator[Finding]:
 def two_broadcasters(recording: Recording) -> Iterator[Finding]:
     """Report a frame that two nodes broadcast with the same parent at the same time.
 
-    If both transforms are static, the node that sent the first one must still exist.
+    If both transforms are static, the node that sent the first transform must still exist.
     """
     ended = {node.name: node.ended_s for node in recording.nodes}
     for links in by_child(recording).values():
@@ -117,7 +117,8 @@ def static_and_moving(recording: Recording) -> Iterator[Finding]:
 def slash_in_name(recording: Recording) -> Iterator[Finding]:
     """Report a slash at the start of a frame's name or of its parent's name, once for each node.
 
-    Skip a robot_state_publisher with the frame_prefix '/'. This is common without a namespace, and tf2 removes the slash.
+    Skip a robot_state_publisher with the frame_prefix '/'. This prefix is common without a namespace, and tf2 removes the
+    slash.
     """
     told: set[str] = set()
     for one in broadcasts(recording):

@@ -193,7 +193,9 @@ def period_in_hertz(recording: Recording) -> Iterator[Finding]:
 
 
 def only_number(tree: ast.Module, name: str) -> float | None:
-    """Return the number that the only assignment to a variable or attribute assigns, or None."""
+    """Return the number in the only assignment to a variable or attribute. Return None for any other value, and for several
+    assignments.
+    """
     values = [
         node.value
         for node in walked(tree)
@@ -262,7 +264,7 @@ SAME_TIME = 20
     hides=('messages.not-taken', 'messages.two-commanders'),
 )
 def own_echo(recording: Recording) -> Iterator[Finding]:
-    """Report a node that subscribes to its own topic and publishes on it many times at one simulated time."""
+    """Report a node that subscribes to its own topic and publishes on it many times at the same simulated time."""
     ends = ends_by_name(recording)
     own = own_nodes(recording)
     for (kind, topic), publishers in ends.items():

@@ -30,7 +30,7 @@ WAITING = ('done', 'sleep', 'wait', 'is_set', 'add_done_callback', 'result_timeo
     hides=('messages.reply-not-taken',),
 )
 def result_before_reply(recording: Recording) -> Iterator[Finding]:
-    """Report the future of an asynchronous call that a function reads without waiting for it."""
+    """Report a function that reads the result of an asynchronous call without waiting for the reply."""
     for file, tree in program_scripts(recording):
         for function in walked(tree):
             if not isinstance(function, FUNCTIONS):

@@ -180,7 +180,7 @@ JOINT_STATE = 'sensor_msgs/msg/JointState'
 def other_joint(recording: Recording) -> Iterator[Finding]:
     """Report the last message of a node on joint_states if it names unknown joints.
 
-    Also report it if the numbers of positions and names differ.
+    Also report the message if the numbers of positions and names differ.
     """
     for state_publisher, joints in _movable(recording):
         for topic in dict.fromkeys(

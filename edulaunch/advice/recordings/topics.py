@@ -38,9 +38,9 @@ def lone_ends(recording: Recording, kind: str) -> list[EndRecord]:
 
 
 def meant(end: EndRecord, others: list[EndRecord]) -> EndRecord | None:
-    """Return the endpoint that was probably meant as the partner of this endpoint, or None.
+    """Return the endpoint that was probably meant as the partner of this endpoint, or None if there is no such endpoint.
 
-    Its type is the same, and its name has nearly the same spelling or the same last part.
+    The partner has the same type, and a name with nearly the same spelling or the same last part.
 
     :param end: the endpoint without a partner.
     :param others: the endpoints of the opposite kind that have no partner.

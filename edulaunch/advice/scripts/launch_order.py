@@ -182,7 +182,7 @@ def ends_on_start(scripts: list[Script]) -> Iterator[Finding]:
     hides=('messages.other-topic', 'messages.nobody-listens', 'messages.nobody-publishes'),
 )
 def namespace_twice(scripts: list[Script]) -> Iterator[Finding]:
-    """Report a second PushRosNamespace in one list, if nodes follow both the first and the second one."""
+    """Report a second PushRosNamespace in one list, if nodes follow each of the two actions."""
     for file, tree in scripts:
         variables = _variables(tree)
         for items in _action_lists(tree):

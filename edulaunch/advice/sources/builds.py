@@ -106,7 +106,7 @@ def no_shebang(source: PackageInWorkspace) -> Iterator[Finding]:
 def program_not_installed(source: PackageInWorkspace) -> Iterator[Finding]:
     """Report a script that starts rclpy and is not installed.
 
-    A launch file of the package must start the script, or the package must install no program.
+    The rule applies if a launch file of the package starts the script, or if the package installs no program.
     """
     launched, has_none = executables_launched(source), not _programs(source) and not source.package.contents.native
     for path in _left_out(source):
@@ -123,7 +123,9 @@ def program_not_installed(source: PackageInWorkspace) -> Iterator[Finding]:
     level='info',
 )
 def program_left_out(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report a script that is not installed, in a package that installs other programs. This may be intended."""
+    """Report a script that is not installed, in a package that installs other programs. Such a script may be left out on
+    purpose.
+    """
     launched, has_none = executables_launched(source), not _programs(source) and not source.package.contents.native
     for path in _left_out(source):
         if not has_none and os.path.basename(path) not in launched:

@@ -168,7 +168,7 @@ def node_without_entry_point(source: PackageInWorkspace) -> Iterator[Finding]:
     edits=(('', "'{executable} = {module}:main'", 'console_scripts'),),
 )
 def node_left_out(source: PackageInWorkspace) -> Iterator[Finding]:
-    """Report a node without an entry point in a package with other entry points. This may be intended."""
+    """Report a node without an entry point in a package with other entry points. Such a node may be left out on purpose."""
     launched = executables_launched(source)
     for one in _unnamed(source):
         if one.facts['executable'] not in launched and source.package.contents.entry_points:

@@ -1,8 +1,9 @@
-"""Check a file while the student writes it. The findings have a line, a column, and the edit if a certain one exists.
+"""Check a file while the student writes it. The findings have a line, a column, and an edit if it certainly corrects the
+mistake.
 
-`check(text, path)` executes no code of the file. It checks launch files, parameter files, package files and nodes. It predicts
-errors of Python and launch as `Failure` objects. The rules for errors judge these objects as they do after a run. Start reading
-in `check.py`.
+`check(text, path)` executes no code of the file. The function checks launch files, parameter files, package files and nodes.
+It predicts errors of Python and launch as `Failure` objects. The rules for errors judge these objects as they do after a
+run. Start reading in `check.py`.
 """
 
 from __future__ import annotations

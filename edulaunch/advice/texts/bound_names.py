@@ -51,7 +51,7 @@ def bound_names(tree: ast.Module) -> set[str] | None:
 def unknown_names(text: Text, tree: ast.Module, process: str | None = None) -> Iterator[Foreseen]:
     """Yield an error for each undefined name, at its first use.
 
-    :param text: the file.
+    :param text: the content of the file.
     :param tree: the syntax tree of the file.
     :param process: the name of the program, or None for a launch file.
     """

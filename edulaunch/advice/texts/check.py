@@ -103,10 +103,10 @@ def _of_failures(text: Text, failures: Iterable[Foreseen]) -> Iterator[Marked]:
 def marked(finding: Finding, text: Text, span: Span | None = None, edits: Edits | None = None) -> Marked:
     """Return a finding with its span in the file.
 
-    The span is the given one, a word that occurs once in the line of the finding, or the whole line.
+    The span is the given `span`, a word that occurs once in the line of the finding, or the whole line.
 
     :param finding: the finding.
-    :param text: the file.
+    :param text: the content of the file.
     :param span: the span of the mistake, or None if it is unknown.
     :param edits: the certain edits, or None for the edits of the rule.
     """

@@ -30,7 +30,7 @@ Edits = tuple[Edit, ...]
 
 
 def written(finding: Finding) -> tuple[str, str, str] | None:
-    """Return (old, new, place) of the first edit form of a rule whose facts are all known, or None."""
+    """Return (old, new, place) of a rule's first edit form whose facts are all known, or None if there is no such form."""
     facts = {**finding.facts, finding.kind: finding.name}
     for old, new, place in rule_named(finding.rule).edits:
         if all(facts.get(name) not in (None, '', [], ()) for name in (*fields_of(old), *fields_of(new))):
@@ -44,7 +44,7 @@ def edits_of(finding: Finding, text: Text, within: Span | None = None) -> Edits:
     """Return the edits of a file that correct a finding.
 
     :param finding: the finding.
-    :param text: the file.
+    :param text: the content of the file.
     :param within: the span of the mistake, if more than its line is known.
     """
     form = written(finding)
@@ -63,7 +63,7 @@ def edits_of(finding: Finding, text: Text, within: Span | None = None) -> Edits:
 def inserted(text: Text, offset: int, new: str) -> Edit:
     """Return an edit that only inserts a string.
 
-    :param text: the file.
+    :param text: the content of the file.
     :param offset: the offset at which the string is inserted.
     :param new: the string.
     """

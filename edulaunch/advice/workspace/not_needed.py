@@ -24,7 +24,7 @@ WINDOWS = {
 
 
 def shown_by(name: str) -> str:
-    """Return the sentence about a program with a window that names the tab of the live view with the same content."""
+    """Return the sentence that names the tab of the live view which shows the content of a program's window."""
     return f'{name} opens a window, but there is no screen: `edulaunch view --tab {WINDOWS[name]}` shows the same in a browser'
 
 

@@ -256,7 +256,7 @@ SPDX = {'BSD-2.0': 'BSD-3-Clause'}
 def license_notice(identifier: str, holder: str) -> str | None:
     """Return the content of the LICENSE file, or None for an unknown identifier.
 
-    It contains the name of the license and the address of the license's text.
+    The content is the name of the license and the address of the license's text.
 
     :param identifier: the license, such as 'Apache-2.0'.
     :param holder: the name of the copyright holder.

@@ -45,7 +45,7 @@ def none_here(workspace: Workspace) -> Iterator[Finding]:
 def passed_over(workspace: Workspace) -> Iterator[Finding]:
     """Report a workspace that colcon skips because of a marker file.
 
-    It contains no packages, because they are left out on purpose.
+    In this case, the packages are left out on purpose.
     """
     mark = _mark(workspace.path)
     if not workspace.packages and mark is not None:

@@ -36,8 +36,8 @@ def candidates(line: str, *, break_words: bool) -> list[str]:
     """Return the candidates that can replace the last word of a line, in alphabetical order.
 
     :param line: the command line up to the cursor.
-    :param break_words: whether the shell splits words at `:` and `=`, as bash does. If True, return only the part after the last
-        split of each candidate.
+    :param break_words: whether the shell splits words at `:` and `=`, as bash does. If True, return only the part of each
+        candidate after its last split.
     """
     words = _split(line)
     typed = words.pop()

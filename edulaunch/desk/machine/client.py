@@ -135,7 +135,8 @@ def _failed(why: str) -> int:
 def hello(
     token: str, words: Sequence[str], cwd: str | None = None, env: Mapping[str, str] | None = None, keyboard: bool = True
 ) -> bytes:
-    """Return the first frame of a connection. It contains the token, the folder, the window, the command and the environment.
+    """Return the first frame of a connection. The frame contains the token, the folder, the window, the command and the
+    environment.
 
     :param token: the secret of the machine.
     :param words: the command.

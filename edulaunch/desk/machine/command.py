@@ -42,7 +42,9 @@ def step_aside(name: str, words: list[str], loudly: bool) -> None:
 
 
 def real_command(name: str) -> str | None:
-    """Return the path of the first command with this name on PATH that does not belong to edulaunch, or None."""
+    """Return the path of the first command with this name on PATH that does not belong to edulaunch. Return None if there is no
+    such command.
+    """
     for place in os.environ.get('PATH', '').split(os.pathsep):
         path = os.path.join(place, name)
         if os.path.isfile(path) and os.access(path, os.X_OK):
@@ -78,7 +80,7 @@ def run(words: Sequence[str]) -> int:
 
 
 def tab_of(words: Sequence[str]) -> str | None:
-    """Return the tab of the live view that the command needs, or None.
+    """Return the tab of the live view that the command needs, or None if it needs no live view.
 
     A tool such as rqt_graph opens the live view only if its output is a terminal.
     """

@@ -68,7 +68,7 @@ class Connection:
         selector.register(client, self._events, self._attend)
 
     def send(self, kind: int, payload: bytes = b'') -> None:
-        """Queue a frame. It is sent with the next :meth:`flush`, or immediately if the last flush was long ago."""
+        """Queue a frame. The frame is sent with the next :meth:`flush`, or immediately if the last flush was long ago."""
         for begin in range(0, len(payload) or 1, wire.LONGEST):
             self._unsent += frame(kind, payload[begin : begin + wire.LONGEST])
         if time.monotonic() - self._flushed_s > SOON_S:
@@ -148,7 +148,7 @@ class Connection:
     def look_for_signals(self, deliver: Callable[[int], object]) -> None:
         """Deliver Ctrl-C and the end of the terminal to a program of the terminal that does not yield.
 
-        :param deliver: a function that delivers the signal with a number.
+        :param deliver: a function that delivers a signal, given its number.
         :raises BaseException: the exception that the signal raises in the middle of the program's code.
         """
         if not self._read():

@@ -2,7 +2,8 @@
 
 A program that keeps Python's interpreter inside one call of C code (`sum(range(10**12))`) stops every thread of the machine.
 The guardian is the machine's parent process and receives heartbeats from it. When the heartbeats stop, the guardian writes
-the state of the machine to a file that the terminals read. It uses only the standard library, so it needs a few megabytes.
+the state of the machine to a file that the terminals read. The guardian uses only the standard library, so it needs only a
+few megabytes.
 
 The command line is `python -m edulaunch.desk.machine.guardian FOLDER DOMAIN PID`. File descriptor 3 is the pipe for the
 heartbeats.

@@ -1,7 +1,7 @@
 """The live machine: one simulation in real time, and the pages that show it.
 
 Three owners run such a machine: the cells of a notebook, a machine of `edulaunch.start`, and the process that terminals
-share. They differ in the loop that calls the machine: `notebook/hosting.py`, `started.py` and `serving.py`.
+share. The owners differ in the loop that calls the machine: `notebook/hosting.py`, `started.py` and `serving.py`.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ class LiveMachine(ViewedMachine):
     :param keep_s: the simulated time in seconds after which messages are dropped, or None to keep all messages.
     :param selector: the selector on which the owner's loop waits. If None, the machine creates one when it needs it.
     :ivar pages: the pages in a notebook that show the machine.
-    :ivar network: the connection to a real network, or None until a page or a command asks for it.
+    :ivar network: the connection to a real network, or None until a page or a command requests the connection.
     :ivar listeners: functions that are called with each message for the users.
     """
 

@@ -58,7 +58,7 @@ class Notes:
     def same_names(self, words: Sequence[str], programs: Sequence[Process]) -> Iterator[str]:
         """Yield a note for each package that several folders contain.
 
-        It names the used package, which is nearest to the terminal.
+        The note names the package that is used, which is nearest to the terminal.
         """
         command = programs[0]
         packages = [

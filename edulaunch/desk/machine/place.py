@@ -109,7 +109,9 @@ def address_file(place: str, number: str) -> str:
 
 
 def read_address(place: str, number: str) -> Address | None:
-    """Return the recorded address of a domain's machine, or None. The machine may have ended."""
+    """Return the recorded address of a domain's machine, even if the machine has ended. Return None if no valid address is
+    recorded.
+    """
     try:
         with open(address_file(place, number), encoding='utf-8') as file:
             kind, where, token, pid, host, guardian = (file.read(4096).split('\n') + [''])[:6]

@@ -103,7 +103,8 @@ class Machine(LiveMachine):
         return None if self._loop is None else super().is_on_network
 
     def join_network(self, joins: bool) -> str:
-        """Join a real network, or leave it. Return a message. The environment is the one in which Python was started.
+        """Join a real network, or leave it. Return a message. The settings come from the environment in which Python was
+        started.
 
         Before joining, repeat the run up to this instant with another start time, so that simulated time agrees with real time.
 
@@ -194,7 +195,7 @@ class Machine(LiveMachine):
         """Serve this machine to Foxglove and Lichtblick. Return the server, which has `address` and `close()`.
 
         :param port: a port of this computer, or 0 for any free port.
-        :param origins: the origins of other pages that may connect, in addition to Foxglove's.
+        :param origins: the origins of other pages that may connect, in addition to the pages of Foxglove.
         :raises UnusableInput: when the plug-in is not installed, no asyncio loop runs, or the port is in use.
         """
         self._served.append(offered('foxglove')(self, port, origins))

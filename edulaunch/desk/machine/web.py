@@ -132,7 +132,7 @@ async def serve_paths(paths: Paths, *, port: int, opened: Callable[[str], object
 def open_paths(paths: Paths, *, port: int, **settings: Any) -> tuple[HTTPServer, str]:
     """Return a server of guarded handlers on the running asyncio loop, and its address.
 
-    :param paths: regular expressions of paths with their handlers. The first group of each expression is the token.
+    :param paths: regular expressions of paths with their handlers. The first group of each expression must match the token.
     :param port: a port of the loopback, or 0 for any free port.
     :param settings: the settings of the handlers.
     :raises OSError: when the port is in use.

@@ -144,7 +144,8 @@ class NotebookMachine:
     def launch(self, line: Line) -> Recording | None:
         """Run a launch file on a new machine, or on the current machine if programs run there in the background or in a terminal.
 
-        The previous machine is not closed before the new launch has started successfully.
+        Return None if the line ends with `&`. The previous machine is not closed before the new launch has started
+        successfully.
         """
         words = line.words[1:]
         if not words:

@@ -35,7 +35,7 @@ class ViewedMachine:
     def is_on_network(self) -> bool | None:
         """Return whether the machine has joined a real network.
 
-        Return None if it cannot join, because it does not run in real time.
+        Return None if the machine cannot join, because it does not run in real time.
         """
         return None
 

@@ -21,7 +21,7 @@ def number_steps(values: Iterable[float], scale: int, before: int = 0) -> tuple[
 
     :param values: the values of the column.
     :param scale: the number of steps in one unit.
-    :param before: the value before the first one, in steps.
+    :param before: the last value of the previous delta, in steps.
     """
     steps: list[Any] = []
     still = 0
@@ -62,7 +62,7 @@ def text_steps(values: Iterable[str], before: str | None = None) -> tuple[list[s
     """Return the strings, with None for each repeated string, and the last string for the next delta.
 
     :param values: the strings of the column.
-    :param before: the string before the first one, or None.
+    :param before: the last string of the previous delta, or None.
     """
     steps: list[str | None] = []
     for value in values:

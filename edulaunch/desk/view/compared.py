@@ -26,7 +26,7 @@ td:first-child { white-space: nowrap; font-weight: 600; }
 
 
 def compared_page(first: str, second: str, found: Sequence[str], picture: Any) -> str:
-    """Return the page as HTML. It needs no other file and no network.
+    """Return the page as HTML. The page needs no other file and no network.
 
     :param first: the name of the first plan or run.
     :param second: the name of the second plan or run.

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def planned_page(system: System) -> str:
-    """Return the page as HTML. It needs no other file and no network."""
+    """Return the page as HTML. The page needs no other file and no network."""
     return recorded_page(planned_delta(system), system.title, small=True)
 
 

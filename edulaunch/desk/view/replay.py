@@ -50,7 +50,9 @@ def timeline_of(recording: Recording, other: Recording | None = None) -> dict[st
 
 
 def outline_of(recording: Recording) -> str:
-    """Return the launch of a recording as HTML without scripts, or an empty string. It shows the state at the end of the run."""
+    """Return the launch of a recording as HTML without scripts, in the state at the end of the run. Return an empty string if
+    there was no launch.
+    """
     source = RecordingSource(recording)
     return launch_outline([in_microseconds(trace) for trace in source.beside('launches', {})], source.now_ns() // 1000)
 

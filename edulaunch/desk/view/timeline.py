@@ -33,7 +33,7 @@ LONGEST_TEXT = 160
 
 
 def marks_of(recording: Recording) -> list[Mark]:
-    """Return the advice on a run as marks. They contain no paths of this computer, because notebooks store them."""
+    """Return the advice on a run as marks. The marks contain no paths of this computer, because notebooks store them."""
     from edulaunch.advice.rendering import marks  # imported here, so that a page loads the rules only on request
 
     return marks(recording)
@@ -126,7 +126,9 @@ class Timeline:
         self._launches: dict[int, tuple[int, Any]] = {}
 
     def mark(self, marks: Iterable[Mark] | None) -> None:
-        """Send these marks with the next delta. They replace the previous marks on the page; None keeps the previous marks."""
+        """Send these marks with the next delta. The new marks replace the previous marks on the page; None keeps the previous
+        marks.
+        """
         self._marks = None if marks is None else mark_rows(marks)
 
     def delta(self) -> dict[str, Any]:

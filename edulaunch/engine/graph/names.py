@@ -67,7 +67,7 @@ def _absolute_path_problem(kind: str, name: str, limit: int, too_long: str) -> P
 
 
 def namespace_problem(namespace: str) -> Problem | None:
-    """Return why an absolute namespace is invalid and the index of the wrong character, or None if it is valid."""
+    """Return why an absolute namespace is invalid and the index of the wrong character, or None if the namespace is valid."""
     if not namespace:
         return 'namespace must not be empty', 0
     if namespace[0] != '/':
@@ -81,7 +81,9 @@ def namespace_problem(namespace: str) -> Problem | None:
 
 
 def full_topic_name_problem(name: str) -> Problem | None:
-    """Return why an expanded topic or service name is invalid and the index of the wrong character, or None if it is valid."""
+    """Return why an expanded topic or service name is invalid and the index of the wrong character, or None if the name is
+    valid.
+    """
     if not name:
         return 'topic name must not be empty', 0
     if name[0] != '/':
@@ -92,7 +94,7 @@ def full_topic_name_problem(name: str) -> Problem | None:
 
 
 def topic_name_problem(name: str) -> Problem | None:
-    """Return why a topic or service name is invalid and the index of the wrong character, or None if it is valid.
+    """Return why a topic or service name is invalid and the index of the wrong character, or None if the name is valid.
 
     The name is checked as a program writes it, before expansion.
     """

@@ -1,4 +1,6 @@
-"""Parameter files and `-p` values, read by the rules of rcl's YAML parser (stricter than YAML: typed lists, no aliases)."""
+"""Parameter files and `-p` values, read according to the rules of rcl's YAML parser (stricter than YAML: typed lists, no
+aliases).
+"""
 
 from __future__ import annotations
 

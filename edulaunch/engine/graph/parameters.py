@@ -126,7 +126,8 @@ def sequence_type_name(value: Any) -> str:
 
 
 def integer_range_problem(name: str, value: int, lowest: int, highest: int, step: int) -> str | None:
-    """Return why rclpy rejects an integer because of its range or step, in the words of rclpy. Return None if it is allowed.
+    """Return why rclpy rejects an integer because of its range or step, in the words of rclpy. Return None if the value is
+    allowed.
 
     Both limits are always allowed. `lowest` may be greater than `highest`.
     """
@@ -141,7 +142,8 @@ def integer_range_problem(name: str, value: int, lowest: int, highest: int, step
 
 
 def float_range_problem(name: str, value: float, lowest: float, highest: float, step: float) -> str | None:
-    """Return why rclpy rejects a float because of its range or step, in the words of rclpy. Return None if it is allowed.
+    """Return why rclpy rejects a float because of its range or step, in the words of rclpy. Return None if the value is
+    allowed.
 
     Limits and steps have a relative tolerance of 1e-6. `lowest` may be greater than `highest`.
     """

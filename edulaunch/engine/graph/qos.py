@@ -37,8 +37,8 @@ def incompatible_policy(offered: QoS, requested: QoS) -> str | None:
     """Return the ROS 2 name of the policy that makes a publisher and a subscription incompatible, or None if they are
     compatible.
 
-    Each offered policy must be at least as good as the requested one; history and depth never matter (facts_rclpy.md section
-    9). If several policies are incompatible, return the one that Fast DDS reports last.
+    Each offered policy must be at least as good as the requested policy; history and depth never matter (facts_rclpy.md
+    section 9). If several policies are incompatible, return the policy that Fast DDS reports last.
     """
     if offered.reliability == BEST_EFFORT and requested.reliability == RELIABLE:
         return 'RELIABILITY'

@@ -54,7 +54,7 @@ class ServiceServer(ServiceEnd):
         self.queue: deque[tuple[Any, RequestId]] = deque(maxlen=qos.queue_length)
 
     def take(self) -> tuple[Any, RequestId] | None:
-        """Return the oldest waiting request as (wire, request id), or None."""
+        """Return the oldest waiting request as (wire, request id), or None if no request is waiting."""
         return self.queue.popleft() if self.queue else None
 
     def respond(self, request_id: RequestId, wire: Any) -> None:
@@ -117,7 +117,7 @@ class ServiceClient(ServiceEnd):
         return sequence
 
     def take(self) -> tuple[int, Any] | None:
-        """Return the oldest waiting reply as (sequence, wire), or None."""
+        """Return the oldest waiting reply as (sequence, wire), or None if no reply is waiting."""
         return self.queue.popleft() if self.queue else None
 
     def destroy(self) -> None:

@@ -123,7 +123,8 @@ class Subscription(Endpoint):
     """One subscription of one node.
 
     `queue` contains the waiting samples, oldest first. When the queue is full (QoS depth), it drops the oldest sample.
-    `on_ready()` is called after each delivery, while the publisher's code runs. It may only set a mark or wake a task.
+    `on_ready()` is called after each delivery, while the publisher's code runs. This function may only set a mark or wake a
+    task.
     """
 
     kind = 'subscription'
@@ -152,7 +153,7 @@ class Subscription(Endpoint):
         return len(self.publishers)
 
     def take(self) -> Sample | None:
-        """Return the oldest waiting sample, or None."""
+        """Return the oldest waiting sample, or None if no sample is waiting."""
         if self.may_expire:
             self.drop_expired()
         return self.queue.popleft() if self.queue else None

@@ -27,8 +27,8 @@ class Tracer:
     """
 
     def channel(self, publisher: Any) -> Callable[[Record], object]:
-        """Return the function that records the messages of this publisher. It is looked up only once, so that publishing is
-        fast.
+        """Return the function that records the messages of this publisher. The function is looked up only once, so that
+        publishing is fast.
         """
         return _forget
 
@@ -54,7 +54,7 @@ class Tracer:
         """Two endpoints of one topic are incompatible because of `policy` ('TYPE' if their types differ)."""
 
     def parameter(self, node: NodeEntry, name: str, value: Any, origin: str) -> None:
-        """A parameter was declared, changed or undeclared. The value None means undeclared."""
+        """A parameter was declared, changed or undeclared. The value None means that it was undeclared."""
 
     def descriptor(
         self, node: NodeEntry, name: str, description: str, read_only: bool, limits: tuple[float, float, float] | None

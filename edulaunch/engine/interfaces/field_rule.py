@@ -17,7 +17,7 @@ from edulaunch.engine.interfaces.spec import Field, Primitive
 def python_values(values: Any, kind: Primitive) -> Any:
     """Convert values to a list or an array of Python numbers, as Jazzy does.
 
-    Integers are accepted for floats, and numpy's numbers for Python's.
+    Integers are accepted for floats, and numbers of numpy for numbers of Python.
 
     :param values: any iterable, such as a list, an `array.array` or a numpy array.
     :param kind: the kind of the field's elements.

@@ -1,8 +1,8 @@
 """Creates message classes: their Python source, and the objects that the source needs.
 
-A simulation spends most of its time in snapshots, so each class has generated code without loops and calls. The code for nested
-messages is inlined, and their slots are set directly without checks. All single values move in one tuple. All float32 values are
-rounded together, with one call of `pack` and `unpack` of `struct`.
+A simulation spends most of its time in snapshots, so each class has generated code without loops and calls. The code for
+nested messages is inlined, and their slots are set directly without checks. All values outside lists are copied together, as
+one tuple. All float32 values are rounded together, with one call of `pack` and `unpack` of `struct`.
 """
 
 from __future__ import annotations

@@ -33,7 +33,7 @@ class InterfaceFinder(Loader):
         return 'edulaunch interfaces'  # shown in the repr of the modules
 
     def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> ModuleSpec | None:
-        """Return the spec of a module that this finder provides, or None."""
+        """Return the spec of a module that this finder provides. Return None for any other module."""
         package, *rest = fullname.split('.')
         if len(rest) > 2 or not self.registry.has(package):
             return None
@@ -82,7 +82,7 @@ def install(registry: Registry) -> InterfaceFinder:
 
 
 def installed_registry() -> Registry | None:
-    """Return the registry whose interfaces are importable now, or None."""
+    """Return the registry whose interfaces are importable now, or None if there is no such registry."""
     return next((finder.registry for finder in sys.meta_path if isinstance(finder, InterfaceFinder)), None)
 
 
@@ -144,7 +144,7 @@ class InterfaceModule(ModuleType):
 
 
 class PartModule(ModuleType):
-    """A module such as `<package>.msg._twist`. This is the `__module__` of a class, where pickle finds the class."""
+    """A module such as `<package>.msg._twist`. The module is the `__module__` of a class, where pickle finds the class."""
 
     def __init__(self, name: str, registry: Registry, interface: str) -> None:
         super().__init__(name)

@@ -29,7 +29,7 @@ class Lazy:
 
 
 class ConstantsStay(type):
-    """The base of the metaclasses of messages. A program cannot assign to the constants of a message type, as in rclpy."""
+    """The base class of the metaclasses of messages. A program cannot assign to the constants of a message type, as in rclpy."""
 
     _TYPE_SUPPORT: Any = None
     _constants: frozenset[str] = frozenset()

@@ -121,8 +121,8 @@ _TEXT = re.compile(r"'(?P<type>\w+)' object has no attribute '(?P<name>\w+)'", r
 
 
 def field_facts(error: BaseException, registry: KnownTypes) -> dict[str, Any]:
-    """Return the facts of an AttributeError about a message: its type, its fields and the nearest one. Return {} for other
-    errors.
+    """Return the facts of an AttributeError about a message: the message's type, its fields, and the field with the nearest
+    name. Return {} for other errors.
 
     :param registry: the registry whose existing classes are searched by name, because before Python 3.13 the error may not
         contain the object.
@@ -152,7 +152,7 @@ def unknown_type(registry: KnownTypes, type_name: str) -> InterfaceError:
 
 
 def type_help(registry: KnownTypes, type_name: str) -> str | None:
-    """Return a line that suggests the intended type for a wrong type name, or None."""
+    """Return a line that suggests the intended type for a wrong type name, or None if no type has a similar name."""
     package, _, name = type_name.partition('/')
     kind, _, name = name.rpartition('/')
     elsewhere = registry.homes(name, kind or None)

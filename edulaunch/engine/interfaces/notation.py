@@ -133,7 +133,7 @@ def _refuse_name(line: Line, name: str) -> NoReturn:
 def constant_value(base: str, text: str) -> Any:
     """Return the value of a constant. A string does not need quotation marks, as in ROS.
 
-    :raises ValueError: with the expected form.
+    :raises ValueError: if the value is invalid. The message states the expected form.
     """
     if base in ('string', 'wstring'):
         return _string(text, None)
@@ -143,7 +143,7 @@ def constant_value(base: str, text: str) -> Any:
 def default_value(field_type: FieldType, text: str) -> Any:
     """Return the default of a field: a scalar, or a tuple for `[1, 2, 3]`.
 
-    :raises ValueError: with the expected form.
+    :raises ValueError: if the value is invalid. The message states the expected form.
     """
     if not field_type.array:
         return _scalar(field_type, text)

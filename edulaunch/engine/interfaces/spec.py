@@ -158,7 +158,7 @@ class Constant(NamedTuple):
 class MessageSpec(NamedTuple):
     """The definition of a message, or of a part such as the request of a service.
 
-    It contains the full type name, the fields, the constants and the path of the file.
+    The definition contains the full type name, the fields, the constants and the path of the file.
     """
 
     type: str

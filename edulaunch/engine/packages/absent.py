@@ -1,8 +1,9 @@
 """Packages and modules that a robot's machine may have and edulaunch lacks.
 
-A student's ROS machine has such packages, so a launch that names them continues there. It also continues here: their programs end
-immediately with an explanation. The modules are never found, even if they are installed on the real machine, and the error names
-the missing software. The names are in a data file beside the built-in packages.
+A student's ROS machine has such packages, so a launch that names them continues there. Such a launch also continues here,
+and the programs of these packages end immediately with an explanation. The modules are never found, even if they are
+installed on the real machine, and the error names the missing software. The names are in a data file beside the built-in
+packages.
 """
 
 from __future__ import annotations

@@ -85,7 +85,7 @@ def workspace_around(path: str) -> str | None:
 
 
 def package_around(path: str) -> str | None:
-    """Return the innermost folder with a `package.xml` among a path and its parents, or None."""
+    """Return the innermost folder with a `package.xml` among a path and its parents, or None if there is no such folder."""
     return next((folder for folder in _upwards(os.path.abspath(path)) if _has_manifest(folder)), None)
 
 

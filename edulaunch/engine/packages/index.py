@@ -69,7 +69,8 @@ class Index:
     :param workspaces: folders with source packages.
     :param read_source: the function that reads the build file of a package; not needed without workspaces.
     :param underlay: the prefix of the built-in packages, or None for an index without these packages.
-    :param near: a folder. If a workspace has two packages with one name, the package that is nearer to this folder is used.
+    :param near: a folder. If a workspace has two packages with the same name, the package that is nearer to this folder is
+        used.
     :ivar workspaces: the source workspaces, in order of search.
     """
 
@@ -114,7 +115,9 @@ class Index:
         return dict(sorted(found.items()))
 
     def prefix(self, package: str) -> str | None:
-        """Return the prefix that has the package, or None. The package's files exist there after this call."""
+        """Return the prefix that has the package, or None if there is no such package. The package's files exist there after
+        this call.
+        """
         place = self._place(package)
         if place is None:
             return None
@@ -187,7 +190,7 @@ class Index:
     def find_program(self, path: str) -> Program | None:
         """Return the program that `<prefix>/lib/<package>/<executable>` starts, or None for a program of the real machine.
 
-        `rviz2` and `xacro` are found with any folder, because ROS has them on the PATH, too.
+        `rviz2` and `xacro` are found even if the path has another folder, because ROS also has them on the PATH.
         """
         folder, executable = os.path.split(path)
         lib, package = os.path.split(folder)
@@ -273,8 +276,8 @@ def _modules(place: Place) -> dict[str, str]:
 def interfaces_of(index: Index) -> tuple[frozenset[str], Registry]:
     """Return the packages whose interfaces come from a workspace, and a registry of all interfaces.
 
-    If the underlay has the same package, its interfaces are used, because its programs communicate with them. The workspace's
-    interfaces replace them only if the workspace has types that the underlay lacks.
+    If the underlay has the same package, the underlay's interfaces are used, because the underlay's programs communicate
+    with them. The workspace's interfaces are used only if the workspace has types that the underlay lacks.
     """
     shared, inside = underlay_registry(), os.path.join(underlay_prefix(), 'share')
     folders = {os.path.basename(folder): folder for folder in index.interface_roots() if os.path.dirname(folder) != inside}

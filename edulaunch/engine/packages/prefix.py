@@ -30,7 +30,8 @@ MARKERS = os.path.join('share', 'ament_index', 'resource_index', 'packages')
 def expand_prefixes(path: str) -> list[str]:
     """Return the prefixes at a path.
 
-    These are the folders of the packages in an isolated colcon `install/`. For any other path, return only the path itself.
+    For an isolated colcon `install/`, these are the folders of its packages. For any other path, the only prefix is the path
+    itself.
     """
     if os.path.isdir(os.path.join(path, MARKERS)) or not os.path.isdir(path):
         return [path]
@@ -121,7 +122,9 @@ class Prefix:
 
 
 def is_python(path: str) -> bool:
-    """Return whether a file is a Python file. The first line decides if it begins with `#!`, otherwise the name of the file."""
+    """Return whether a file is a Python file. If the first line begins with `#!`, this line decides. Otherwise, the name of the
+    file decides.
+    """
     with open(path, 'rb') as stream:
         first = stream.readline(200)
     return first.startswith(b'#!') and b'python' in first or not first.startswith(b'#!') and path.endswith('.py')

@@ -100,7 +100,7 @@ class SourceReader(Protocol):
 
 
 def read_manifest(folder: str, warnings: list[PackageWarning]) -> Manifest | None:
-    """Read `folder`/package.xml, and add its problems to `warnings`. Return None for an invalid file or one without a name."""
+    """Read `folder`/package.xml, and add its problems to `warnings`. Return None if it is invalid or contains no name."""
     from xml.etree import ElementTree
 
     file = os.path.join(folder, 'package.xml')
@@ -148,9 +148,9 @@ _MAX_FOLDERS = 5000
 def find_packages(workspace: str, warnings: list[PackageWarning], most: int = _MAX_FOLDERS) -> list[str]:
     """Return the folders with a package.xml in `workspace` or below, sorted by depth and name.
 
-    The search does not enter packages, build/ install/ log/, hidden folders, virtual environments, and folders with a
-    COLCON_IGNORE. It follows links to folders, as colcon does, but visits no folder twice. It stops with a warning after `most`
-    folders, because the user may have named a whole home folder.
+    The search does not enter packages, build/ install/ log/, hidden folders, virtual environments, or folders with a
+    COLCON_IGNORE. The search follows links to folders, as colcon does, but visits no folder twice. It stops with a warning
+    after `most` folders, because the user may have named a whole home folder.
     """
     found: list[str] = []
     waiting = [workspace]

@@ -38,7 +38,7 @@ class Image:
     def add(self, package: str, contents: Contents) -> None:
         """Install a package: create links to its files, and folders for its entry points.
 
-        Files from an earlier version of the package are deleted, because another process may have used the folder.
+        Links that an earlier version of the package has left in the folder are deleted.
         """
         self._claim()
         self._clear(package, contents)
@@ -197,7 +197,7 @@ class Workspace:
     :param folder: the workspace, its `src/`, or a single package.
     :param read_source: the function that reads the build file of a package.
     :param warnings: the list to which everything is added that a build would reject.
-    :param near: a folder; if two packages have one name, the package that is nearer to this folder is used.
+    :param near: a folder; if two packages have the same name, the package that is nearer to this folder is used.
     """
 
     def __init__(self, folder: str, read_source: SourceReader, warnings: list[PackageWarning], near: str = '') -> None:

@@ -3,8 +3,8 @@
 modules of a program.
 
 Imports point in one direction: a process uses its machine only through the protocol in `host_face`. Some imports are inside
-functions. These imports load files that many runs do not need: `loader` (4 ms), `error_facts` (7 ms), `traceback_text` (4 ms) and
-`real` (5 ms). Others load modules that views replace, or modules that only Unix has.
+functions. These imports load files that many runs do not need: `loader` (4 ms), `error_facts` (7 ms), `traceback_text` (4
+ms) and `real` (5 ms). Other imports load modules that views replace, or modules that only Unix has.
 """
 
 from __future__ import annotations

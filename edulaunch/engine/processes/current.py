@@ -11,7 +11,8 @@ def current_process() -> Process:
     """Return the process whose code is running now.
 
     Outside any simulation (a plain script, a notebook cell that uses `rclpy` directly), return the *ambient* process of this
-    thread. It is created on first use, with its own simulation, graph and host. When code waits in it, that simulation runs.
+    thread. It is created on first use, with its own simulation, graph and host. When code of this process waits, its
+    simulation runs.
     """
     task = current_task()
     process: Process | None = task.owner

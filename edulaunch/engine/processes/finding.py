@@ -54,7 +54,7 @@ class Finder:
         self._absent: dict[str, tuple[str, ...]] = {}
 
     def first_match(self, top: str) -> Found | None:
-        """Return a private top-level module that takes precedence over a shared module, or None."""
+        """Return a private top-level module that takes precedence over a shared module, or None if there is no such module."""
         before, _ = self._program_path()
         folders = (*before, *self.roots)
         if self._absent.get(top) == folders:
@@ -74,7 +74,7 @@ class Finder:
         return found
 
     def last_match(self, top: str) -> Found | None:
-        """Return a private top-level module for a name that no shared module has, or None."""
+        """Return a private top-level module for a name that no shared module has. Return None if there is no such module."""
         _, after = self._program_path()
         path = [*after, *self.roots, *self.last]
         return regular(top, path) or namespace(top, path)
@@ -121,7 +121,9 @@ def regular(leaf: str, path: list[str]) -> Found | None:
 
 
 def namespace(leaf: str, path: list[str]) -> Found | None:
-    """Return a package without `__init__.py` that has Python files in its folder or one level deeper, or None."""
+    """Return a package without `__init__.py` that has Python files in its folder or one level deeper. Return None if there is
+    no such package.
+    """
     for folder in path:
         base = os.path.join(folder, leaf)
         if _has_code(base) or any(_has_code(os.path.join(base, name)) for name in _names(base)):

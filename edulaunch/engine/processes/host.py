@@ -164,9 +164,7 @@ class Host:
         return TypedInput(given) if isinstance(given, (list, tuple)) else RealInput(given, self)
 
     def program_here(self) -> Process | None:
-        """Return the program of this machine whose code is running now, or None. Programs that it starts find the same
-        packages.
-        """
+        """Return the program of this machine whose code is running now. Return None outside the programs of this machine."""
         task = running_task()
         owner = None if task is None else task.owner
         return owner if isinstance(owner, Process) and owner.host is self else None
@@ -182,7 +180,7 @@ class Host:
 
         :param on_output: called as on_output('stdout' | 'stderr', text) for all output of the program.
         :param on_exit: called once with the return code.
-        :param index: the packages that the program finds (default: those of the program that starts it).
+        :param index: the packages that the program finds (default: the packages of the program that starts it).
         :raises FileNotFoundError: if there is no such command.
         :raises PermissionError: if the command is not executable.
         """
@@ -238,7 +236,7 @@ class Host:
     def known_command(self, spec: ProcessSpec, index: Index | None = None) -> Known | None:
         """Return the command of a spec, or None if it does not run in the simulation.
 
-        :param index: the packages to search (default: those of the program whose code is running).
+        :param index: the packages to search (default: the packages of the program whose code is running).
         """
         packages = index or self._index_here()
         return self.command_set.find(spec, packages, lambda: self.overlay(packages).modules)

@@ -75,8 +75,8 @@ class Loader:
     def run_file(self, path: str, module_name: str, *, script: bool = False) -> ModuleType:
         """Execute a Python file as the module `module_name`, and return the module.
 
-        The folder of a script becomes the first folder of its search path, as in Python. The folder of a launch file does
-        not, as in ROS 2.
+        As in Python, the folder of a script becomes the first folder of the program's search path. As in ROS 2, the folder
+        of a launch file is not added.
 
         :param script: whether the file is a script, and not a launch file.
         :raises: any error of reading, compiling or executing the file (`FileNotFoundError`, `SyntaxError` ...).
@@ -175,7 +175,8 @@ class Loader:
         return module
 
     def import_module(self, name: str) -> ModuleType:
-        """Return a module by its full name, and load its packages first. A private module takes precedence over a shared one.
+        """Return a module by its full name, and load its packages first. A private module takes precedence over a shared
+        module.
 
         :raises ModuleNotFoundError: with Python's own message.
         """
@@ -348,7 +349,7 @@ def absolute_name(name: str, globals: Mapping[str, Any], level: int) -> str:
     """Return the full name of a module that a relative import names.
 
     :param level: the number of leading dots.
-    :raises ImportError: with Python's messages, outside any package or above the topmost one.
+    :raises ImportError: with Python's messages, outside any package or above the topmost package.
     """
     package = globals.get('__package__')
     if not package:

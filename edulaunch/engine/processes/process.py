@@ -35,7 +35,8 @@ class Process:
     :ivar sim: the simulation of the machine.
     :ivar graph: the graph of the machine.
     :ivar tracer: the tracer of the machine.
-    :ivar index: the packages that the program finds: those of its parent or, without a parent, those of the machine.
+    :ivar index: the packages that the program finds. It inherits them from its parent or, without a parent, from the
+        machine.
     :ivar env: the program's own copy of the environment.
     :ivar sourced_path: AMENT_PREFIX_PATH as sourcing has set it.
     :ivar cwd: the working folder, or None for the launcher's working folder.
@@ -187,8 +188,8 @@ class Process:
             self.tracer.fact_over(self, kind, key)
 
     def report_error(self, error: BaseException) -> None:
-        """Write the traceback of an error that ended the program. If the program has its own `sys.excepthook`, call that
-        instead.
+        """Write the traceback of an error that ended the program. If the program has its own `sys.excepthook`, call this
+        function instead.
         """
         from edulaunch.engine.processes.error_facts import error_facts
         from edulaunch.engine.processes.traceback_text import student_traceback

@@ -1,7 +1,7 @@
 """The code that runs inside a simulated process: the function of an entry point, or a script or module as `__main__`.
 
-This includes command lines with Python (`python3 script.py`, `python3 -m package.module`, `./script.py`), because they probably
-run ROS nodes.
+The module also handles command lines with Python (`python3 script.py`, `python3 -m package.module`, `./script.py`), because
+they probably run ROS nodes.
 """
 
 from __future__ import annotations

@@ -39,7 +39,8 @@ READER_NAME = 'edulaunch reads '
 class RealLook:
     """The observer of all real programs of a simulation.
 
-    It passes on their output and, while any of them runs, keeps simulated time equal to real time.
+    The observer passes on the output of these programs. While any of the programs runs, simulated time is kept equal to real
+    time.
 
     :ivar news: the queue to which the reading threads add (program, stream, string).
     """
@@ -73,7 +74,7 @@ class RealLook:
 
 
 class RealProcess:
-    """A program of the operating system with the interface of a simulated one: `pid`, `returncode`, `send_signal`.
+    """A program of the operating system with the interface of a simulated program: `pid`, `returncode`, `send_signal`.
 
     :param host: the simulated machine that starts the program.
     :param spec: the description of the program.

@@ -4,8 +4,8 @@ A student's own modules get the streams of their program from the `sys` view. Ou
 package (warnings, `help()`, progress bars) goes through the real `sys`. While a simulation runs, a
 :class:`SharedStream` replaces each stream of the real `sys`. So each call reaches the program that makes it.
 
-Beginners print futures, nodes and methods (`<rclpy.task.Future object at 0x7f0000000010>`). The real addresses differ from run to
-run, and recordings must not. So the addresses are replaced by numbers, in the order in which they first appear.
+Beginners print futures, nodes and methods (`<rclpy.task.Future object at 0x7f0000000010>`). The real addresses differ from
+run to run, but recordings must be equal. So the addresses are replaced by numbers, in the order in which they first appear.
 """
 
 from __future__ import annotations

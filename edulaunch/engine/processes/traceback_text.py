@@ -154,7 +154,8 @@ CONTEXT = '\nDuring handling of the above exception, another exception occurred:
 
 
 def student_traceback(error: BaseException) -> tuple[str, Origin | None]:
-    """Return the traceback that Python would print without frames of the engine, and the last place in a student's file or None.
+    """Return Python's traceback without frames of the engine, and the last place in a student's file (None if there is no such
+    place).
 
     If all frames belong to the engine, they all stay, because the mistake is then in edulaunch. Errors that edulaunch
     raises deliberately never show frames of the engine: an error with facts, an error of rclpy, and Ctrl-C. The same
@@ -239,7 +240,9 @@ def _names_a_file(error: BaseException) -> bool:
 
 
 def runaway_text(program: str, error: BaseException) -> tuple[str, Origin | None]:
-    """Return the message about a program that was stopped because it did not yield, and the place where it was stopped, or None.
+    """Return the message about a program that was stopped because it did not yield, and the place of the stop.
+
+    An unknown place gives None as the second value.
 
     :param program: the launch name of the program.
     :param error: the exception that stopped the program.
@@ -252,8 +255,8 @@ def runaway_text(program: str, error: BaseException) -> tuple[str, Origin | None
 
 
 def innermost_place(trace: TracebackType | None) -> Origin | None:
-    """Return the place of the last frame in a student's file. Without such a frame, use the last frame outside the engine, or
-    None.
+    """Return the place of the last frame in a student's file. Without such a frame, return the place of the last frame outside
+    the engine. Return None if all frames belong to the engine.
     """
     own = [frame for frame in traceback.extract_tb(trace) if not is_engine(frame.filename)]
     last = next((frame for frame in reversed(own) if not is_library(frame.filename)), own[-1] if own else None)

@@ -44,7 +44,8 @@ class RunawayProgram(BaseException):
     """Raised at any line inside a program that has run for too long without yielding; `except Exception` does not catch it.
 
     :param did: the rest of a sentence after the program's name.
-    :param counted: whether a count stopped the program, which repeats exactly, and not its duration.
+    :param counted: whether a count stopped the program. A count repeats exactly in each run, but a measured duration does
+        not.
     """
 
     def __init__(self, did: str = 'ran for too long', *, counted: bool = False) -> None:

@@ -1,4 +1,6 @@
-"""Errors for questions about missing parts of a recording. Each has only a message, without frames of edulaunch."""
+"""Errors for questions about missing parts of a recording. The traceback of such an error contains only the message, without
+frames of edulaunch.
+"""
 
 from __future__ import annotations
 
@@ -36,7 +38,7 @@ def not_recorded(text: str, name: str, among: Iterable[str]) -> NotRecorded:
 class NodeParameters(dict[str, Any]):
     """The parameters of a node, by name.
 
-    The error for an unknown name lists the known names. If the node has ended, its help states the time.
+    The error for an unknown name lists the known names. If the node has ended, the help of the error states when.
     """
 
     def __init__(self, node: str, ended_s: float | None) -> None:

@@ -46,8 +46,8 @@ def lines_of(content: dict[str, Any], known: Mapping[int, bytes] = MappingProxyT
     """Yield a recording file line by line, so that writing a long run needs less memory.
 
     :param content: the content of the recording.
-    :param known: lines of topics from the file from which the content was read, by the `id` of the topic. They are used
-        unchanged.
+    :param known: lines of topics from the file from which the content was read, by the `id` of the topic. These lines are
+        used unchanged.
     """
     yield _line({'format': FORMAT, 'version': VERSION, **{key: content[key] for key in HEADER_NUMBERS}})
     yield from (_line({part: content[part]}) for part in PARTS)
@@ -75,7 +75,7 @@ def _restore(mapping: dict[str, Any]) -> Any:
 def refuse_huge(data: bytes, name: str) -> None:
     """Reject a recording that is too large, before reading its values takes memory and time.
 
-    :raises RecordingError: if it has too many bytes, too many values, or too long a line.
+    :raises RecordingError: if the recording has too many bytes, too many values, or too long a line.
     """
     values = sum(map(data.count, (b',', b'[', b'{')))
     line = max(map(len, io.BytesIO(data)), default=0)

@@ -27,7 +27,7 @@ def transform_wires(recording: Messages, topic: str) -> Iterator[tuple[float, Se
 def frames_at(recording: Messages, time_s: float) -> dict[str, Frame]:
     """Return the frames for `Recording.frames_at`.
 
-    The dynamic transform with the newest stamp is used or, among equal stamps, the one that was published last.
+    The dynamic transform with the newest stamp is used or, among equal stamps, the transform that was published last.
     """
     found = RecordedFrames()
     for topic, is_static in TOPICS:
@@ -44,7 +44,7 @@ def frames_at(recording: Messages, time_s: float) -> dict[str, Frame]:
 class FrameLink(NamedTuple):
     """The broadcasts of a child frame: its parents (more than one is a mistake), and the nodes that broadcast it.
 
-    It also contains the number of broadcasts, and the times of the first and the last one in seconds.
+    The link also contains the number of broadcasts, and the times of the first and the last broadcast in seconds.
     """
 
     child: str
@@ -62,7 +62,7 @@ class FrameLink(NamedTuple):
 
 
 def frame_links(recording: Messages) -> dict[str, FrameLink]:
-    """Return the links of the tf tree over the whole run, by child frame. The order is that of the first appearance."""
+    """Return the links of the tf tree over the whole run, by child frame. The frames are in order of first appearance."""
     found: dict[str, FrameLink] = {}
     for topic, is_static in TOPICS:
         for time_ns, node, wire in recording.published(topic, TF_TYPE):

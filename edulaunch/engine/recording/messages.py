@@ -49,13 +49,15 @@ class Messages:
         return found
 
     def offered(self, topic: str) -> list[QoS]:
-        """Return the QoS policies of each publisher that a `topic` (its full name) had during the run."""
+        """Return the QoS policies of each publisher that a `topic` had during the run. The name of the topic is its
+        full name.
+        """
         from edulaunch.engine.graph.qos import QoS
 
         return [QoS(*row[6]) for row in self._content['endpoints'] if row[0] == 'publisher' and row[1] == topic]
 
     def messages(self, topic: str) -> list[tuple[float, Any]]:
-        """Return all messages of a `topic` (its full name) as (time in seconds, message), in order of publication.
+        """Return all messages of a topic as (time in seconds, message), in order of publication. `topic` is the full name.
 
         For an unknown topic, return an empty list.
         :raises KeyError: when code reads an item of the empty list; the message names the nearest topic.
@@ -114,7 +116,7 @@ class Messages:
 
     @property
     def registry(self) -> RecordedTypes:
-        """The interfaces of this recording: the student's own ones as recorded, and all importable ones."""
+        """The interfaces of this recording: the student's own interfaces as recorded, and all importable interfaces."""
         return self._registry
 
     @cached_property

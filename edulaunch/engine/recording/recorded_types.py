@@ -26,7 +26,7 @@ class RecordedTypes(TextRegistry):
     """The interfaces of a recording, and all importable interfaces. Messages of recorded types can be read, compared and
     shown.
 
-    :ivar checks: checks whether wires fit their types.
+    :ivar checks: checks whether wire tuples are valid for their types.
     """
 
     def __init__(self, texts: dict[str, str], base: Registry) -> None:

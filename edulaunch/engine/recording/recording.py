@@ -128,7 +128,8 @@ class Recording(Messages, Views):
             raise RecordingError(f'cannot write the recording {os.fspath(path)!r}: this computer has no memory left') from None
 
     def digest(self) -> str:
-        """Return the SHA-256 hash of all events. It is equal for the same launch file, arguments and seed, on every machine.
+        """Return the SHA-256 hash of all events. The hash is equal for the same launch file, arguments and seed, on every
+        machine.
 
         The hash does not cover the records of other parts of edulaunch (`Recorder.beside`). It does not depend on the path of
         the launch files, so a copy of a workspace gives the same digest.
@@ -211,7 +212,9 @@ class Recording(Messages, Views):
 
     @cached_property
     def parameter_rows(self) -> list[tuple[int, str, str, Any, str]]:
-        """Every value that was set, in order: (time in ns, node, parameter, value, origin). The value None means undeclared."""
+        """Every value that was set, in order: (time in ns, node, parameter, value, origin). A row with the value None means
+        that the parameter was undeclared.
+        """
         return list(map(tuple, self._content['parameters']))
 
     @cached_property

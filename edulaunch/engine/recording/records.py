@@ -60,13 +60,15 @@ class LaunchRecord(NamedTuple):
 
     @property
     def advice(self) -> tuple[str, str] | None:
-        """The problem and what to do, in the reader's language. None if there is no error, or if no rule explains it."""
+        """The problem and what to do, in the reader's language. The property has the value None without an error, and for an
+        error that no rule explains.
+        """
         advice: tuple[str, str] | None = None if self.error is None else view('advice_of')(self)
         return advice
 
     @property
     def help(self) -> str | None:
-        """The advice in one line, or None."""
+        """The advice in one line, or None if there is no advice."""
         return '; '.join(filter(None, self.advice or ())) or None
 
 
@@ -90,7 +92,7 @@ class ProcessRecord(NamedTuple):
 
     @property
     def origin(self) -> tuple[str, int] | None:
-        """The launch file and the line of the action that started the program, or None."""
+        """The launch file and the line of the action that started the program, or None if the place is unknown."""
         return None if self.file is None or self.line is None else (self.file, self.line)
 
 

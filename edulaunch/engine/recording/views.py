@@ -15,7 +15,7 @@ _VIEWS: dict[str, Callable[..., Any]] = {}
 
 
 def register(**views: Callable[..., Any]) -> None:
-    """Register views by name. A later view replaces an earlier one with the same name."""
+    """Register views by name. A later view replaces an earlier view with the same name."""
     _VIEWS.update(views)
 
 
@@ -27,8 +27,8 @@ def view(name: str) -> Callable[..., Any]:
 
 
 class Views:
-    """The methods of a recording that show it. Methods that draw with matplotlib accept `ax`, the axes to draw on, and return
-    the axes.
+    """The methods with which a recording shows its content. Methods that draw with matplotlib accept `ax`, the axes to draw on,
+    and return the axes.
     """
 
     def plot(self, topic: str, *fields: str, ax: Any = None) -> Any:

@@ -32,7 +32,8 @@ class WireChecks:
     def entries(self, type_name: str) -> list[Check]:
         """Return one check for each entry of the wire tuple of a type. A check gets the values of this entry in several messages.
 
-        :raises InterfaceError: if there is no such message type, it contains itself, or it has more than MOST_VALUES values.
+        :raises InterfaceError: if the message type does not exist or contains itself, or if it has more than MOST_VALUES
+            values.
         """
         if type_name not in self._known:
             if type_name in self._open:

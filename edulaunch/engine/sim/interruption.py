@@ -12,7 +12,7 @@ from edulaunch.engine.sim.simulation import Simulation
 
 
 class Interruption:
-    """A context manager in which the first SIGINT stops the simulation between two steps, and a second one raises
+    """A context manager in which the first SIGINT stops the simulation between two steps, and the second SIGINT raises
     KeyboardInterrupt.
 
     Python's own handler would raise KeyboardInterrupt in the code that runs. This may be a simulated program, which would

@@ -128,7 +128,8 @@ class Parking:
             self._interrupts.pop(0)()
 
     def attend(self) -> None:
-        """Handle earlier calls of :meth:`interrupt` and :meth:`kill` now. Otherwise, the task handles them when it parks next.
+        """Handle earlier calls of :meth:`interrupt` and :meth:`kill` now. Without this call, the task handles them when it
+        parks next.
 
         Only the task itself may call this.
         """

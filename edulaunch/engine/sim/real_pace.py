@@ -15,7 +15,8 @@ SILENCE_NS = 10**9
 
 
 class RealPace:
-    """A clock that is shared by all waits for the real world. However many there are, simulated time passes like real time.
+    """A clock that is shared by all waits for the real world. Whatever the number of these waits, simulated time passes like
+    real time.
 
     :param sim: the simulation.
     :param clock: a function that returns the real time in ns; tests replace it.
@@ -27,7 +28,7 @@ class RealPace:
         self._anchor = self._last = sim.now_ns, clock()
 
     def begin(self) -> None:
-        """Make simulated time follow real time from now on, starting from the current values of both."""
+        """Make simulated time follow real time from now on, starting from the current values of both times."""
         self._anchor = self._last = self._sim.now_ns, self._clock()
 
     def ahead_s(self) -> float:

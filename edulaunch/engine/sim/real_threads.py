@@ -1,9 +1,9 @@
 """Real threads of a plain script that use ROS in addition to the main thread.
 
 In a plain script, `threading` is Python's own module, so `threading.Thread(target=rclpy.spin, args=(node,))` is a real
-thread. Such threads take part in the simulation of the main thread. Only the main thread runs items of the agenda. The others
-wait in real time until they are woken or their deadline comes. While there is such a thread, simulated time keeps pace with
-real time, and runs do not repeat exactly.
+thread. Such threads take part in the simulation of the main thread. Only the main thread runs items of the agenda. The other
+threads wait in real time until they are woken or their deadline comes. While there is such a thread, simulated time keeps
+pace with real time, and runs do not repeat exactly.
 """
 
 from __future__ import annotations

@@ -23,7 +23,7 @@ class Task(Parking):
     """One blocking program in simulated time.
 
     :param sim: the simulation.
-    :param body: the program. `result` stores its return value, and `exception` an exception that it raises.
+    :param body: the program. `result` stores its return value, and `exception` stores the exception that ended it.
     :param name: the name that messages show.
     :param owner: the owner of the running code (a `Process`). Code can read it from :func:`current_task`.
     """
@@ -218,7 +218,9 @@ def _ambient_task() -> AmbientTask:
 
 
 def task_around(frame: FrameType | None) -> Task | None:
-    """Return the task that a frame of another thread belongs to, or None. The search goes to the bottom of the frame's stack."""
+    """Return the task that a frame of another thread belongs to, or None if there is no such task. The search goes to the
+    bottom of the frame's stack.
+    """
     while frame is not None:
         if frame.f_code is Task._run.__code__:
             task: Task = frame.f_locals['self']

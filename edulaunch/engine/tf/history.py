@@ -49,7 +49,7 @@ class History:
         return self.stamps[self.first] if self.stamps else 0
 
     def replace(self, parent: str, pose: Transform) -> None:
-        """Replace all samples by a static transform without a stamp."""
+        """Replace all samples with a static transform without a stamp."""
         self.stamps[:], self.poses[:], self.parents[:] = [0], [pose], [parent]
 
     def forget(self) -> None:
@@ -123,9 +123,9 @@ class History:
 def poses_at(histories: Sequence[History], time_ns: int) -> list[Transform] | None:
     """Return the pose of each frame at a time (0 means the newest), or None if a pose would need extrapolation.
 
-    Between two samples, the result is interpolated. At a stamp with several samples, the last inserted one is used. At the
-    oldest stamp, the first one is used (as in tf2). The loop has no function call for each frame, because lookups in the past
-    spend their time here.
+    Between two samples, the result is interpolated. At a stamp with several samples, the last inserted sample is used. At
+    the oldest stamp, the first sample is used (as in tf2). The loop has no function call for each frame, because lookups in
+    the past spend their time here.
 
     :param histories: the histories of the frames, which must not be empty.
     """

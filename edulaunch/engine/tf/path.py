@@ -15,8 +15,8 @@ MAX_DEPTH = 1000
 class Path:
     """The path from a source frame and from a target frame up to their first common ancestor.
 
-    :param up: the histories of the frames from the source up to the last one below the ancestor.
-    :param down: the histories of the frames from the target up to the last one below the ancestor.
+    :param up: the histories of the frames from the source up to the last frame below the ancestor.
+    :param down: the histories of the frames from the target up to the last frame below the ancestor.
     """
 
     __slots__ = ('_stamps', 'down', 'dynamic', 'up')
@@ -30,7 +30,7 @@ class Path:
     def latest_common_time(self) -> int:
         """Return the latest time in ns at which all frames have data, or 0 if all frames are static.
 
-        This is the oldest of the frames' newest stamps.
+        The result is the oldest of the frames' newest stamps.
         """
         latest = 0
         for stamps in self._stamps:

@@ -15,7 +15,7 @@ def lookup_velocity(
 
     :param buffer: the buffer with the transforms.
     :param tracking: the name of the moving frame.
-    :param observation: the name of the frame relative to which it moves.
+    :param observation: the name of the frame relative to which the velocity is measured.
     :param time_ns: the middle of the time span in ns; 0 means the latest time.
     :param averaging_ns: the length of the time span in ns. If there is no data at the end of the span, the span is moved back.
     :raises TransformFailure: as in :meth:`TransformBuffer.lookup`.

@@ -68,7 +68,8 @@ def latest_common_time(frames: Histories, target: str, source: str) -> int:
 
 
 def chain(frames: Histories, target: str, source: str, time_ns: int) -> list[str]:
-    """Return the frames on the path from `source` through the first common ancestor to `target`, including both.
+    """Return the frames on the path from `source` through the first common ancestor to `target`, including `source` and
+    `target`.
 
     :raises TransformFailure: if there is no such path at `time_ns`.
     """

@@ -95,10 +95,10 @@ class DrawingLayer:
         self._newest = None
 
     def trace(self, pen: Pen, x0: float, y0: float, x1: float, y1: float) -> Color:
-        """Draw a line with a pen, and return the colour that was at the end of the line (on the canvas) before.
+        """Draw a line with a pen. Return the colour that the end of the line had before.
 
-        A slow turtle stays on one pixel for many ticks. If the square to draw equals the last one, the drawing does not
-        change, and the colour is that of the pen. (This makes the large project 15 % faster.)
+        A slow turtle stays on one pixel for many ticks. If the square to draw equals the last square, the drawing does not
+        change, and the colour is the pen's colour. (This makes the large project 15 % faster.)
 
         :param x0: x coordinate of the start, in metres from the left edge of the canvas.
         :param y0: y coordinate of the start, in metres from the upper edge; y points down.

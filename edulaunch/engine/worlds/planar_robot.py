@@ -49,7 +49,7 @@ class PlanarRobot:
         self.angular = _limited(angular, self.max_angular)
 
     def advance_to(self, now_ns: int) -> None:
-        """Simulate up to the time `now_ns`. A time before the last one has no effect."""
+        """Simulate up to the time `now_ns`. A time before the last simulated time has no effect."""
         dt = (now_ns - self.time_ns) * 1e-9
         if dt <= 0.0:
             return

@@ -152,7 +152,7 @@ class Turtle:
         self._requests.append((False, linear, 0.0, angular))
 
     def rotate_to(self, theta: float) -> RotationGoal:
-        """Rotate on the spot until the heading is `theta` (radians). This replaces an earlier goal."""
+        """Rotate on the spot until the heading is `theta` (radians). The new goal replaces an earlier goal."""
         self.rotation = RotationGoal(theta, self.theta)
         return self.rotation
 

@@ -25,7 +25,7 @@ class TurtleWorld:
         self._named = 0
 
     def find(self, name: str) -> Turtle | None:
-        """Return the turtle with this `name`, or None."""
+        """Return the turtle with this `name`, or None if there is no such turtle."""
         for turtle in self.turtles:
             if turtle.name == name:
                 return turtle

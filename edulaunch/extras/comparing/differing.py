@@ -1,4 +1,4 @@
-"""List the differences between simulations and a real run, except those due to chance.
+"""List the differences between simulations and a real run, except differences due to chance.
 
 Real programs take time to start and to find each other, and messages during that time may be lost. The real run need not receive
 messages that the simulation published before :data:`FOUND_S`, or before the topic had a real subscription. Rates may differ by a

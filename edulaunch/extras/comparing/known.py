@@ -51,7 +51,7 @@ BY_DESIGN = [
 
 
 def reason(known: Sequence[Known], words: Sequence[str], difference: Difference) -> Known | None:
-    """Return the first row that explains a difference, or None."""
+    """Return the first row that explains a difference, or None if no row does."""
     return next((one for one in known if one.covers(words, difference)), None)
 
 

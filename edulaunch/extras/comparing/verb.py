@@ -56,7 +56,7 @@ def compare_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def compare_verb(arguments: argparse.Namespace) -> int:
-    """Run all launch files in simulation and in reality, and print the differences."""
+    """Run all launch files in simulation and in reality, and print the differences. Return the exit code."""
     from edulaunch.extras.comparing.known import BY_DESIGN, read_known
     from edulaunch.extras.native.environment import needed
 

@@ -51,7 +51,7 @@ def declarations(text: Text) -> list[Declaration]:
 
 
 def definition(text: Text, offset: int, around: Around) -> Target | None:
-    """Return the definition of the object at an offset."""
+    """Return the definition of the object at an offset, or None if it is unknown."""
     subject = subject_at(text, offset)
     if subject is None:
         return _relative_file(text, offset)
@@ -133,7 +133,8 @@ def _target(text: Text, span: Span) -> Target:
 
 
 def hover(text: Text, offset: int, around: Around, values: Values) -> tuple[str, Span] | None:
-    """Return a description of the object at an offset, as Markdown, and the place of the object.
+    """Return a description of the object at an offset, as Markdown, and the place of the object. Return None if there is
+    nothing to describe.
 
     :param values: the values from the last dry run of the file.
     """

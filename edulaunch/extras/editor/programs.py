@@ -31,7 +31,7 @@ class Interface(NamedTuple):
 
 
 def file_of(around: Around, package: str, executable: str) -> tuple[str, int] | None:
-    """Return the file and line of a student's program."""
+    """Return the file and line of a student's program, or None if they are unknown."""
     found = source_package(around.index, package)
     entry = None if found is None else found.contents.entry_points.get(f'lib/{package}/{executable}')
     if found is not None and entry is not None:

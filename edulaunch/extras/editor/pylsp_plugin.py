@@ -64,7 +64,7 @@ def pylsp_completions(config: Any, workspace: Any, document: Any, position: dict
 
 @hookimpl
 def pylsp_hover(config: Any, workspace: Any, document: Any, position: dict[str, int]) -> dict[str, Any] | None:
-    """Return a description of the object at the cursor."""
+    """Return a description of the object at the cursor, or None if there is nothing to describe."""
     text = _text(document)
     found = None if text is None else hover(text, offset_of(text, position['line'], position['character']), Around(text.path), {})
     if found is None or text is None:

@@ -66,7 +66,9 @@ class Documents:
             self.values[text.path] = values
 
     def marks(self, text: Text) -> list[Marked]:
-        """Return the mistakes in a document. If it has not changed since it was saved, include the findings of its dry run."""
+        """Return the mistakes in a document. If the document has not changed since it was saved, include the findings of its
+        dry run.
+        """
         found = check(text.text, text.path, self.around(text.path))
         saved, findings = self._executed.get(text.path, ('', []))
         if saved != text.text:

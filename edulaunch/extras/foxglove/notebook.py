@@ -68,7 +68,7 @@ def foxglove(shown: LiveMachine | Recording, port: int = 0, origins: Sequence[st
 
     :param shown: the machine or the recording.
     :param port: a port of the loopback interface, or 0 for any free port.
-    :param origins: the origins of pages that may connect in addition to Foxglove's.
+    :param origins: the origins of pages that may connect in addition to the pages of Foxglove.
     :raises UnusableInput: without a running asyncio loop, and when the port is in use.
     """
 

@@ -29,7 +29,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def view(arguments: argparse.Namespace) -> Coroutine[Any, Any, None] | None:
-    """Return the function to run instead of the page, or None without the option.
+    """Return the coroutine to run instead of the page, or None without the option.
 
     :raises UnusableInput: for a recording without the option.
     :raises RecordingError: when the recording cannot be read.

@@ -93,7 +93,9 @@ class SetParameters(NamedTuple):
 
 
 class WatchParameters(NamedTuple):
-    """A request to start or stop sending the named parameters when they change. Without names, it means all parameters."""
+    """A request to start or stop sending the named parameters when they change. Without names, the request concerns all
+    parameters.
+    """
 
     names: tuple[str, ...]
     on: bool

@@ -107,7 +107,7 @@ async def serve(open_line: Open, *, port: int = 0, origins: Sequence[str] = (), 
     """Serve clients until the task is cancelled.
 
     :param port: a port of the loopback interface, or 0 for any free port.
-    :param origins: the origins of pages that may connect in addition to Foxglove's.
+    :param origins: the origins of pages that may connect in addition to the pages of Foxglove.
     :param opened: called with the address for clients when the server is ready.
     :raises OSError: when the port is in use.
     """

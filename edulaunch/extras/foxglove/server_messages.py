@@ -25,7 +25,7 @@ def op(operation: str, /, **fields: Any) -> str:
 def status(level: int, text: str, number: str | None = None) -> str:
     """Return the message that shows a sentence to the user.
 
-    :param number: the number of the sentence. A new sentence replaces an older one with the same number.
+    :param number: the number of the sentence. A new sentence replaces an older sentence with the same number.
     """
     return op('status', level=level, message=text, **({} if number is None else {'id': number}))
 

@@ -1,4 +1,4 @@
-"""The few names that edulaunch's rclpy has in addition to ROS 2's, for edulaunch's programs on the real rclpy."""
+"""The few names that edulaunch's rclpy has in addition to the names of ROS 2, for edulaunch's programs on the real rclpy."""
 
 from __future__ import annotations
 
@@ -19,7 +19,9 @@ _ITS_OWN = frozenset(('rclpy', 'rcl_interfaces', 'rpyutils', 'rosidl_parser', 'r
 
 
 class Faces:
-    """Finds edulaunch's Python packages before others of the same name. rclpy and its parts are the real ones."""
+    """Finds edulaunch's Python packages before other packages of the same name. rclpy and its parts are those of the real
+    rclpy.
+    """
 
     def __init__(self, folder: str) -> None:
         self._folder = folder
@@ -32,7 +34,7 @@ class Faces:
 
 
 def install(faces: str) -> None:
-    """Provide edulaunch's programs with the modules that they need in the real rclpy.
+    """Make the modules that edulaunch's programs need available in a process with the real rclpy.
 
     :param faces: the folder of edulaunch's Python packages.
     """

@@ -16,8 +16,8 @@ _PR_SET_PDEATHSIG = 1
 def end_with(parent: int | str) -> None:
     """Kill this process when its parent ends.
 
-    :param parent: the number of the process that has started this one, or 0 for no parent. If another process started this one,
-        it is a file that is locked while the parent runs.
+    :param parent: the number of the process that has started this one, or 0 for no parent. A string is the path of a file
+        that is locked while the parent runs.
     """
     if isinstance(parent, str):
         threading.Thread(target=_wait_for, args=(parent,), daemon=True).start()

@@ -127,7 +127,7 @@ class RealLifecycle:
 
 
 class ThisProcess:
-    """This real process in place of a simulated one. It collects no facts for advice."""
+    """This real process in place of a simulated process. It collects no facts for advice."""
 
     def __init__(self, name: str) -> None:
         self.name = name

@@ -1,7 +1,7 @@
 """The environment of the real rclpy: a virtual environment in the user's cache, which `edulaunch network install` creates.
 
-The environment must be separate, because its wheels start every Python of their environment twice. Also, a simulation cannot
-share an interpreter with a real rclpy.
+The environment must be separate, because its wheels make every Python in their environment start twice. Also, a simulation
+cannot share an interpreter with a real rclpy.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _NO_WHEEL_SIGNS = ('No matching distribution found', 'Could not find a version t
 
 
 class Environment(NamedTuple):
-    """A complete environment.
+    """A complete installation of the real rclpy.
 
     :ivar place: the folder of the environment.
     :ivar version: the version of the real rclpy in the environment.
@@ -80,7 +80,7 @@ def needed() -> Environment:
 
 
 def unsuited() -> str | None:
-    """Return the reason why there are no wheels for this machine, or None if there are."""
+    """Return the reason why there are no wheels for this machine, or None if there are wheels."""
     system, machine, version = platform.system(), platform.machine(), sys.version_info[:2]
     if (system, machine) != ('Linux', 'x86_64'):
         return f'its wheels are for Linux on x86-64, and this is {system} on {machine}'

@@ -13,7 +13,7 @@ FOREVER_NS = 2**62
 
 
 def to_rclpy(row: Sequence[Any]) -> QoSProfile:
-    """Return the policies of a profile of edulaunch, in order, for the real rclpy."""
+    """Return the profile of the real rclpy for a profile of edulaunch, which is given as a sequence of policies."""
     depth, reliability, durability, history, deadline_ns, lifespan_ns, liveliness, lease_ns = row
     return QoSProfile(
         depth=max(1, depth),

@@ -15,8 +15,8 @@ class LinkDiagnostics:
     """Stores the problems of a link.
 
     :param tell: called with the message of a problem when the problem first occurs.
-    :param note: called with the key of a problem when the problem first occurs. It adds the problem to the recording, from which
-        advice is made.
+    :param note: called with the key of a problem when the problem first occurs. It adds the problem to the recording, which
+        edulaunch uses for advice.
     """
 
     def __init__(self, tell: Callable[[str], object], note: Callable[[str], object] = lambda key: None) -> None:

@@ -85,7 +85,9 @@ class Mirror:
         self.update(self._remote)
 
     def publisher(self, gid: bytes, topic: str) -> RemotePublisher | None:
-        """Return the publisher that sent a message. If the link does not report the sender, return a possible sender."""
+        """Return the publisher that sent a message. If the link does not report the sender, return a possible sender. Return
+        None if there is no sender.
+        """
         found = self._ends.get(gid)
         if found is None and gid:
             end = next((end for end in self._remote.endpoints if end.gid == gid), None)
@@ -98,7 +100,7 @@ class Mirror:
         return next((other for other in others if isinstance(other, RemotePublisher)), None)
 
     def unknown(self) -> NodeEntry:
-        """Return the node for endpoints without a node."""
+        """Return the node that represents the unknown owner of endpoints."""
         if self._unknown is None:
             index = self.graph.next_index()
             self._unknown = NodeEntry(self.network, UNKNOWN_NAME, UNKNOWN_NAMESPACE, index)

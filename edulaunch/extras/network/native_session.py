@@ -20,8 +20,9 @@ LOOK_EVERY_NS = 10_000_000
 class NativeSession(Session):
     """A session whose programs are real processes. Its clock shows the time of day.
 
-    The processes find each other on this computer only, unless ROS_AUTOMATIC_DISCOVERY_RANGE allows more. When launch creates its
-    own node (to load components, or to change the state of lifecycle nodes), it joins their network through the rclpy link.
+    The processes find each other on this computer only, unless ROS_AUTOMATIC_DISCOVERY_RANGE allows more. To
+    load components or to change lifecycle states, launch creates its own node. This node joins the network of the processes
+    through the rclpy link.
     """
 
     host_class = NativeHost

@@ -92,8 +92,8 @@ class RemoteEndpoint(NamedTuple):
 
 
 class RemoteGraph(NamedTuple):
-    """The other nodes and endpoints on the network, without those of this link. If an endpoint has not changed, its object is the
-    same as before.
+    """The other nodes and endpoints on the network, without the nodes and endpoints of this link. If an endpoint has not
+    changed, its object is the same as before.
     """
 
     nodes: Sequence[RemoteNode]
@@ -200,8 +200,8 @@ class Link(Protocol):
         """
 
     def take(self) -> Sequence[Event]:
-        """Return the incoming messages since the last call, without those of this link. The number of messages is limited. If
-        more messages wait, `fileno` stays readable.
+        """Return the incoming messages since the last call, without the messages of this link. The number of messages is
+        limited. If more messages wait, `fileno` stays readable.
         """
         ...
 

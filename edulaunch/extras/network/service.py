@@ -19,7 +19,7 @@ def is_available() -> bool:
 
 
 def make(session: Session, time: RealTime, selector: selectors.BaseSelector) -> Switch:
-    """Return the network of one machine. It is off at first."""
+    """Return the network of one machine. The network is off at first."""
     from edulaunch.extras.network.switch import Switch
 
     return Switch(session, time, selector)

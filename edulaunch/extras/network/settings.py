@@ -1,4 +1,4 @@
-"""Read how a machine joins the network from the environment variables of a terminal, which are those of ROS 2."""
+"""Read how a machine joins the network from the environment variables of a terminal. The variables have ROS 2's names."""
 
 from __future__ import annotations
 

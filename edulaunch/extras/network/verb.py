@@ -9,7 +9,7 @@ from edulaunch.extras.network.crossing import add_options, join_request, option_
 
 
 def network_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the arguments of the verb: the command, and the names that cross."""
+    """Add the arguments of the verb: the command, and the names of the topics and services that cross."""
     commands = ('status', 'on', 'off', 'install')
     about = f'one of {", ".join(commands)} (default: status)'
     parser.add_argument('word', metavar='COMMAND', choices=commands, nargs='?', default='status', help=about)
@@ -17,7 +17,7 @@ def network_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def network_verb(arguments: argparse.Namespace) -> int:
-    """Send the command to the machine, or install the real rclpy. `on` starts a machine if necessary."""
+    """Send the command to the machine, or install the real rclpy. `on` starts a machine if necessary. Return the exit code."""
     from edulaunch.desk.machine.client import run
 
     if arguments.word == 'install':

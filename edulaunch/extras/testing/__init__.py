@@ -14,7 +14,9 @@ from edulaunch.engine.underlay_place import underlay_python
 
 
 def workspaces_of(path: str) -> list[str]:
-    """Return the workspace whose packages a test file can use, or None. :func:`workspace_around` finds the workspace."""
+    """Return the workspace whose packages a test file can use, as a list. The list is empty if :func:`workspace_around` finds
+    no workspace.
+    """
     found = workspace_around(path)
     return [] if found is None else [found]
 
@@ -26,7 +28,9 @@ def is_of_own_package(path: str) -> bool:
 
 
 def absent_linter(source: bytes) -> str | None:
-    """Return the first missing style checker of ROS 2 (such as `ament_flake8`) that a test file imports, or None."""
+    """Return the first missing style checker of ROS 2 (such as `ament_flake8`) that a test file imports. Return None if there
+    is no such import.
+    """
     if b'ament_' not in source:
         return None
     try:

@@ -56,7 +56,7 @@ class TestImports(ImportLoader):
             sys.modules.pop(name, None)
 
     def find_spec(self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> ModuleSpec | None:
-        """Return the spec of a module that belongs to a package under test."""
+        """Return the spec of a module that belongs to a package under test, or None for any other module."""
         return ModuleSpec(name, self) if name.partition('.')[0] in self._names else None
 
     def look_again(self) -> None:
@@ -65,7 +65,7 @@ class TestImports(ImportLoader):
         self._names = {*overlay.interface_packages, *overlay.modules} - sys.stdlib_module_names
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:
-        """Return the module that the test files have, and execute it if necessary."""
+        """Return the module that the test files import, and execute it if necessary."""
         module = self._loader.import_module(spec.name)
         self._given[spec.name] = module.__spec__
         return module

@@ -88,7 +88,9 @@ class ConftestImports:
         self._config.add_cleanup(lambda: sys.meta_path.remove(self))
 
     def find_spec(self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> ModuleSpec | None:
-        """Return the spec of a module if the machine of the tests knows it and this is the first import of a conftest.py."""
+        """Return the spec of a module if the machine of the tests knows it and this is the first import of a conftest.py.
+        Otherwise, return None.
+        """
         conftest = _importing_conftest(sys._getframe(1))
         if conftest is None or conftest in self._seen:
             return None

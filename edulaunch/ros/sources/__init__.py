@@ -2,8 +2,9 @@
 
 Code that creates an `Index` of source workspaces passes `read_source` to it. `setup_script.py` reads a setup.py, with
 `static_python.py` and `static_values.py` as its small interpreter. `setup_tables.py` reads setup.cfg and pyproject.toml, and
-`cmake.py` a CMakeLists.txt (`cmake_text.py` parses its syntax). `source_package.py` describes one package of a workspace with its
-files. `missing.py` collects facts about something that is not found, from which `edulaunch.advice` creates messages.
+`cmake.py` reads a CMakeLists.txt, whose syntax `cmake_text.py` parses. `source_package.py` describes one package of a
+workspace with its files. `missing.py` collects facts about something that is not found, from which `edulaunch.advice`
+creates messages.
 """
 
 from __future__ import annotations

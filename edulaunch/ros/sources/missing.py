@@ -27,7 +27,7 @@ def missing_package(index: Index, package: str, here: str | None = None) -> Fact
     """Return facts about a missing package: the nearest name, the folder that contains the package, or the fact that no
     workspace was given.
 
-    :param here: the folder of the program that needs the package. The default is that of the running process.
+    :param here: the folder of the program that needs the package. The default is the folder of the running process.
     """
     here = here or os.getcwd()
     workspaces = [place.folder for place in index.workspaces]

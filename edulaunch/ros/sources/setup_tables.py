@@ -19,7 +19,9 @@ SCRIPTS = {'scripts': 'console_scripts', 'gui-scripts': 'gui_scripts'}
 
 
 def read_setup_cfg(folder: str, warn: Warn) -> ConfigParser:
-    """Return the content of setup.cfg without changing upper-case letters. It is empty if the file is missing or unreadable."""
+    """Return the content of setup.cfg without changing upper-case letters. The result is empty if the file is missing or
+    unreadable.
+    """
     from configparser import ConfigParser, Error
 
     file = os.path.join(folder, 'setup.cfg')

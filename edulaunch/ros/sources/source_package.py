@@ -164,7 +164,7 @@ def _line_of(lines: list[str], tag: str, name: str) -> int:
 
 
 def module_file(package: SourcePackage, module: str) -> str | None:
-    """Return the file of a module that the package installs, or None."""
+    """Return the file of a module that the package installs, or None if there is no such file."""
     top, _, rest = module.partition('.')
     place = package.contents.python_modules.get(top)
     if place is None:
@@ -200,7 +200,7 @@ def defined_names(tree: ast.Module) -> list[str]:
 
 
 def main_of(tree: ast.Module, name: str) -> ast.FunctionDef | None:
-    """Return the top-level function with that name, or None."""
+    """Return the top-level function with that name, or None if there is no such function."""
     return next((node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == name), None)
 
 

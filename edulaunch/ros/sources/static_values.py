@@ -27,7 +27,7 @@ class Module:
 
 
 def first_unknown(value: Any) -> Unknown | None:
-    """Return the first Unknown anywhere inside `value`, or None."""
+    """Return the first Unknown anywhere inside `value`, or None if `value` is known."""
     if isinstance(value, Unknown):
         return value
     if isinstance(value, dict):

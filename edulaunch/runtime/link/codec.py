@@ -119,7 +119,9 @@ class Messages:
         return bytes((AS_JSON,)) + dump(wire)
 
     def type_of(self, cls: Any) -> Any:
-        """Return the stock class with the same name, if there is one."""
+        """Return the stock class with the same name. For a class of another registry without such a counterpart, return what
+        :meth:`type` returns.
+        """
         name: str = cls.TYPE
         return self.type(name) if name.count('/') == 2 else cls
 

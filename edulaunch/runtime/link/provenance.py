@@ -1,6 +1,7 @@
 """The process behind each row of a recording, and the program of each hosted process, as determined by the trusted peer.
 
-Names in a recording come from the submission, and two processes can have one name. Positions in the recording are reliable.
+Names in a recording come from the submission, and two processes can have the same name. Positions in the recording are
+reliable.
 """
 
 from __future__ import annotations

@@ -43,7 +43,9 @@ POLICIES = ((RELIABLE, BEST_EFFORT), (VOLATILE, TRANSIENT_LOCAL), (KEEP_LAST, KE
 
 
 class RemoteQueue:
-    """The queue of a remote endpoint. It holds a message until `on_ready` sends it. The other peer already has old samples."""
+    """The queue of a remote endpoint. It holds a message until `on_ready` sends it. Old samples are not sent, because the other
+    peer already has them.
+    """
 
     item: Any = None
 
@@ -51,7 +53,7 @@ class RemoteQueue:
         self.item = item
 
     def extend(self, items: Any) -> None:
-        """Append nothing, because the other peer already has old samples."""
+        """Append nothing, because the other peer already has the old samples."""
 
     def clear(self) -> None:
         """Do nothing, because the queue is always empty."""
@@ -156,7 +158,7 @@ class Replica:
     # Changes of the other peer are repeated here
 
     def their(self, index: int, kind: type[Any]) -> Any:
-        """Return the other peer's node or endpoint with that number. Raise Violation if it is not a `kind`."""
+        """Return the other peer's node or endpoint with that number. Raise Violation if it is not of the type `kind`."""
         found = self.theirs.get(index)
         if not isinstance(found, kind):
             raise Violation(f'number {index} is not a {kind.__name__} of that peer')

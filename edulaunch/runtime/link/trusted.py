@@ -1,6 +1,6 @@
 """The trusted peer: it owns the clock, the worlds, the stock nodes and the recorder.
 
-It does not trust reports of the confined peer about other programs. From the student, it reads only frames.
+The trusted peer does not trust reports of the confined peer about other programs. From the student, it reads only frames.
 """
 
 from __future__ import annotations

@@ -145,8 +145,8 @@ def read_decisions(path: str) -> dict[tuple[str, str], Decision]:
 
 
 def read_late(due: str, per_day: float, path: str) -> Late:
-    """Return the deduction with the times of submission from a table: edulaunch's (``student,submitted``), Gradescope's, or
-    Moodle's worksheet.
+    """Return the deduction with the times of submission from a table of edulaunch (``student,submitted``) or of Gradescope, or
+    from a worksheet of Moodle.
 
     :param due: the time after which submissions are late, in ISO 8601.
     :param per_day: the percent of the points to deduct for each started day, from 0 to 100.

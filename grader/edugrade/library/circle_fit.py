@@ -1,4 +1,4 @@
-"""Fits a circle to points by least squares. It is plain Python, because loading numpy takes long."""
+"""Fits a circle to points by least squares. The module uses only plain Python, because loading numpy takes long."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def fit_circle(points: Sequence[tuple[float, float]]) -> Circle | None:
     place.
 
     The result is exact for points on an arc. The points are first moved so that their mean is the origin. So a circle far
-    from the origin is as precise as one near it.
+    from the origin is as precise as a circle near it.
     """
     count = len(points)
     if count < 3:

@@ -24,7 +24,7 @@ def require_close(
     """Require a number within a tolerance. NaN never passes.
 
     :param near: a wider tolerance, or 0. Within it, the check fails but gives `share` of its points.
-    :param beside: a remark about the number that was found, which the report shows after it.
+    :param beside: a remark about the number that was found, which the report shows after the number.
     :raises Mismatch: with both numbers and the tolerance, if the number is outside the tolerance.
     """
     off = abs(seen - wanted)

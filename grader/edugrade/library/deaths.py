@@ -80,7 +80,7 @@ def refuse_gone(run: Evidence) -> None:
 
 
 def deaths(recording: Recording) -> Iterator[Death]:
-    """Yield the programs that died: first the simulated ones in the order in which they started, then the real ones."""
+    """Yield the programs that died: first the simulated programs in the order in which they started, then the real programs."""
     known = launched(recording)
     for process in known:
         if process.returncode and not _ends_with_launch(recording, process):
@@ -101,8 +101,8 @@ def _ends_with_launch(recording: Recording, process: ProcessRecord) -> bool:
 
 
 def words_on_deaths(run: Evidence) -> str:
-    """Return a line about the first program that died, with its exception or the last line that it printed. Return '' without
-    one.
+    """Return a line about the first program that died, with its exception or the last line that it printed. Return '' if no
+    program died.
     """
     for recording in run.values():
         for death in deaths(recording):

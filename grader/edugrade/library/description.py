@@ -64,7 +64,7 @@ def require_derived(run: Evidence, scenario: str, child: str, joint: Joint, try_
     """Require that every transform of a link follows from its joint and from a position of this joint on a topic.
 
     :param child: the link.
-    :raises Mismatch: with a transform that does not follow from them.
+    :raises Mismatch: with a transform that does not follow from the joint and its positions.
     """
     known = list(_positions(run[scenario], joint.name))
     for sent in transforms(run, scenario).get(child, ()):

@@ -112,7 +112,7 @@ def require_copy(run: Evidence, original: str, copy: str, try_: str, hint_seen: 
     """Require that a turtle drives as far as the turtle that it copies, within 5 %. The original must drive at least half a
     metre.
 
-    The program `mimic` must receive the poses of the original, or those of another copy of it.
+    The program `mimic` must receive the poses of the original, or the poses of another copy.
 
     :param original: the turtle to copy, such as ``/turtle1``.
     :param copy: the turtle that must copy it.
@@ -142,7 +142,7 @@ def require_copy(run: Evidence, original: str, copy: str, try_: str, hint_seen: 
 
 
 def copied_poses(recording: Recording, copy: str) -> list[str]:
-    """Return the topics with the poses that a turtle copies through `mimic`, also through the copies in between."""
+    """Return the topics with the poses that a turtle copies through `mimic`, directly or through other copies."""
     mimics = [recording.nodes[position] for position in nodes_of(recording, 'turtlesim', 'mimic')]
     found, turtles = {}, [copy]
     for turtle in turtles:

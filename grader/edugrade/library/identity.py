@@ -82,7 +82,7 @@ def rows_of(recording: Recording, part: str, package: str, executable: str | Non
 
 
 def process_of(recording: Recording, node: NodeRecord, position: int) -> ProcessRecord | None:
-    """Return the process of a node, or None.
+    """Return the process of a node, or None if the recording has no such process.
 
     :param position: the position of the node in `recording.nodes`.
     """

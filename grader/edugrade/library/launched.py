@@ -39,7 +39,8 @@ def refuse_strangers(recording: Recording, topic: str, package: str, executable:
 def stranger(
     recording: Recording, topic: str, package: str, executable: str | None = None
 ) -> tuple[NodeRecord, ProcessRecord | None] | None:
-    """Return a node that publishes a topic although its program is not the allowed one, and its process. Return None without one.
+    """Return a node whose program publishes a topic without permission, and the process of the node. Return None if there is no
+    such node.
 
     The node of the grader, which publishes the messages of `Scenario.sent`, is ignored.
     """
@@ -90,7 +91,7 @@ def require_process(run: Evidence, package: str, executable: str) -> ProcessReco
 
 
 def launched(recording: Recording) -> list[ProcessRecord]:
-    """Return every process except launch itself, which is the first one."""
+    """Return every process except launch itself, which is the first process."""
     known = recording.processes
     return known[1:] if known and known[0].name == 'launch' else list(known)
 

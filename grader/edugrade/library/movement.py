@@ -107,7 +107,7 @@ def since(track: Track, since_s: float) -> Track:
 def distances(leader: Track, follower: Track) -> list[tuple[float, float]]:
     """Return (time, distance in metres) for each sample of the follower.
 
-    The distance is that to the leader's newest sample at the same time.
+    The distance is measured to the newest sample of the leader at that time.
     """
     return [(b[0], hypot(a[1] - b[1], a[2] - b[2])) for a, b in pairs(leader, follower)]
 

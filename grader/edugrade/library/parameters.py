@@ -19,10 +19,11 @@ if TYPE_CHECKING:
 
 
 def parameter_of(recording: Recording, position: int, name: str, wanted: Any = None) -> Parameter | None:
-    """Return a parameter of a node with the value that the node read when it started, or None.
+    """Return a parameter of a node, with the value that the node read when it started. Return None if the node does not have
+    the parameter.
 
-    A later value does not change the effect of the first value. But if the first value is `wanted` and the last one is not,
-    return the last one, because the node must keep the value.
+    A later value does not change the effect of the first value. But if the first value is `wanted` and the last value is
+    not, return the last value, because the node must keep the value.
 
     :param position: the position of the node in `recording.nodes`.
     """

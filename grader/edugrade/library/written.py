@@ -67,7 +67,7 @@ def parameter_of_node(run: Evidence, name: str) -> str:
 
 
 def node_of(run: Evidence, package: str, executable: str) -> str:
-    """Return the code that starts a node."""
+    """Return the code that starts a program of a package as a node."""
     return written(
         run,
         f"Node(package='{package}', executable='{executable}')",

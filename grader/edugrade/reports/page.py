@@ -102,7 +102,7 @@ _VALUE = 'text-align:left;vertical-align:top;white-space:pre-wrap;font-family:mo
 def report_html(report: Report) -> Markup:
     """Return a report as HTML, in the same order as in the terminal.
 
-    It contains failed checks, checks that were not run, passed checks, points and the next step.
+    The report contains failed checks, checks that were not run, passed checks, points and the next step.
     """
     from edulaunch.advice import reader_here
 

@@ -139,7 +139,7 @@ def _why_none(report: Report) -> str:
 
 
 def sandbox_line(reports: Sequence[Report]) -> str:
-    """Return a sentence about the layers of the sandbox that confined the runs, or '' without reports."""
+    """Return a sentence about the layers of the sandbox that confined the runs, or '' if no run has reported layers."""
     if reports and not any(report.has_run for report in reports):
         return 'sandbox: not needed. Nothing of the submission was run.'
     states = [report.sandbox for report in reports if report.has_run]

@@ -140,7 +140,7 @@ def without_code(advice: str) -> str:
 
 
 def level_of(tries: int, hints: list[int], untouched: bool) -> int:
-    """Return the level of advice after a number of attempts, with these hints open. The first attempt has the level KIND."""
+    """Return the level of advice after a number of attempts and of opened hints. The first attempt has the level KIND."""
     if untouched:
         return KIND
     reached = max((level for level, least in TRIES.items() if tries >= least), default=KIND)

@@ -29,7 +29,7 @@ def rubrics_folder() -> str:
 def course_rubrics(inside: str = '') -> str | None:
     """Return the directory ``rubrics`` of a course, beside its course.toml or one level above. Return None without a course.
 
-    The course is searched in a folder (default: the current one) and its parents, but never in a submission.
+    The function searches for the course in a folder (default: the current one) and its parents, but never in a submission.
     """
     path = course_manifest(inside)
     if path is None:
@@ -66,7 +66,7 @@ def find_rubric(
     :param given: the file of a rubric, or the name of an exercise that replaces `exercise`, or None.
     :param submission: the folder of the submission. A rubric in this folder is rejected.
     :param personal: a function that changes the content of the rubric to a student's variant, or None.
-    :raises UnusableInput: if there is no such rubric, with the names of the existing ones.
+    :raises UnusableInput: if there is no such rubric, with the names of the existing rubrics.
     :raises RubricMistake: if the rubric cannot be loaded.
     """
     if given is not None and _is_file(given):

@@ -76,7 +76,7 @@ def _fits(wanted: Wanted, lines: Iterable[str]) -> bool:
 
 @kind('{turtle} copies {original}', 'turtle original')
 def copies(run: Evidence, wanted: Wanted) -> None:
-    """Require that a turtle drives as far as another one, because `mimic` receives the poses of the other one."""
+    """Require that a turtle drives as far as another turtle, because `mimic` receives the poses of the other turtle."""
     for one in wanted.of_each(run):
         turtle, original = (f'/{one.text(key).strip("/")}' for key in ('turtle', 'original'))
         require_copy(one.alone, original, turtle, wanted.try_ or 'check the remappings of the Node of mimic')
@@ -85,7 +85,7 @@ def copies(run: Evidence, wanted: Wanted) -> None:
 
 @kind('{executable} counts the messages of {topics}', 'package executable pattern topics')
 def counts(run: Evidence, wanted: Wanted) -> None:
-    """Require that a program prints the number of messages on some topics. The first group of `pattern` is the number."""
+    """Require that a program prints the number of messages on some topics. The first group of `pattern` must match the number."""
     for one in wanted.of_each(run):
         times = sorted(time_s for topic in _topics(one) for time_s in _message_times(one, topic))
         lines = _lines(one)
@@ -156,7 +156,8 @@ def repeats(run: Evidence, wanted: Wanted) -> None:
 
 @kind('{executable} prints where {turtle} was {ago} s ago', 'package executable pattern turtle ago', 'tolerance example frame')
 def tells_place(run: Evidence, wanted: Wanted) -> None:
-    """Require that a program prints an earlier position of a turtle. The groups of `pattern` are x, y and the age in seconds.
+    """Require that a program prints an earlier position of a turtle. The groups of `pattern` must match x, y and the age in
+    seconds.
 
     With `frame`, the program must get the position from tf2, so it cannot print a position before the first transform of this
     frame. The program must not subscribe to the poses of the turtle.

@@ -189,7 +189,7 @@ def answer_before_the_deadline(job: dict[str, Any], words: int) -> None:
 
 
 def innermost(frame: FrameType | None, job: dict[str, Any]) -> tuple[str, int] | None:
-    """Return the file and line of the innermost frame in the student's code, or None."""
+    """Return the file and line of the innermost frame in the student's code, or None if there is no such frame."""
     folder = os.path.realpath(job['folder']) + os.sep  # links lead to the files of a package
     while frame is not None:
         file = os.path.realpath(frame.f_code.co_filename)

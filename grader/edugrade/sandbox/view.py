@@ -1,9 +1,9 @@
 """Gives a run its own tree of directories, without the files that it may not read, and without their names and sizes.
 
-This needs a mount namespace. Root may create one, and ordinary users may if the system lets them create user namespaces. The
-tree is a file system in memory, in which readable paths are mounted. All of it is read-only, including devices, so the mode
-and the time of a file cannot change. The run's own folder is another file system in memory with its own limit, so that a run
-cannot fill a disk.
+The tree needs a mount namespace. Root may create one, and ordinary users may if the system lets them create user namespaces.
+The tree is a file system in memory, in which readable paths are mounted. All of it is read-only, including devices, so the
+mode and the time of a file cannot change. The run's own folder is another file system in memory with its own limit, so that
+a run cannot fill a disk.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """`greenlet` in Pyodide, as far as edulaunch needs it: tasks that switch by suspending WebAssembly (JSPI).
 
-Each greenlet is a separate call from JavaScript. A switch resolves the promise of the next greenlet and waits for the promise of
-the current one. The browser's queue of promises then continues with the next greenlet. A greenlet that is never switched to again
-stays suspended, and no exception is raised in it.
+Each greenlet is a separate call from JavaScript. A switch resolves the promise of the next greenlet and waits for the
+promise of the current greenlet. The browser's queue of promises then continues with the next greenlet. A greenlet that is
+never switched to again stays suspended, and no exception is raised in it.
 """
 
 from __future__ import annotations

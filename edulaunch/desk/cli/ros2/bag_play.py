@@ -1,4 +1,6 @@
-"""`ros2 bag play`: publish the messages of a bag at their recorded times. It can publish /clock, and a key pauses it."""
+"""`ros2 bag play`: publish the messages of a bag at their recorded times. The command can also publish /clock. A key pauses the
+playback.
+"""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """`ros2 ...` inside the simulation: the list of commands, and functions that parse and run a command line.
 
-A command has verbs, or an empty table of verbs if it does its work itself. Only the file of the chosen command is loaded.
-As in ros2cli, argparse parses the words. It writes to the streams of the running process.
+A command has verbs, or an empty table of verbs if it does its work itself. Only the file of the chosen command is loaded. As
+in ros2cli, argparse parses the words. The parser writes to the streams of the running process.
 """
 
 from __future__ import annotations

@@ -75,7 +75,8 @@ def message_filter(expression: str | None) -> Callable[[Any], bool]:
 
     As in ROS 2, the expression is Python code of the user, and the message is `m`.
 
-    :raises RuntimeError: for an invalid expression. The function raises it when the expression fails for a message.
+    :raises RuntimeError: for an invalid expression. The returned function raises RuntimeError when the expression fails for
+        a message.
     """
     if expression is None:
         return lambda message: True

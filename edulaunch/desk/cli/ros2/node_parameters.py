@@ -108,7 +108,7 @@ class ParametersOf(OtherNode):
         return list(self._call('set_parameters', 'SetParameters', parameters=messages).results)
 
     def help_for(self, parameter: str) -> str | None:
-        """Return a line of help for an unknown parameter that suggests the most similar name, or None."""
+        """Return a line of help for an unknown parameter that suggests the most similar name, or None if no name is similar."""
         return did_you_mean(parameter, self.names())
 
 

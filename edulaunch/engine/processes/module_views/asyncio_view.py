@@ -1,4 +1,4 @@
-"""`asyncio` in simulated time: every event loop of a program is a simulated one."""
+"""`asyncio` in simulated time: every event loop of a program is simulated."""
 
 from __future__ import annotations
 
@@ -111,7 +111,9 @@ for _need, _names in REFUSED.items():
 
 
 def make_asyncio(view: ModuleType, process: Process) -> ModuleType:
-    """Replace `run`, `Runner`, `run_coroutine_threadsafe`, and every function that creates, sets or returns a loop."""
+    """In the view of `asyncio`, replace `run`, `Runner`, `run_coroutine_threadsafe`, and every function that creates, sets or
+    returns a loop. Return the view.
+    """
     loops: dict[Task, Any] = {}
 
     def new_event_loop() -> ProcessEventLoop:

@@ -18,7 +18,7 @@ DRAWING = [name for name in dir(random.Random) if not name.startswith('_') and h
 
 
 class Random(random.Random):
-    """The simulated `random.Random`. Without a seed, it gets one from the process's generator instead of the real machine."""
+    """The simulated `random.Random`. Without a seed, the seed comes from the process's generator instead of the real machine."""
 
     def __init__(self, x: Any = None) -> None:
         super().__init__(_generator_here().random() if x is None else x)
@@ -34,7 +34,7 @@ def _generator_here() -> random.Random:
 
 
 def make_random(view: ModuleType, process: Process) -> ModuleType:
-    """Make the module's functions use one generator, seeded with (simulation seed, process name).
+    """Make the module's functions use one generator, seeded with (simulation seed, process name), and return the module.
 
     An unseeded `Random()` gets its seed from this generator, too.
     """
@@ -50,7 +50,7 @@ def make_random(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_uuid(view: ModuleType, process: Process) -> ModuleType:
-    """Make `uuid1` and `uuid4` use a generator that is seeded with (simulation seed, process name)."""
+    """Make `uuid1` and `uuid4` use a generator that is seeded with (simulation seed, process name), and return the module."""
     import uuid
 
     generator = process.sim.random(f'{process.name}/uuid')
@@ -92,7 +92,7 @@ def make_numpy(view: ModuleType, process: Process) -> ModuleType:
 
 
 def make_numpy_random(view: ModuleType, process: Process) -> ModuleType:
-    """Make the module's functions use one generator, seeded with (simulation seed, process name).
+    """Make the module's functions use one generator, seeded with (simulation seed, process name), and return the module.
 
     Unseeded generators get their seed from the same source.
     """
@@ -108,7 +108,7 @@ def make_numpy_random(view: ModuleType, process: Process) -> ModuleType:
         state.seed(source.getrandbits(32) if seed is None else seed)
 
     class RandomState(numpy.random.RandomState):
-        """The simulated `numpy.random.RandomState`. Without a seed, it gets one from the process's generator."""
+        """The simulated `numpy.random.RandomState`. Without a seed, the seed comes from the process's generator."""
 
         def __init__(self, seed: Any = None) -> None:
             super().__init__(source.getrandbits(32) if seed is None else seed)

@@ -169,7 +169,7 @@ NAMES = ('dump', 'dumps', 'load', 'loads', 'Pickler', 'Unpickler')
 
 
 def make_pickle(view: ModuleType, process: Process) -> ModuleType:
-    """Execute the standard module privately, and use its functions in Python instead of those in C.
+    """Execute the standard module privately, and use its functions in Python instead of the functions in C.
 
     The functions in C search for classes in modules that all programs share.
     """

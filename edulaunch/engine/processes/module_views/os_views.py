@@ -42,7 +42,7 @@ class Reader(io.StringIO):
 
 
 def make_os(view: ModuleType, process: Process) -> ModuleType:
-    """Give the view its own `environ`, and a `urandom` that returns the same bytes in each run.
+    """Give the view its own `environ`, and a `urandom` that returns the same bytes in each run. Return the view.
 
     `kill` reaches only simulated processes, by their simulated pid. `system` and `popen` use the view of `subprocess`.
     """

@@ -38,9 +38,7 @@ def _refused(name: str, kind: type[Exception], text: str, about: str) -> Any:
 
 
 def make_multiprocessing(view: ModuleType, process: Process) -> ModuleType:
-    """Reject everything that would start another process or share data with it. `cpu_count` returns the number of
-    processors of the simulated machine.
-    """
+    """Make a `multiprocessing` that rejects everything that would start another process or share data with it."""
     import multiprocessing as real
 
     view.__dict__.update({name: _refused(name, RuntimeError, NO_COPY, THREADS) for name in PROCESSES})

@@ -118,7 +118,7 @@ def _datetime(now: Callable[[], real_datetime.datetime]) -> type:
 
         @classmethod
         def now(cls, tz: real_datetime.tzinfo | None = None) -> Any:
-            """Return the simulated time, in the time zone `tz` or without a time zone in UTC."""
+            """Return the simulated time, in the time zone `tz` (default: UTC without a time zone)."""
             return now() if tz is None else now().replace(tzinfo=real_datetime.timezone.utc).astimezone(tz)
 
         @classmethod

@@ -1,5 +1,5 @@
-"""Select the classes for the real rclpy. Types that its C++ code handles itself keep their own classes; all others get
-edulaunch's.
+"""Select the classes for the real rclpy. Types that its C++ code handles itself keep their own classes; all other types get
+edulaunch's classes.
 """
 
 from __future__ import annotations

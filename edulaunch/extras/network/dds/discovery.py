@@ -1,4 +1,4 @@
-"""Discovery: endpoints come from DDS, and the nodes that own them from ROS 2's topic `ros_discovery_info`."""
+"""Discovery. DDS reports the endpoints, and ROS 2's topic `ros_discovery_info` reports the nodes that own them."""
 
 from __future__ import annotations
 

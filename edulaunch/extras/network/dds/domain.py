@@ -99,8 +99,8 @@ def is_on_loopback(settings: Settings) -> bool:
 def configuration(settings: Settings) -> str:
     """Return Cyclone DDS's configuration for the loopback interface only, or for the computer's network.
 
-    On the loopback interface, multicast is used, too, because programs without settings announce themselves in this way. It does
-    not leave the computer.
+    On the loopback interface, multicast is used, too, because programs without settings announce themselves in this way.
+    These multicast packets do not leave the computer.
     """
     peers = [] if settings.discovery_range == 'OFF' else list(settings.static_peers)
     on_loopback = is_on_loopback(settings)

@@ -49,7 +49,9 @@ class ServicePeers:
         return self._anybody if kind == SERVICE else name in self._served and name not in self._served_by_fast
 
     def diagnostic(self, kind: str, name: str) -> LinkDiagnostic | None:
-        """Return a diagnostic if a peer needs a service that does not work. Return it only once."""
+        """Return a diagnostic if a peer needs a service that does not work. Return each diagnostic only once, and otherwise
+        None.
+        """
         there = self._asked_by_fast if kind == SERVICE else self._served_by_fast
         if name not in there or (kind, name) in self._reported:
             return None

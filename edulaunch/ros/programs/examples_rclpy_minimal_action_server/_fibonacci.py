@@ -70,7 +70,7 @@ class MinimalActionServer(Node):
         return self.succeed(goal_handle, feedback)
 
     def succeed(self, goal_handle: ServerGoalHandle, feedback: Fibonacci.Feedback) -> Fibonacci.Result:
-        """Mark a goal as succeeded. Its result has the numbers of its feedback."""
+        """Mark a goal as succeeded. Return a result with the numbers that were published as feedback."""
         goal_handle.succeed()
         self.get_logger().info(f'Returning result: {feedback.sequence}')
         return Fibonacci.Result(sequence=feedback.sequence)

@@ -12,7 +12,7 @@ from edulaunch.ros.running import run
 
 
 class SlowTalker(LifecycleTalker):
-    """A lifecycle talker whose activation takes some time, for which other nodes must wait.
+    """A lifecycle talker whose activation takes some time, so that other nodes must wait for the activation.
 
     A workspace with a clone of lifecycle_py has its own LifecycleTalker. So this class uses only members that both classes have.
     """

@@ -15,7 +15,7 @@ def resource_type_completer(prefix: str, **_: Any) -> Iterable[str]:
 
 
 def resource_name_completer(prefix: str, parsed_args: Any, **_: Any) -> Iterable[str]:
-    """Return the resources with this prefix and with the type in the command line; none without a type.
+    """Return the resources with this prefix and with the type in the command line. Without a type, return no resources.
 
     :param parsed_args: the arguments that are already parsed, with `resource_type`.
     """

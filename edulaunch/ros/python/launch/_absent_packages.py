@@ -38,7 +38,8 @@ def absent_program(name: str) -> str | None:
 
 
 def is_empty_output(argv: Sequence[str]) -> bool:
-    """Return whether the program of a command belongs to a missing well-known package. The output of the command is then empty.
+    """Return whether the program of a command belongs to a missing well-known package, so that the output of the command is
+    empty.
 
     If so, log an error.
     """

@@ -38,7 +38,7 @@ class Look:
 
 @contextmanager
 def looking() -> Iterator[Look]:
-    """Search each file only once inside this context. A nested context uses the outer one."""
+    """Search each file only once inside this context. A nested context uses the results of the outer context."""
     state = running_process().state
     if _KEY in state:
         yield state[_KEY]

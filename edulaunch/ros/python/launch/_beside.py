@@ -55,8 +55,8 @@ def run_beside_threads(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int],
 async def run_beside_tasks(loop: asyncio.AbstractEventLoop, task: asyncio.Task[int], threads: StartedThreads) -> int:
     """Run a simulated loop until its task is done, and return the result of the task.
 
-    Meanwhile, the loop that awaits this coroutine runs its other tasks. In a notebook, the simulation counts as alone, because
-    the other tasks of the kernel are not the student's.
+    Meanwhile, the loop that awaits this coroutine runs its other tasks. In a notebook, the simulation counts as alone,
+    because the other tasks of the kernel do not belong to the student.
 
     :raises SimulationError: when no code can end the wait of the task.
     """

@@ -57,7 +57,7 @@ def inside(path: str | os.PathLike[str]) -> str:
 
 
 def process_state(key: str, make: Callable[[], T]) -> T:
-    """Return the value stored under `key` in the running process. The first call in each process creates it with `make`.
+    """Return the value stored under `key` in the running process. The first call in each process creates the value with `make`.
 
     Upstream stores such values in globals.
     """
@@ -131,8 +131,8 @@ def run_command(argv: Sequence[str], *, stderr_to_stdout: bool) -> tuple[int, st
     """Run a command until it ends. Return its exit code, standard output and standard error.
 
     A dry run with missing packages may replace the output; see :func:`assumptions`. A command that the simulation has (`ros2
-    ...`) runs in the simulation, while launch waits in simulated time. Any other command is a real program. It takes no simulated
-    time, so that every run is the same.
+    ...`) runs in the simulation, while launch waits in simulated time. Any other command is a real program. Such a program
+    takes no simulated time, so that every run is the same.
 
     :raises FileNotFoundError: when there is no such command.
     """

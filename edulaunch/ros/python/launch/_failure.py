@@ -54,7 +54,7 @@ def failure_data(error: BaseException, index: Index | None = None) -> dict[str, 
 
 
 def launch_facts(error: BaseException) -> dict[str, Any]:
-    """Return the facts attached to the error, or else those found in the frames of its traceback.
+    """Return the facts attached to the error, or else the facts found in the frames of its traceback.
 
     The result also contains the name of the action's class that raised the error, if it is known.
     """

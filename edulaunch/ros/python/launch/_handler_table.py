@@ -39,7 +39,7 @@ class HandlerTable:
         return deque(_in_order(*self._groups.values()))
 
     def add(self, handler: Handler, *, append: bool) -> None:
-        """Add a handler after all others with `append`, and otherwise before all others."""
+        """With `append`, add a handler after all others. Otherwise, add it before all others."""
         if append:
             self._last += 1
         else:
@@ -65,7 +65,7 @@ class HandlerTable:
         return _in_order(*self._groups_for(event))
 
     def matches(self, event: Event) -> bool:
-        """Return whether any handler matches the event. Every executed action calls this method."""
+        """Return whether any handler matches the event. Launch calls this method for every executed action."""
         for group in self._groups_for(event):
             for handler in list(group.values()):
                 if handler.matches(event):

@@ -30,8 +30,8 @@ def late_names(
     :param names: the exported names, each with the module of the package that defines it.
     :param modules: the modules of the package that are exported as well.
     :param attributes: the modules that are attributes, but are not exported.
-    :param eager: the objects that the package has already imported. They must include each function that has the same name as
-        its module. Otherwise, importing the module would replace the function by the module.
+    :param eager: the objects that the package has already imported. They must include each function that has the same name
+        as its module. Otherwise, importing the module would replace the function with the module.
     :param absent: names of ROS 2 that edulaunch does not have, each with its replacement; importing one raises ImportError.
     """
     exported = [*modules, *eager, *names]

@@ -49,7 +49,7 @@ class Observer(Protocol):
 
 
 def observer_of_launch() -> Observer | None:
-    """Return the observer for the launch service of the running process, or None.
+    """Return the observer for the launch service of the running process, or None if launch has no observer.
 
     The state of the process may contain an observer. Otherwise, the host of the machine creates one.
     """

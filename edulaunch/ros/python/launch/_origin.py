@@ -20,7 +20,9 @@ Place = tuple[str, int] | tuple[CodeType, int]
 
 
 class Inherited(tuple):  # type: ignore[type-arg]
-    """The place of an action that launch itself created while it visited another action. It is the place of that other action."""
+    """The place of an action that launch itself created while it visited another action. The place of the other action
+    is used.
+    """
 
 
 MAKERS: dict[int, CodeType] = {}
@@ -35,7 +37,7 @@ _TABLES: dict[int, tuple[CodeType, list[int], list[int]]] = {}
 
 
 def caller_outside_launch(made: object) -> Place | None:
-    """Return the place in the innermost running code that is neither edulaunch's nor the constructor of `made`.
+    """Return the place of the innermost running code that belongs neither to edulaunch nor to the constructor of `made`.
 
     An action that another action of edulaunch creates during its visit has the place of that other action. Return None if there
     is no such place. If functions of the same file led to the call, they are stored in `made`.

@@ -130,5 +130,7 @@ class Action(LaunchDescriptionEntity):
             future.add_done_callback(lambda _: context.emit_event_sync(event))
 
     def execute(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
-        """Execute the action. :meth:`visit` calls this method, and subclasses override it."""
+        """Execute the action. Return the entities to visit next, or None. :meth:`visit` calls this method, and subclasses
+        override it.
+        """
         return None

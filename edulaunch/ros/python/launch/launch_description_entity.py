@@ -41,7 +41,7 @@ class LaunchDescriptionEntity(StableRepr):
         return None
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
-        """Return the future that launch waits for before it is idle, or None."""
+        """Return the future that launch waits for before it is idle, or None if launch need not wait for this entity."""
         return None
 
 

@@ -145,8 +145,8 @@ class LaunchService:
             loop.close()
 
     async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
-        """Run like :meth:`run`, as a coroutine. On a loop without simulated time, such as a notebook's, this call runs the
-        simulation.
+        """Run like :meth:`run`, as a coroutine. On a loop without simulated time, such as the loop of a notebook, this call
+        runs the simulation.
         """
         import asyncio
 

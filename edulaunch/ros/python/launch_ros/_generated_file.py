@@ -102,7 +102,9 @@ class GeneratedParameters(GeneratedFile):
         return text
 
     def entries(self) -> list[Entry]:
-        """Return the parameters in the file. They are converted to YAML and parsed only if that could change a value."""
+        """Return the parameters in the file. The parameters are converted to YAML and parsed only if the conversion could
+        change a value.
+        """
         entries: list[Entry] = []
         line = 3
         for name in sorted(self._values):

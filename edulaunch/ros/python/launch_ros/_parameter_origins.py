@@ -143,7 +143,9 @@ def given_by_global(parameter: tuple[str, Any]) -> list[Given]:
 
 
 def given_by_file(path: str, entries_of: Callable[[str], Sequence[Entry]]) -> list[Given]:
-    """Return the values of a parameter file. If it cannot be read, return an empty list, because the node reports the problem."""
+    """Return the values of a parameter file. If the file cannot be read, return an empty list, because the node reports the
+    problem.
+    """
     try:
         entries = entries_of(path)
     except (OSError, ValueError):

@@ -27,7 +27,7 @@ class ParameterValue:
 
     :param value: a literal, a substitution, or a list.
     :param value_type: int, float, bool, str, or `List[...]` of one of these. None means that strings of substitutions are
-        converted by YAML's rules.
+        converted according to YAML's rules.
     :raises TypeError: when a literal does not have the type.
     """
 

@@ -43,7 +43,7 @@ class TestRun:
         return f'{self.name}[{", ".join(map(str, self.parameters.values()))}]' if self.parameters else self.name
 
     def description(self, ready: Callable[[], None]) -> tuple[LaunchDescription, dict[str, Any]]:
-        """Create the launch description. Return it with the context for the tests that the file returned.
+        """Create the launch description. Return the description, and the arguments for tests that the file returned with it.
 
         :param ready: a function that is called when the tests may begin.
         :raises Exception: when there is no `ReadyToTest`, or more than one.
@@ -109,7 +109,7 @@ def _ready_actions(entities: Sequence[LaunchDescriptionEntity]) -> Iterator[Read
 
 
 def give(tests: Sequence[unittest.TestCase], attributes: Mapping[str, Any], values: Mapping[str, Any]) -> None:
-    """Set attributes of tests, and pass to their methods the arguments with matching names."""
+    """Set attributes of tests, and pass arguments to the test methods that have parameters with the same names."""
     for test in tests:
         vars(test).update(attributes)
         for name in (test.id().rpartition('.')[2], 'setUp', 'tearDown'):

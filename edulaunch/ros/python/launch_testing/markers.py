@@ -12,7 +12,7 @@ from .decorator import T
 
 
 def keep_alive(test_description: T) -> T:
-    """Keep a launch running after all its processes have ended. It is shut down after the tests."""
+    """Keep a launch running after all its processes have ended. The launch is shut down after the tests."""
     return _with_marker(test_description, 'keep_alive', True)
 
 

@@ -96,7 +96,7 @@ class Entity(BaseEntity):
     def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
         """Return two attributes of each child and the line of the child, or None if a child has any other attribute.
 
-        With `is_typed`, the second attribute is converted by the rules of YAML.
+        With `is_typed`, the second attribute is converted according to the rules of YAML.
         """
         found: list[Pair] = []
         for child in self._element:

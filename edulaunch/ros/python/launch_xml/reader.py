@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 class Element(list['Element']):
     """An element with the same attributes as `xml.etree.ElementTree.Element`, a list of child elements, and its line.
 
-    The fast element of the standard library cannot store a line number. This element needs as little memory.
+    The fast element of the standard library cannot store a line number. This element needs no more memory than the fast
+    element.
     """
 
     __slots__ = ('tag', 'attrib', 'line')
@@ -33,7 +34,7 @@ MAX_DEPTH = 100
 
 
 def read(text: str) -> Element:
-    """Return the root element.
+    """Return the root element of an XML text.
 
     :raises xml.etree.ElementTree.ParseError: with the message and position of the standard library's parser.
     :raises ValueError: when the text declares entities, or is nested more than :data:`MAX_DEPTH` levels deep.

@@ -1,4 +1,4 @@
-"""The program logging_demo_main with two nodes: one logs messages, and the other one offers a service that sets log levels."""
+"""The program logging_demo_main with two nodes: one logs messages, and the other node offers a service that sets log levels."""
 
 from __future__ import annotations
 

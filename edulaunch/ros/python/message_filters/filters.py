@@ -87,7 +87,8 @@ class Cache(SimpleFilter):
 
     The times in arguments are rclpy Times of ROS time.
 
-    :param allow_headerless: whether a message without a header gets its time of arrival as its stamp; otherwise, it is dropped.
+    :param allow_headerless: whether a message without a header gets the time of arrival as its stamp; otherwise, it is
+        dropped.
     """
 
     def __init__(self, f: SimpleFilter | None = None, cache_size: int = 1, allow_headerless: bool = False) -> None:
@@ -121,19 +122,21 @@ class Cache(SimpleFilter):
         return [msg for msg, time in zip(self.cache_msgs, self.cache_times, strict=True) if from_stamp <= time <= to_stamp]
 
     def getElemAfterTime(self, stamp: Time) -> Any:
-        """Return the first message that is not older than `stamp`, or None."""
+        """Return the first message that is not older than `stamp`, or None if there is no such message."""
         for msg, time in zip(self.cache_msgs, self.cache_times, strict=True):
             if time >= stamp:
                 return msg
         return None
 
     def getElemBeforeTime(self, stamp: Time) -> Any:
-        """Return the last message that is not newer than `stamp`, or None."""
+        """Return the last message that is not newer than `stamp`, or None if there is no such message."""
         older = [msg for msg, time in zip(self.cache_msgs, self.cache_times, strict=True) if time <= stamp]
         return older[-1] if older else None
 
     def getLastestTime(self) -> Time | None:
-        """Return the stamp of the message that arrived last, or None. The spelling of the name is that of ROS 2."""
+        """Return the stamp of the message that arrived last, or None for an empty cache. The spelling of the name is that of
+        ROS 2.
+        """
         return self.cache_times[-1] if self.cache_times else None
 
     def getLatestTime(self) -> Time | None:
@@ -141,11 +144,11 @@ class Cache(SimpleFilter):
         return self.getLastestTime()
 
     def getOldestTime(self) -> Time | None:
-        """Return the stamp of the message that arrived first, or None."""
+        """Return the stamp of the message that arrived first, or None for an empty cache."""
         return self.cache_times[0] if self.cache_times else None
 
     def getLast(self) -> Any:
-        """Return the first message whose stamp is not older than the stamp of the last arrival, or None."""
+        """Return the first message whose stamp is not older than the stamp of the last arrival, or None for an empty cache."""
         latest = self.getLastestTime()
         return None if latest is None else self.getElemAfterTime(latest)
 
@@ -200,7 +203,8 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
     """Calls its callbacks with one message of each topic if their stamps differ by less than `slop`.
 
     :param slop: the limit of the difference, in seconds.
-    :param allow_headerless: whether a message without a header gets its time of arrival as its stamp; otherwise, it is dropped.
+    :param allow_headerless: whether a message without a header gets the time of arrival as its stamp; otherwise, it is
+        dropped.
     """
 
     def __init__(self, fs: Sequence[SimpleFilter], queue_size: int, slop: float, allow_headerless: bool = False) -> None:

@@ -66,7 +66,7 @@ class MessageFilter(SimpleFilter):
         self.target_frames = [target_frame] if isinstance(target_frame, str) else list(target_frame)
 
     def setTolerance(self, tolerance: Duration) -> None:
-        """Require a transform at the stamp of a message and a second one that is later by `tolerance`."""
+        """Require a transform at the stamp of a message, and a second transform at a time that is later by `tolerance`."""
         self._tolerance_ns = tolerance.nanoseconds
 
     def registerFailureCallback(self, cb: Callable[[Any, FilterFailureReason], Any]) -> None:

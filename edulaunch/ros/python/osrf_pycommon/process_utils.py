@@ -23,7 +23,7 @@ def get_loop() -> AbstractEventLoop:
 
 
 def which(cmd: str, mode: int = 1, path: str | None = None, **kwargs: object) -> str | None:
-    """Return the path of a program, or None, as `shutil.which` does.
+    """Return the path of a program, as `shutil.which` does, or None if there is no such program.
 
     :param path: the search path. The default is the PATH of the running process.
     """

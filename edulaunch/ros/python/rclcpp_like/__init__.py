@@ -1,4 +1,4 @@
-"""Nodes and programs that behave like those of C++ where C++ and Python differ. edulaunch's versions of C++ programs use them."""
+"""Nodes and programs that behave as in C++ where C++ and Python differ. edulaunch's versions of C++ programs use them."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class CppError(Exception):
 
 
 class InvalidParameterType(CppError):
-    """At start-up, a parameter received a value of another type than the declared one."""
+    """At start-up, a parameter received a value of another type than the declared type."""
 
     cpp_name = 'rclcpp::exceptions::InvalidParameterTypeException'
 

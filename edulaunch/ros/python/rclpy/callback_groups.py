@@ -29,7 +29,7 @@ class CallbackGroup:
         raise NotImplementedError()
 
     def beginning_execution(self, entity: Any) -> bool:
-        """Mark the entity's callback as running. Return False if it must not start."""
+        """Mark the entity's callback as running. Return False if the callback must not start."""
         return self.can_execute(entity)
 
     def ending_execution(self, entity: Any) -> None:
@@ -57,7 +57,9 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
         return self.busy_with is None
 
     def beginning_execution(self, entity: Any) -> bool:
-        """Reserve the group for one callback if the group is free. Raise AssertionError for an entity of another group."""
+        """Reserve the group for one callback, and return True. Return False if the group is busy. Raise AssertionError for an
+        entity of another group.
+        """
         assert ref(entity) in self.entities
         if self.busy_with is not None:
             return False

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Context:
-    """The arguments and the state that nodes share, as `rclpy.context.Context`. A context is initialised and shut down only once.
+    """The arguments and the state that nodes share. A context is initialised and shut down only once.
 
     A context can be used as a context manager, which initialises it and shuts it down.
     """
@@ -43,7 +43,7 @@ class Context:
     def init(self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None) -> None:
         """Initialise the context.
 
-        :param args: the command-line arguments; None means those of the program.
+        :param args: the command-line arguments; None means the arguments of the program.
         :raises RuntimeError: when called a second time.
         :raises UnknownROSArgsError: for unknown arguments after `--ros-args`.
         """
@@ -145,7 +145,9 @@ class Context:
             self._nodes.remove(node)
 
     def rcl_park(self, deadline_ns: int | None = None) -> bool:
-        """Park the running task until another task wakes it, the deadline is reached, or this context is shut down."""
+        """Park the running task until another task wakes it, the deadline is reached, or this context is shut down. Return
+        False if the deadline came first.
+        """
         task = current_task()
         self.parked.append(task)
         try:

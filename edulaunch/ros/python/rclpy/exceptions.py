@@ -106,7 +106,7 @@ class InvalidParameterTypeException(ParameterException):
 
 
 class InvalidParameterValueException(ParameterException):
-    """The range of a parameter or a callback rejects a value."""
+    """A parameter cannot have a value, because its range or a callback rejects the value."""
 
     def __init__(self, parameter: Any, value: Any, reason: str) -> None:
         super().__init__(f'Invalid parameter value ({value}) for parameter. Reason: {reason}', parameter)

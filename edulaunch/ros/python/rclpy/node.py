@@ -53,10 +53,11 @@ class Node(NodeEntities, NodeTimers, NodeParameters, NodeGraphQueries):
 
     :param node_name: the node's name, which remap rules may change.
     :param context: the node's context; None means the default context.
-    :param cli_args: arguments for this node only, beginning with `--ros-args`. They take precedence over those of the program.
+    :param cli_args: arguments for this node only, beginning with `--ros-args`. They take precedence over the arguments of
+        the program.
     :param namespace: the namespace of the node and of its relative names.
     :param use_global_arguments: whether the program's own `--ros-args` apply.
-    :param parameter_overrides: Parameters whose values replace declared defaults.
+    :param parameter_overrides: Parameter objects whose values replace declared defaults.
     :param allow_undeclared_parameters: whether the program may set parameters that it has not declared.
     :param automatically_declare_parameters_from_overrides: whether the constructor declares every parameter that has an override.
     :raises NotInitializedException: before `rclpy.init()`.

@@ -79,7 +79,9 @@ class ParameterEventHandler:
 
     @staticmethod
     def get_parameter_from_event(event: Any, parameter_name: str, node_name: str) -> Any:
-        """Return the new or changed rcl_interfaces/Parameter with the given name in an event, or None."""
+        """Return the new or changed rcl_interfaces/Parameter with the given name in an event, or None if the event does not
+        contain it.
+        """
         if event.node != node_name:
             return None
         return next(
@@ -112,7 +114,7 @@ class ParameterEventHandler:
         return handle
 
     def remove_parameter_callback(self, handle: ParameterCallbackHandle) -> None:
-        """Remove a callback of `add_parameter_callback`. Raise RuntimeError if it was not added."""
+        """Remove a callback that was added with `add_parameter_callback`. Raise RuntimeError if it was not added."""
         key = handle.parameter_name, handle.node_name
         _remove(self._parameter_callbacks.get(key, []), handle)
         if not self._parameter_callbacks[key]:

@@ -1,4 +1,6 @@
-"""The old name of `rclpy.event_handler`. ROS 2 warns about it once in each process, but processes share modules here."""
+"""The old name of `rclpy.event_handler`. In ROS 2, importing it prints a warning. Here it prints none, because all processes
+share the module.
+"""
 
 from __future__ import annotations
 

@@ -60,7 +60,7 @@ def declare_qos_parameters(node: Any, side: str, topic_name: str, qos: QoSProfil
 
     :param side: 'publisher' or 'subscription'.
     :raises InvalidQosOverridesError: when the callback of the options rejects the profile.
-    :raises RuntimeError: when a parameter has a value that its policy does not have.
+    :raises RuntimeError: when a parameter has a value that its policy does not support.
     """
     from rcl_interfaces.msg import ParameterDescriptor
 

@@ -77,8 +77,8 @@ def _raise_keyboard_interrupt(_: int) -> None:
 
 
 class SignalHandlerGuardCondition:
-    """ROS 2's guard condition for SIGINT. Here, SIGINT ends waits without it, so it has no effect. Programs may still create
-    one.
+    """ROS 2's guard condition for SIGINT. Here, SIGINT ends waits without this guard condition, so it has no effect. Programs
+    may still create one.
     """
 
     def __init__(self, context: object = None) -> None:

@@ -52,7 +52,7 @@ class Subscription(TopicEnd, Entity):
         self._from_wire = self._to_bytes if raw else msg_type.from_wire
 
     def rcl_connect(self, impl: GraphSubscription) -> None:
-        """Set the endpoint of the graph to which this subscription belongs."""
+        """Set this subscription's endpoint in the graph."""
         self.endpoint = impl
         self._queue = impl.queue
 
@@ -88,8 +88,8 @@ class Subscription(TopicEnd, Entity):
     def rcl_take_wires(self, callback: Callable[[Any], object]) -> None:
         """Call `callback` with the wire tuple of each message, in place of the current callback.
 
-        Both callbacks must have the same effect. Built-in programs that only copy values use this method, because it creates no
-        message object. Setting another callback ends it.
+        Both callbacks must have the same effect. Built-in programs that only copy values use this method, because it creates
+        no message object. Assigning another callback switches back to message objects.
         """
         self._wire_callback = callback
         self._simple = False

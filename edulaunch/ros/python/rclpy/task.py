@@ -118,7 +118,7 @@ class Future:
         return self._result
 
     def exception(self) -> BaseException | None:
-        """Return the exception of the future, or None."""
+        """Return the exception of the future, or None if it has not failed."""
         return None if self._exception is None else self._fetched(self._exception)
 
     def _fetched(self, exception: BaseException) -> BaseException:
@@ -177,7 +177,8 @@ class Future:
         self._executor = executor
 
     def add_done_callback(self, callback: Callable[[Any], object], *, context: Any = None) -> None:
-        """Call `callback(future)` when the future is done or cancelled. If it already is, call `callback` soon.
+        """Call `callback(future)` when the future is done or cancelled. If the future is already done or cancelled, call
+        `callback` soon.
 
         :param context: the context of the asyncio task that awaits this future. The loop of that task is notified.
         """
@@ -273,7 +274,7 @@ class Task(Future):
         return self._executing
 
     def cancel(self, msg: object = None) -> None:
-        """Cancel the task. A coroutine that waits ends."""
+        """Cancel the task. If its coroutine is waiting, the coroutine is closed."""
         super().cancel()
         if self._running is not None and not self._executing:
             self._running.close()

@@ -22,7 +22,8 @@ NOT_BOOL = f'{USE_SIM_TIME_NAME} parameter set to something besides a bool'
 
 
 class TimeSource:
-    """Passes the time of /clock to the attached clocks while it is active. The node's parameter use_sim_time activates it.
+    """Passes the time of /clock to the attached clocks while the source is active. The node's parameter use_sim_time activates
+    it.
 
     :param node: the node that subscribes to /clock and has the parameter; None means that it is attached later.
     """

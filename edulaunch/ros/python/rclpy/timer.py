@@ -212,8 +212,8 @@ class Rate:
         """Wait for a call of the timer. As in ROS 2, a timer call before the wait ends the wait immediately.
 
         :raises ROSInterruptException: when ROS 2 is shut down during the wait.
-        :raises RuntimeError: when the rate was destroyed before this method was called. If it is destroyed during the wait, the
-            wait only ends.
+        :raises RuntimeError: when the rate was destroyed before this method was called. If it is destroyed during the wait,
+            the wait ends without an error.
         """
         self._check()
         executor = self.timer.ready_list.executor

@@ -49,7 +49,7 @@ def get_available_rmw_implementations() -> set[str]:
 def remove_ros_args(args: list[str] | None = None) -> list[str]:
     """Return a command line without its `--ros-args` sections and remapping rules.
 
-    :param args: the command line; None means that of the program.
+    :param args: the command line; None means the command line of the program.
     :raises RCLInvalidROSArgsError, UnknownROSArgsError: for invalid or unknown arguments after `--ros-args`.
     """
     return parse_or_raise(process_state().process.argv if args is None else args).others

@@ -74,7 +74,7 @@ _TRANSMISSIONS = re.compile(r'<transmission\b[^>]*/>|<transmission\b.*?</transmi
 def read_joints(description: str) -> list[Joint]:
     """Return the joints of a URDF string, in the order of the string.
 
-    :raises ValueError: when the string is not a robot description. The message is the parser's.
+    :raises ValueError: when the string is not a robot description. The message comes from the parser.
     :raises SystemExit: when the parser is not installed. The program then ends with a message.
     """
     if find_spec('urdf_parser_py') is None:

@@ -14,8 +14,8 @@ def message_to_ordereddict(
     """Return the message as dictionaries, lists, numbers and strings, with its fields in order.
 
     :param truncate_length: the maximum number of items of an array and characters of a string. The rest becomes `...`.
-    :param no_arr: whether to replace arrays by their type and length.
-    :param no_str: whether to replace strings by their type and length.
+    :param no_arr: whether to replace arrays with their type and length.
+    :param no_str: whether to replace strings with their type and length.
     """
     ordered: OrderedDict[str, Any] = _ordered(message_dict(msg, Shortening(truncate_length, no_arr, no_str)))
     return ordered

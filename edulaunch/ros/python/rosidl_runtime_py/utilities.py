@@ -73,7 +73,7 @@ def is_action(interface: Any) -> bool:
 def get_message(identifier: str) -> Any:
     """Return the class of a message. The short form 'pkg/Name' is also allowed.
 
-    :raises ValueError: when the name is not that of a message. :func:`get_interface` lists the other errors.
+    :raises ValueError: when the name is not the name of a message. :func:`get_interface` lists the other errors.
     """
     return _of_kind(identifier, 'msg', 'message', is_message)
 
@@ -81,7 +81,7 @@ def get_message(identifier: str) -> Any:
 def get_service(identifier: str) -> Any:
     """Return the class of a service. The short form 'pkg/Name' is also allowed.
 
-    :raises ValueError: when the name is not that of a service. :func:`get_interface` lists the other errors.
+    :raises ValueError: when the name is not the name of a service. :func:`get_interface` lists the other errors.
     """
     return _of_kind(identifier, 'srv', 'service', is_service)
 
@@ -89,7 +89,7 @@ def get_service(identifier: str) -> Any:
 def get_action(identifier: str) -> Any:
     """Return the class of an action. The short form 'pkg/Name' is also allowed.
 
-    :raises ValueError: when the name is not that of an action. :func:`get_interface` lists the other errors.
+    :raises ValueError: when the name is not the name of an action. :func:`get_interface` lists the other errors.
     """
     return _of_kind(identifier, 'action', 'action', is_action)
 

@@ -91,7 +91,7 @@ class Rviz(CppNode):
 
 
 def main() -> None:
-    """Run the program. It accepts the options of rviz2, but those for the window have no effect."""
+    """Run the program. It accepts the options of rviz2, but the options for the window have no effect."""
     import argparse
 
     parser = argparse.ArgumentParser(prog='rviz2')

@@ -197,8 +197,8 @@ class BufferCore:
         return int(possible), reason
 
     def get_latest_common_time(self, target_frame: str, source_frame: str) -> Any:
-        """Return the newest time at which the transform is available, as an rclpy Time of the system clock. Return 0 if all
-        transforms are static.
+        """Return the newest time at which the transform is available, as an rclpy Time of the system clock. The time is 0 if
+        all transforms are static.
 
         :raises TransformException: when the frames are unknown or not connected.
         """
@@ -239,7 +239,7 @@ class BufferCore:
         return self._tf.all_frames_as_string()
 
     def clear(self) -> None:
-        """Drop all transforms except the static ones."""
+        """Drop all dynamic transforms. Static transforms stay."""
         self._tf.clear()
 
     def _allFramesAsDot(self, time: Any = None) -> str:  # noqa: N802

@@ -221,7 +221,9 @@ class Buffer(BufferCore, BufferInterface):
         return answer
 
     def wait_for_transform_async(self, target_frame: str, source_frame: str, time: Any) -> Future:
-        """Return a future whose result is the transform, as soon as it is available. There is no timeout."""
+        """Return a future that is done as soon as the transform is available. The result of the future is the transform. There
+        is no timeout.
+        """
         future = self._future(
             lambda: self.can_transform_core(target_frame, source_frame, time),
             lambda: self.lookup_transform_core(target_frame, source_frame, time),

@@ -41,7 +41,7 @@ class BufferClient(BufferInterface):
 
     :param ns: the name of the server's action.
     :param check_frequency: how often to check for the reply, in Hz.
-    :param timeout_padding: how long to wait for the reply after the timeout of the lookup.
+    :param timeout_padding: how long to wait for the reply after the timeout of the lookup, as a Duration.
     """
 
     def __init__(self, node: Node, ns: str, *, check_frequency: float = 10.0, timeout_padding: Duration = PADDING) -> None:

@@ -143,7 +143,7 @@ def draw(data: dict[Any, dict[str, Any]], name: str) -> None:
 
 
 def main() -> int:
-    """Run the program until Ctrl-C or a shutdown."""
+    """Run the program until Ctrl-C or a shutdown. Return the exit code."""
     parser = argparse.ArgumentParser(prog='view_frames', description='Draw the tree of tf2 frames.')
     parser.add_argument('-t', '--wait-time', type=float, default=5.0, help='how long to listen, in seconds')
     parser.add_argument('-o', '--output', help='name of the files to write, without ending')

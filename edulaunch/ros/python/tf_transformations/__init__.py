@@ -171,7 +171,7 @@ def quaternion_conjugate(quaternion: Sequence[float]) -> Quaternion:
 
 
 def quaternion_inverse(quaternion: Sequence[float]) -> Quaternion:
-    """Return the inverse of a quaternion of any length. The product of both is (0, 0, 0, 1)."""
+    """Return the inverse of a quaternion of any length. The product of a quaternion and its inverse is (0, 0, 0, 1)."""
     return _w_last(_matrices.quaternion_inverse(_w_first(quaternion)))
 
 

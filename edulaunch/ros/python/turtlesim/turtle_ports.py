@@ -19,7 +19,7 @@ from turtlesim.srv import SetPen, TeleportAbsolute, TeleportRelative
 
 
 class RotateAbsoluteServer:
-    """Accepts every goal and every cancel request immediately. A new goal replaces the previous one.
+    """Accepts every goal and every cancel request immediately. A new goal replaces the previous goal.
 
     The regular update of the turtle performs the rotation. `goal` is the handle of the current goal, or None.
     """

@@ -78,8 +78,8 @@ class Store:
             os.close(lock)
 
     def path(self, entry: Entry, ending: str = '.json', folder: str | None = None) -> str:
-        """Return the path of a stored file for a submission. The file name is a hash if the submission's path is too long, or if
-        it has another meaning in this folder.
+        """Return the path of a stored file for a submission. The file name is a hash if the submission's path is too long, or
+        if the path has another meaning in this folder.
         """
         name = entry.path
         is_ours = name.split(os.sep)[0].lower() in OURS
@@ -107,7 +107,7 @@ class Store:
         self._times[entry.path] = round(seconds, 2)
 
     def times(self) -> dict[str, float]:
-        """Store the durations of this batch. Return the duration of each submission's runs in this batch or an earlier one,
+        """Store the durations of this batch. Return the duration of each submission's runs in this batch or an earlier batch,
         by path.
         """
         path = os.path.join(self.folder, TIMES)

@@ -90,7 +90,7 @@ def one_line(text: str) -> str:
 
 def first_problem(found: Result) -> str | None:
     """Return in one line why the submission was not graded, or why its first failed check did not pass. Return None if all
-    passed.
+    checks passed.
     """
     broken = next((check for check in found.get('checks', ()) if check['status'] not in ('passed', 'not_run')), None)
     words = found.get('refused') or (broken and broken['reason'])
@@ -103,8 +103,8 @@ def class_csv(results: Results) -> str:
 
 
 def csv_text(columns: Sequence[str], lines: Sequence[dict[str, str]], separator: str = ',') -> str:
-    """Return a table as CSV. An apostrophe precedes every string that a spreadsheet could read as a formula. This also applies
-    after any other separator of cells within the string.
+    """Return a table as CSV. An apostrophe precedes every string that a spreadsheet could read as a formula. An apostrophe is
+    also added after any other separator of cells within the string.
 
     :param separator: the separator of the cells. With a semicolon, numbers have a decimal comma, because such a spreadsheet reads
         9.6 as a date.

@@ -49,9 +49,9 @@ class Member(NamedTuple):
 def unpack(archive: str, folder: str, bounds: Bounds = OF_A_STUDENT) -> None:
     """Unpack a zip or tar archive into a new folder.
 
-    :raises UnusableInput: when a member is refused. Reasons are another kind than file or folder, a path outside of the given
-        folder, an invalid or repeated name, and the size. The message names the member. Files that were written before it
-        remain.
+    :raises UnusableInput: when the archive is too large, or a member is not allowed. A member must be a file or folder
+        inside the given folder, with a valid and unique name. The message names the member. Files that were written before
+        it remain.
     """
     try:
         _refuse_size(archive, bounds)

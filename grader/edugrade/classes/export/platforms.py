@@ -91,7 +91,8 @@ LARGEST_BYTES = 20_000_000
 
 
 def read_list(path: str) -> tuple[list[str], list[dict[str, str]], str]:
-    """Return the first row, the other rows, and the separator of the cells, which is a semicolon in some languages.
+    """Return the first row, the other rows, and the separator of the cells, which is a semicolon for spreadsheets in some
+    languages.
 
     :raises UnusableInput: when the list cannot be read.
     """
@@ -131,7 +132,7 @@ class People:
         self._by_name = {_words(mark.student): mark for mark in marks if names[_words(mark.student)] == 1}
 
     def find(self, numbers: Sequence[str], name: str) -> Mark | None:
-        """Return the mark of the student with one of these numbers, or with this name."""
+        """Return the mark of the student with one of these numbers, or with this name. Return None if no student matches."""
         found = next((self._by_id[number] for number in numbers if number in self._by_id), None)
         if found is None:
             found = self._by_name.get(_words(name))
@@ -194,7 +195,7 @@ def moodle_worksheet(path: str, marks: Sequence[Mark]) -> tuple[str, list[str]]:
 
     A student is found by the number after "Participant", which is also in the names of downloads, or by name.
 
-    :raises UnusableInput: when the file is not a worksheet, or its maximum grade is not that of the exercise.
+    :raises UnusableInput: when the file is not a worksheet, or its maximum grade differs from the points of the exercise.
     """
     head, rows, separator = read_list(path)
     lacking = [name for name in (IDENTIFIER, NAME, GRADE) if name not in head]

@@ -239,7 +239,7 @@ class ProcessWatch(BaseEventHandler):
         return isinstance(event, Shutdown) or (isinstance(event, RunningProcessEvent) and event.action is self._action)
 
     def handle(self, event: Event, context: LaunchContext) -> Entities | None:
-        """Handle an event that this process emitted, or that targets this process."""
+        """Handle an event that this process emitted, or that targets this process. Return the entities to visit, or None."""
         super().handle(event, context)
         if isinstance(event, ProcessIO):
             self._unshown -= 1

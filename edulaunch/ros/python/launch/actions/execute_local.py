@@ -217,7 +217,7 @@ class ExecuteLocal(Action):
             self.__watch.start_again(context)
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
-        """Return a future that is done when the process has ended and will not be restarted."""
+        """Return a future that is done when the process has ended and will not be restarted. Return None before execution."""
         return None if self.__watch is None else self.__watch.completed
 
 

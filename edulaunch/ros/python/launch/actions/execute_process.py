@@ -21,8 +21,8 @@ class ExecuteProcess(ExecuteLocal):
     :param cmd: the words of the command, each a string or substitutions. If `cmd` is a plain string, each letter becomes a word.
     :param prefix: the words before the command, such as 'xterm -e'. The default is the launch configuration `launch-prefix`.
     :param name: the name of the process in the log, without its number. The default is the file name of the program.
-    :param cwd: the working directory. The default is that of launch.
-    :param env: the complete environment. The default is that of launch.
+    :param cwd: the working directory. The default is the working directory of launch.
+    :param env: the complete environment. The default is the environment of launch.
     :param additional_env: variables to add to the environment.
     :param kwargs: the arguments of :class:`ExecuteLocal`, except `process_description`.
     """

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class ResetLaunchConfigurations(Action):
-    """Delete all launch configurations, and then set the given ones.
+    """Delete all launch configurations, and then set the given configurations.
 
     :param launch_configurations: names and values, each a string or substitutions. They are evaluated before the configurations
         are deleted.
@@ -34,7 +34,7 @@ class ResetLaunchConfigurations(Action):
     )
 
     def execute(self, context: LaunchContext) -> None:
-        """Delete all launch configurations, and then set the given ones."""
+        """Delete all launch configurations, and then set the given configurations."""
         evaluated = {
             perform_substitutions(context, normalize_to_list_of_substitutions(name)): perform_substitutions(
                 context, normalize_to_list_of_substitutions(value)

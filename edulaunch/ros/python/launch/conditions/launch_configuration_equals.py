@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
 
 class LaunchConfigurationEquals(Condition):
-    """True if the launch configuration equals the expected string. If None is expected, true if the configuration is not set.
+    """A condition that is true if the launch configuration equals the expected string. If None is expected, it is true if the
+    configuration is not set.
 
     Upstream has deprecated this class in favour of `IfCondition(EqualsSubstitution(...))`. Creating an instance logs a warning.
     """

@@ -11,7 +11,9 @@ if TYPE_CHECKING:
 
 
 class LaunchConfigurationNotEquals(LaunchConfigurationEquals):
-    """True if the launch configuration does not equal the given string. If None is given, true if the configuration is set."""
+    """A condition that is true if the launch configuration does not equal the given string. If None is given, it is true if the
+    configuration is set.
+    """
 
     _sign = 'is not'
 

@@ -41,8 +41,8 @@ class Executable:
     :param prefix: the words before the command, split as in a shell. The default is the launch configuration `launch-prefix`, for
         programs whose name matches the regular expression in `launch-prefix-filter`.
     :param name: the name of the process without its number. The default is the file name of the program.
-    :param cwd: the working directory. The default is that of launch.
-    :param env: the complete environment. The default is that of launch.
+    :param cwd: the working directory. The default is the working directory of launch.
+    :param env: the complete environment. The default is the environment of launch.
     :param additional_env: variables to add to the environment.
     :param arguments: further words of the command line.
     """

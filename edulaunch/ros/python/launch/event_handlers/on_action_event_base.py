@@ -22,7 +22,7 @@ class OnActionEventBase(BaseEventHandler):
     """The base class of handlers for events that have an `action`.
 
     :param action_matcher: an action (exactly that object), a callable that receives the action, or None for every action.
-    :param on_event: an entity, several, or a callable that receives the event and the context and may return entities.
+    :param on_event: one or more entities, or a callable that receives the event and the context and may return entities.
     :param target_event_cls: the type of the events to handle.
     :param target_action_cls: the type that the action must have.
     :raises TypeError: for an `action_matcher` or an item of `on_event` of another type.

@@ -15,7 +15,7 @@ class OnExecutionComplete(OnActionEventBase):
     """Handles the completion of an action: a process has ended, or a timer has fired.
 
     :param target_action: the action, a callable that decides whether an action matches, or None for every action.
-    :param on_completion: an entity, several, or a callable (event, context) that may return entities.
+    :param on_completion: one or more entities, or a callable (event, context) that may return entities.
     """
 
     def __init__(self, *, target_action: ActionMatcher = None, on_completion: Reaction, **kwargs: Any) -> None:

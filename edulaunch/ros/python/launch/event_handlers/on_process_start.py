@@ -16,7 +16,7 @@ class OnProcessStart(OnActionEventBase):
 
     :param target_action: the `ExecuteProcess` or `Node`, a callable that decides whether an action matches, or None for every
         process.
-    :param on_start: an entity, several, or a callable (event, context) that may return entities.
+    :param on_start: one or more entities, or a callable (event, context) that may return entities.
     """
 
     def __init__(self, *, target_action: ActionMatcher = None, on_start: Reaction, **kwargs: Any) -> None:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 class OnShutdown(BaseEventHandler):
     """Handles a request to end the launch.
 
-    :param on_shutdown: an entity, several, or a callable (event, context) that may return entities.
+    :param on_shutdown: one or more entities, or a callable (event, context) that may return entities.
     """
 
     def __init__(self, *, on_shutdown: ShutdownReaction, **kwargs: Any) -> None:

@@ -13,7 +13,7 @@ from .parser_protocol import ParserProtocol
 def condition_of(entity: Entity, parser: ParserProtocol) -> dict[str, Any]:
     """Return the keyword argument `condition` if the element has `if` or `unless`, and otherwise an empty dictionary.
 
-    :raises RuntimeError: when the element has both.
+    :raises RuntimeError: when the element has both `if` and `unless`.
     """
     given = entity.given(('if', 'unless'))
     if not given:

@@ -34,7 +34,7 @@ class Entity(ABC):
     @property
     @abstractmethod
     def parent(self) -> Entity | None:
-        """The enclosing element, or None."""
+        """The enclosing element, or None for the root element."""
 
     @property
     @abstractmethod
@@ -65,17 +65,19 @@ class Entity(ABC):
     def given(self, attributes: Collection[str], children: Collection[str] = ()) -> list[str]:
         """Return the existing `attributes` and then the existing `children`, and mark all of them as requested.
 
-        A format can override this method. This is much faster than one request for each name. (edulaunch only.)
+        A format can override this method. One call of this method is much faster than one request for each name. (edulaunch
+        only.)
         """
         return [name for name in attributes if self._has(name, None)] + [name for name in children if self._has(name, Entities)]
 
     def plain_pairs(self, tag: str, first: str, second: str, *, is_typed: bool = False) -> list[Pair] | None:
-        """Return (first, second, line) for each child called `tag`, if each has exactly these two attributes and nothing else.
+        """Return (first, second, line) for each child called `tag`, if each child has exactly the attributes `first` and
+        `second`.
 
         Return None if the caller must request each attribute. Most elements of a long file have this form, so formats can return
         quickly without creating entities. (edulaunch only.)
 
-        :param is_typed: whether the second value is converted by YAML's rules. Otherwise, both values are strings.
+        :param is_typed: whether the second value is converted according to YAML's rules. Otherwise, both values are strings.
         """
         return None
 

@@ -31,7 +31,7 @@ def load_launch_extensions() -> None:
 
 
 def load_parsers(known: dict[str, Any]) -> dict[str, Any]:
-    """Return the `known` parsers, followed by those of installed packages, by name. A failing import causes a warning."""
+    """Return the `known` parsers, followed by the parsers of installed packages, by name. A failing import causes a warning."""
     parsers = dict(known)
     for entry_point in entry_points_of(PARSER_GROUP):
         if entry_point.name in parsers:

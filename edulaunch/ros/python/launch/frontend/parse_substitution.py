@@ -20,7 +20,7 @@ MAX_DEPTH = 50
 
 
 class Call(NamedTuple):
-    """One `$(name argument...)`."""
+    """One substitution of the form `$(name argument...)`."""
 
     name: str
     arguments: tuple[Template, ...]

@@ -205,7 +205,7 @@ class Parser:
     def get_parsers_from_filename(cls, filename: str) -> list[type[Parser]]:
         """Return the parsers that handle a file with such a name.
 
-        The result includes those of installed packages only if neither XML nor YAML matches.
+        The result includes parsers of installed packages only if neither XML nor YAML matches.
         """
         claiming = [parser for parser in cls._built_in_parsers().values() if parser.may_parse(filename)]
         return claiming or [parser for parser in cls._all_parsers(filename) if parser.may_parse(filename)]

@@ -1,3 +1,3 @@
-"""`check_is_list_entity` at its path in ROS 2."""
+"""`check_is_list_entity`, importable from the same path as in ROS 2."""
 
 from .entity import check_is_list_entity as check_is_list_entity

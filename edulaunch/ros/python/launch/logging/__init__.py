@@ -65,7 +65,9 @@ def __getattr__(name: str) -> Any:
 
 
 def get_logger(name: str | None = None) -> logging.Logger:
-    """Return the logger with this name, or the root logger without a name. It writes to the screen and to launch.log."""
+    """Return the logger with this name, or the root logger without a name. The logger writes to the screen and, if log files
+    are written, to launch.log.
+    """
     state = logging_state()
     logger = state.get_logger(name)
     for handler in (state.config.get_screen_handler(), state.config.get_log_file_handler()):

@@ -78,13 +78,13 @@ class _CombinedPair(_Combined):
 
 
 class AndSubstitution(_CombinedPair):
-    """'true' if both booleans are true."""
+    """'true' if both booleans are true, and otherwise 'false'."""
 
     _combine = all
 
 
 class OrSubstitution(_CombinedPair):
-    """'true' if at least one of two booleans is true."""
+    """'true' if at least one of two booleans is true, and otherwise 'false'."""
 
     _combine = any
 
@@ -94,7 +94,7 @@ class _CombinedMany(_Combined):
 
 
 class AnySubstitution(_CombinedMany):
-    """'true' if at least one boolean is true, and 'false' for an empty list."""
+    """'true' if at least one boolean is true, and otherwise 'false', also for an empty list."""
 
     _combine = any
 
@@ -103,7 +103,7 @@ class AnySubstitution(_CombinedMany):
 
 
 class AllSubstitution(_CombinedMany):
-    """'true' if all booleans are true, and also for an empty list."""
+    """'true' if all booleans are true, also for an empty list. Otherwise 'false'."""
 
     _combine = all
 

@@ -19,7 +19,7 @@ _BOOLEANS = {'true': True, '1': True, 'false': False, '0': False}
 
 
 class EqualsSubstitution(Substitution):
-    """'true' if two values are equal.
+    """'true' if two values are equal, and otherwise 'false'.
 
     True, False, 1 and 0 are compared as booleans, and numbers as numbers. Nearly equal numbers count as equal. Other values are
     compared as strings.

@@ -11,7 +11,7 @@ class PathSubstitution(PathJoinSubstitution):
     """A path whose parts are joined with `/`, as in pathlib: `PathSubstitution(FindPackageShare('p')) / 'launch' / ['robot_',
     name, '.launch.py']`.
 
-    The class is newer than Jazzy's first release. It is included so that files that use it run.
+    The class is newer than Jazzy's first release. It is included for files that use it.
     """
 
     def __init__(self, path: SomeSubstitutionsType) -> None:

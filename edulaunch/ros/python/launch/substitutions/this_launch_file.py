@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 class ThisLaunchFile(Substitution):
     """The absolute path of the current launch file.
 
-    As in ROS 2, the current file is the one included last, even after launch has finished visiting it.
+    As in ROS 2, the current file is the file that was included last, even after launch has finished visiting it.
 
     :raises SubstitutionFailure: on evaluation, outside of launch files.
     """

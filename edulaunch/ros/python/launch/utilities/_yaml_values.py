@@ -1,4 +1,4 @@
-"""Converts single values by the rules of YAML 1.1."""
+"""Converts single values according to the rules of YAML 1.1."""
 
 from __future__ import annotations
 

@@ -1,3 +1,3 @@
-"""`normalize_to_list_of_substitutions` at its path in ROS 2."""
+"""`normalize_to_list_of_substitutions`, importable from the same path as in ROS 2."""
 
 from .texts import normalize_to_list_of_substitutions as normalize_to_list_of_substitutions

@@ -1,3 +1,3 @@
-"""`perform_substitutions` at its path in ROS 2."""
+"""`perform_substitutions`, importable from the same path as in ROS 2."""
 
 from .texts import perform_substitutions as perform_substitutions

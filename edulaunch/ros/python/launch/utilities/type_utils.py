@@ -85,7 +85,7 @@ def is_instance_of(value: Any, data_type: AllowedTypesType, can_be_str: bool = F
 def coerce_to_type(value: str, data_type: AllowedTypesType = None, can_be_str: bool = False) -> AllowedValueType:
     """Convert a string to a value of a type.
 
-    :param data_type: the type. None means any type, by YAML's rules.
+    :param data_type: the type. None means that YAML's rules determine the type.
     :param can_be_str: whether to return the string itself if it cannot be converted. A list may then contain strings as well.
     :raises TypeError: when `value` is not a string.
     :raises ValueError: when the string cannot be converted.

@@ -1,3 +1,3 @@
-"""`FilePath` at its path in ROS 2."""
+"""`FilePath`, importable from the same path as in ROS 2."""
 
 from .type_utils import FilePath as FilePath

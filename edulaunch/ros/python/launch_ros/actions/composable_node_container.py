@@ -1,3 +1,3 @@
-"""`ComposableNodeContainer` at its path in ROS 2."""
+"""`ComposableNodeContainer`, importable from the same path as in ROS 2."""
 
 from .load_composable_nodes import ComposableNodeContainer as ComposableNodeContainer

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 class LifecycleNode(Node):
     """A Node whose state launch can observe and change.
 
-    Its transitions are emitted as :class:`launch_ros.events.lifecycle.StateTransition` events. A
+    The transitions of the node are emitted as :class:`launch_ros.events.lifecycle.StateTransition` events. A
     :class:`launch_ros.events.lifecycle.ChangeState` event requests a transition. Both events use the node's topic
     `transition_event` and service `change_state`.
 

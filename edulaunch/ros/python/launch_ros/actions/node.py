@@ -160,7 +160,9 @@ class Node(ExecuteProcess):
         return [] if arguments is None else arguments.missing_files
 
     def given_parameters(self) -> list[Given]:
-        """Return all values that are given for the node's parameters, in rcl's order. A later value replaces an earlier one."""
+        """Return all values that are given for the node's parameters, in rcl's order. A later value replaces an earlier
+        value.
+        """
         arguments = self.__parameter_arguments
         return [] if arguments is None else arguments.in_force(self.origin)
 

@@ -27,7 +27,7 @@ class SetUseSimTime(Action):
     value: ReadOnly[Any] = ReadOnly('The value, which may contain substitutions.')
 
     def execute(self, context: LaunchContext) -> None:
-        """Set the parameter."""
+        """Set the parameter `use_sim_time` of launch's own node."""
         from rclpy.parameter import Parameter
 
         value = perform_typed_substitution(context, self.__value, bool)

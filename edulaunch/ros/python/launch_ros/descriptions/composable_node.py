@@ -54,5 +54,5 @@ class ComposableNode:
     extra_arguments: ReadOnly[Any | None] = ReadOnly('Normalized arguments for the container, or None.')
 
     def condition(self) -> Condition | None:
-        """Return the condition, or None. As in upstream, this is a method."""
+        """Return the condition, or None without a condition. As in upstream, this is a method."""
         return self.__condition

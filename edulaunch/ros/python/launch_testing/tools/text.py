@@ -12,7 +12,8 @@ Match = Callable[..., 'tuple[int, int] | None']
 
 
 def build_text_match(expected_text: Any, *, strip_ansi_escape_sequences: bool = True) -> Match:
-    """Return a function (text, start=0) that returns the start and end of the expected string, or None.
+    """Return a function (text, start=0) that returns the start and end of the expected string, or None if the text does not
+    contain it.
 
     :param expected_text: a string, a compiled regular expression, or a list of them. Each item must come after the previous one.
     :raises ValueError: for anything else.

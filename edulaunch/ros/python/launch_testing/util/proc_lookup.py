@@ -50,7 +50,8 @@ def resolveProcesses(
     :param process: an action, or part of a launch name; None means all processes.
     :param cmd_args: arguments that a process with this name must have: a string, a list of strings, or NO_CMD_ARGS.
     :param strict_proc_matching: whether to reject a name that matches several processes.
-    :raises NoMatchingProcessException: for an unknown process. A test that waits for a process continues to wait.
+    :raises NoMatchingProcessException: for an unknown process. The methods of launch_testing that wait for a process
+        continue to wait.
     :raises ValueError: when several processes match and `strict_proc_matching` is set.
     :raises TypeError: for any other type of `process`.
     """

@@ -29,7 +29,7 @@ __all__ = ['ActionClient', 'ClientGoalHandle', 'GoalStatus']
 
 
 class ClientGoalHandle:
-    """One goal of a client. The future of `send_goal_async` has it as its result."""
+    """One goal of a client. It is the result of the future that `send_goal_async` returns."""
 
     def __init__(self, action_client: ActionClient, goal_id: Any, goal_response: Any) -> None:
         self._action_client = action_client
@@ -61,7 +61,7 @@ class ClientGoalHandle:
         return int(self._status)
 
     def cancel_goal(self) -> Any:
-        """Request the cancellation of the goal, and wait for the response. Another thread must spin."""
+        """Request the cancellation of the goal. Wait for the response, and return it. Another thread must spin."""
         return self._action_client._wait_for(self.cancel_goal_async())
 
     def cancel_goal_async(self) -> Future:
@@ -130,8 +130,8 @@ class ActionClient(Asker, Waitable):
     def rcl_run_callback(self, executor: ExecutorProtocol) -> Any:
         """Process at most one response of each kind, one feedback message and one status message per turn, as rclpy does.
 
-        As over a real network, the reply to a goal and its status arrive before the goal's first feedback. Its last feedback
-        arrives before its result.
+        As over a real network, the reply to a goal and its status arrive before the goal's first feedback. The last feedback
+        of the goal arrives before the result.
         """
         self.queued = False
         sources = [('goal', self._goal_client), ('cancel', self._cancel_client), ('feedback', self._feedback)]
@@ -186,7 +186,9 @@ class ActionClient(Asker, Waitable):
                     del self._goal_handles[goal_uuid]
 
     def send_goal(self, goal: Any, **kwargs: Any) -> Any:
-        """Send a goal and wait for its result. Another thread must spin. Inside a callback, this call waits forever."""
+        """Send a goal. Wait for the response with the result, and return it. Another thread must spin. Inside a callback, this
+        call waits forever.
+        """
         goal_handle = self._wait_for(self.send_goal_async(goal, **kwargs))
         return self._wait_for(self._get_result_async(goal_handle))
 

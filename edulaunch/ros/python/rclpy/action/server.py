@@ -62,8 +62,8 @@ class ActionServer(Waitable):
     """A server of one action.
 
     :param execute_callback: executes a goal. It receives the :class:`ServerGoalHandle`, calls `succeed()`, `abort()` or
-        `canceled()` on it, and returns an `ActionType.Result`. It runs as a task of the executor. If it blocks, it needs a
-        MultiThreadedExecutor and a ReentrantCallbackGroup; otherwise, cancel requests wait for it.
+        `canceled()` on it, and returns an `ActionType.Result`. The callback runs as a task of the executor. A callback that
+        blocks needs a MultiThreadedExecutor and a ReentrantCallbackGroup; otherwise, cancel requests wait for the callback.
     :param goal_callback: accepts or rejects a goal; by default, every goal is accepted.
     :param handle_accepted_callback: handles an accepted goal; by default, the goal is executed.
     :param cancel_callback: accepts or rejects a cancel request; by default, every request is rejected.

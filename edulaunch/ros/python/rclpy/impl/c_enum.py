@@ -43,7 +43,7 @@ class Pybind11Enum(Enum, metaclass=_Pybind11Type):
 
 
 class Pybind11IntEnum(Pybind11Enum):
-    """An enumeration whose members are also equal to their integer. All members are true, and they have no order."""
+    """An enumeration whose members are also equal to their integer. All members count as true, and they have no order."""
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, (int, Pybind11IntEnum)) and int(self) == int(other)

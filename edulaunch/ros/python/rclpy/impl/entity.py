@@ -66,7 +66,8 @@ NEVER_NS = 1 << 63
 
 
 class ReadyList:
-    """The data of one node that an executor checks: the ready entities, the timers, and `due_ns`, when the first timer is due.
+    """The data of one node that an executor checks: the ready entities, the timers, and `due_ns`, the time at which the first
+    timer is due.
 
     :ivar asked: the program's own waitables. The executor checks them in each wait.
     :ivar waiting: the simulated threads that are parked in the executor.
@@ -143,7 +144,7 @@ class GraphEnd:
     endpoint: Any
 
     def rcl_connect(self, impl: Any) -> None:
-        """Set the endpoint of the graph to which this entity belongs."""
+        """Set this entity's endpoint in the graph."""
         self.endpoint = impl
 
     @property

@@ -239,7 +239,9 @@ class Executor(Waiting):
         return (self._seen_ns,) if self.spinner is current_task() else None
 
     def rcl_running_entity(self) -> Entity | None:
-        """Return the entity whose callback the running thread executes, or None if its group does not record it."""
+        """Return the entity whose callback the running thread executes, or None if the group of the callback does not record
+        the entity.
+        """
         cores = [core_of(node) for node in self._nodes]
         entities: list[Entity] = [
             entity
@@ -331,8 +333,8 @@ class Executor(Waiting):
             self.spinner = outer
 
     def rcl_spin_ready(self) -> None:
-        """Execute all ready items, each entity once, without waiting. This is the function spin_some of rclcpp, in rclcpp's
-        order.
+        """Execute all ready items, each entity once, without waiting. The function corresponds to spin_some of rclcpp, and uses
+        rclcpp's order.
         """
         self._run_tasks()
         batch = self._collect()

@@ -1,4 +1,4 @@
-"""Functions that record unusual behaviour of a running program as facts, from which edulaunch makes advice.
+"""Functions that record unusual behaviour of a running program as facts, which edulaunch uses for advice.
 
 Examples are waits that can never end, sleeps in callbacks, and requests without a reply. In these cases, ROS 2 hangs or reports
 nothing.

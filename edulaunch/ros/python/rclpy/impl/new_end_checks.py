@@ -1,5 +1,5 @@
-"""Checks of new endpoints, with rclpy's messages and additional help. They find a second type for one name, and invalid action
-names.
+"""Checks of new endpoints, with rclpy's messages and additional help. The checks find a second type for one name, and invalid
+action names.
 """
 
 from __future__ import annotations

@@ -21,7 +21,7 @@ TO_SPIN = ('subscriptions', 'timers', 'clients', 'services', 'guards', 'waitable
 
 
 def check_own_names(node: NodeProtocol, names: tuple[str, ...]) -> None:
-    """Read these attributes of a node and use each as rclpy does.
+    """Use each of the given attributes of a node as rclpy does, so that a wrong object raises the same error.
 
     :raises TypeError, AttributeError: Python's own error, when an attribute contains an object of the wrong kind.
     """

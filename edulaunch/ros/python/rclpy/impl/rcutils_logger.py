@@ -109,7 +109,7 @@ class RcutilsLogger:
         self.contexts: dict[tuple[str, str, int, int], CallSite] = {}
 
     def get_child(self, name: str) -> RcutilsLogger:
-        """Return the logger `<this name>.<name>`. The child publishes on /rosout if this logger does."""
+        """Return the logger `<this name>.<name>`. The child publishes on /rosout if this logger publishes there."""
         if not name:
             raise ValueError('Child logger name must not be empty.')
         if not self.name:

@@ -94,7 +94,7 @@ def no_context(context: ContextProtocol) -> Exception:
 
 
 def without_context(what: str) -> RCLError:
-    """Return the error of rcl for a call that needs a context after its shutdown."""
+    """Return the error of rcl for a call that uses a context after its shutdown."""
     return with_facts(
         RCLError(f'{what}: the given context is not valid, either rcl_init() was not called or rcl_shutdown() was called.'),
         'programs.after-shutdown',

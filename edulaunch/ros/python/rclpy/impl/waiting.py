@@ -50,7 +50,7 @@ _order_of = attrgetter('order')
 
 
 def never() -> bool:
-    """Return False. It is the condition of a wait that ends only when an entity is ready."""
+    """Return False. This function is the condition of a wait that ends only when an entity is ready."""
     return False
 
 

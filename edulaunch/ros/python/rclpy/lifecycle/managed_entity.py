@@ -15,27 +15,27 @@ class ManagedEntity:
     """
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Handle the configuration of the node."""
+        """Handle the configuration of the node, and return the result of the callback."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Handle the cleanup of the node."""
+        """Handle the cleanup of the node, and return the result of the callback."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Handle the shutdown of the node."""
+        """Handle the shutdown of the node, and return the result of the callback."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Handle the activation of the node."""
+        """Handle the activation of the node, and return the result of the callback."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Handle the deactivation of the node."""
+        """Handle the deactivation of the node, and return the result of the callback."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Handle a failed transition."""
+        """Handle a failed transition, and return the result of the callback."""
         return TransitionCallbackReturn.SUCCESS
 
 
@@ -46,12 +46,12 @@ class SimpleManagedEntity(ManagedEntity):
         self._enabled = False
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Enable the entity."""
+        """Enable the entity, and return SUCCESS."""
         self._enabled = True
         return TransitionCallbackReturn.SUCCESS
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Disable the entity."""
+        """Disable the entity, and return SUCCESS."""
         self._enabled = False
         return TransitionCallbackReturn.SUCCESS
 

@@ -67,47 +67,47 @@ class LifecycleNodeMixin(ManagedEntity):
         _life(self._rclpy).entities.append(entity)
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Configure the managed entities."""
+        """Configure the managed entities, and return the result."""
         return _life(self._rclpy).tell_entities('on_configure', state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Clean up the managed entities."""
+        """Clean up the managed entities, and return the result."""
         return _life(self._rclpy).tell_entities('on_cleanup', state)
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Shut down the managed entities."""
+        """Shut down the managed entities, and return the result."""
         return _life(self._rclpy).tell_entities('on_shutdown', state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Activate the managed entities."""
+        """Activate the managed entities, and return the result."""
         return _life(self._rclpy).tell_entities('on_activate', state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Deactivate the managed entities."""
+        """Deactivate the managed entities, and return the result."""
         return _life(self._rclpy).tell_entities('on_deactivate', state)
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Report a failed transition to the managed entities."""
+        """Report a failed transition to the managed entities, and return the result."""
         return _life(self._rclpy).tell_entities('on_error', state)
 
     def trigger_configure(self) -> TransitionCallbackReturn:
-        """Configure the node. Raise RCLError in a state that does not allow it."""
+        """Configure the node. Raise RCLError in a state that does not allow this transition."""
         return _life(self._rclpy).trigger(1)
 
     def trigger_cleanup(self) -> TransitionCallbackReturn:
-        """Clean up the node. Raise RCLError in a state that does not allow it."""
+        """Clean up the node. Raise RCLError in a state that does not allow this transition."""
         return _life(self._rclpy).trigger(2)
 
     def trigger_shutdown(self) -> TransitionCallbackReturn:
-        """Shut down the node. Raise RCLError in a state that does not allow it."""
+        """Shut down the node. Raise RCLError in a state that does not allow this transition."""
         return _life(self._rclpy).trigger_shutdown()
 
     def trigger_activate(self) -> TransitionCallbackReturn:
-        """Activate the node. Raise RCLError in a state that does not allow it."""
+        """Activate the node. Raise RCLError in a state that does not allow this transition."""
         return _life(self._rclpy).trigger(3)
 
     def trigger_deactivate(self) -> TransitionCallbackReturn:
-        """Deactivate the node. Raise RCLError in a state that does not allow it."""
+        """Deactivate the node. Raise RCLError in a state that does not allow this transition."""
         return _life(self._rclpy).trigger(4)
 
 

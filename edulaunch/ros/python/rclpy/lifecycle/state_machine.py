@@ -101,7 +101,7 @@ OUTCOMES = {
 
 
 def transition_from(state: str, wanted: int | str) -> Transition | None:
-    """Return the transition with the given number or label that starts in a state, or None."""
+    """Return the transition with the given number or label that starts in a state, or None if there is no such transition."""
     for transition in TRANSITIONS:
         if transition.start == state and wanted in (transition.number, transition.label):
             return transition
@@ -133,7 +133,7 @@ class Life:
         self.services: LifecycleServices | None = None
 
     def tell_entities(self, callback: str, state: LifecycleState) -> TransitionCallbackReturn:
-        """Call a method of each managed entity until one call does not return SUCCESS."""
+        """Call a method of each managed entity until one call does not return SUCCESS. Return the result of the last call."""
         for entity in self.entities:
             result: TransitionCallbackReturn = getattr(entity, callback)(state)
             if result is not TransitionCallbackReturn.SUCCESS:

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 class NodeCore:
     """A node's names, its place in the graph, and its entities in order of creation.
 
-    This module cannot name the classes of the entities, because their modules import this one.
+    This module cannot name the classes of the entities, because the modules of the entities import this module.
 
     :param name: the node name in the program, to which remap rules apply.
     :param namespace: the namespace in the program, to which remap rules apply.

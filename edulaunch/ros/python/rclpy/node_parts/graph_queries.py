@@ -23,7 +23,7 @@ class NodeGraphQueries:
     _rclpy: NodeCore
 
     def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:
-        """Return all topics with their types. With `no_demangle`, return the DDS names, including those of services."""
+        """Return all topics with their types. With `no_demangle`, return the DDS names, including the names for services."""
         graph = _looked_at(self._rclpy, 'failed to get topic names and types')
         if no_demangle:
             ends = (graph.publishers, graph.subscriptions, graph.services, graph.clients)

@@ -117,7 +117,7 @@ class NodeParameters:
         return [self.get_parameter(name) for name in names]
 
     def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
-        """Return a parameter, or `alternative_value` (a Parameter) if it is not declared or has no value."""
+        """Return a parameter, or `alternative_value` (a Parameter) if the parameter is not declared or has no value."""
         parameter: Parameter | None = self._rclpy.parameters.values.get(name)
         if parameter is not None and parameter.type_ is not Parameter.Type.NOT_SET:
             return parameter
@@ -199,7 +199,8 @@ class NodeParameters:
     def set_descriptor(
         self, name: str, descriptor: ParameterDescriptor, alternative_value: ParameterValue | None = None
     ) -> ParameterValue:
-        """Set the descriptor of a parameter. `alternative_value` replaces a value that the descriptor does not allow.
+        """Set the descriptor of a parameter, and return the value. `alternative_value` replaces a value that the descriptor
+        does not allow.
 
         :raises ParameterNotDeclaredException: when the parameter is not declared.
         :raises ParameterImmutableException: when the parameter is read-only.
@@ -223,7 +224,7 @@ class NodeParameters:
         return parameter.get_parameter_value()
 
     def add_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
-        """Register `callback(parameters)`, which returns the list of parameters to set in place of the given one."""
+        """Register `callback(parameters)`, which returns the list of parameters to set in place of the given list."""
         self._rclpy.parameters.pre_callbacks.insert(0, callback)
 
     def add_on_set_parameters_callback(self, callback: OnSet) -> None:
@@ -241,15 +242,21 @@ class NodeParameters:
         self._rclpy.parameters.post_callbacks.insert(0, callback)
 
     def remove_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
-        """Unregister a callback of `add_pre_set_parameters_callback`. Raise ValueError if it is not registered."""
+        """Unregister a callback that was added with `add_pre_set_parameters_callback`. Raise ValueError if it is not
+        registered.
+        """
         self._rclpy.parameters.pre_callbacks.remove(callback)
 
     def remove_on_set_parameters_callback(self, callback: OnSet) -> None:
-        """Unregister a callback of `add_on_set_parameters_callback`. Raise ValueError if it is not registered."""
+        """Unregister a callback that was added with `add_on_set_parameters_callback`. Raise ValueError if it is not
+        registered.
+        """
         self._rclpy.parameters.on_callbacks.remove(callback)
 
     def remove_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
-        """Unregister a callback of `add_post_set_parameters_callback`. Raise ValueError if it is not registered."""
+        """Unregister a callback that was added with `add_post_set_parameters_callback`. Raise ValueError if it is not
+        registered.
+        """
         self._rclpy.parameters.post_callbacks.remove(callback)
 
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class ChangeState(Event):
-    """Requests a transition of the lifecycle nodes that match.
+    """Requests a transition of the lifecycle nodes that the matcher selects.
 
     :param lifecycle_node_matcher: a function that is called with each LifecycleNode action. It returns whether the request is for
         the node of that action.
