@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from math import inf, isfinite, tau
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..evidence import Evidence, Failure, Mismatch, Missing
+from ..evidence import Advice, Evidence, Failure, Mismatch, Missing
 from ..library.arguments import require_default
 from ..library.circle_fit import fit_circle
 from ..library.deaths import refuse_dead, refuse_gone
@@ -14,8 +15,16 @@ from ..library.following import driven_track, require_driver, require_near, requ
 from ..library.frames import numbers, require_frame, tilt, transforms, yaw
 from ..library.identity import nodes_of
 from ..library.launched import refuse_strangers, require_process
-from ..library.movement import Track, length, odometry_track, since, turtle_track
-from ..library.node_graph import require_ended, require_listener, require_node, require_nodes, require_started, require_topic
+from ..library.movement import Track, command_topics, length, odometry_track, since, turtle_track
+from ..library.node_graph import (
+    own_name_of_topic,
+    require_ended,
+    require_listener,
+    require_node,
+    require_nodes,
+    require_started,
+    require_topic,
+)
 from ..library.parameters import named_origin, refuse_missing_file, require_parameter, value_and_origin
 from ..library.parameters import node_parameter as read_parameter
 from ..library.written import argument_as_namespace, name_of_node, parameter_of_node, remapping_to
@@ -23,7 +32,8 @@ from ..shortened import shortened
 from .yaml_wanted import ARGUMENT, OfRun, Wanted
 
 if TYPE_CHECKING:
-    from edulaunch.engine.recording.records import Parameter
+    from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import NodeRecord, Parameter
 
 Function = Callable[[Evidence, Wanted], None]
 LAST_LOOK_S = 0.5
@@ -67,7 +77,7 @@ def argument(run: Evidence, wanted: Wanted) -> None:
     try:
         require_default(run, wanted['name'], default, wanted.shows)
     except Missing as failure:
-        failure.try_ = wanted.try_ or failure.try_
+        failure.try_ = wanted.try_ if isinstance(wanted.try_, str) else failure.try_
         raise
 
 
@@ -92,21 +102,42 @@ def node(run: Evidence, wanted: Wanted) -> None:
         name, package = one.text('name'), wanted['package']
         if one.scenario in wanted['absent']:
             if any(each.name == name for each in one.recording.nodes):
-                asked = f'no node {name} in the run with {one.words}'
-                raise Failure(f'{name} starts in the run with {one.words}', expected=asked, seen=name, **one.advice)
+                asked, advice = f'no node {name} in the run with {one.words}', f'check the condition of {name}'
+                words = {**one.advice, 'try_': wanted.try_ or advice}
+                raise Failure(f'{name} starts in the run with {one.words}', expected=asked, seen=name, **words)
             continue
-        advice = wanted.try_ or _name_advice(one)
-        require_node(one.alone, name, package, advice, wanted['executable'] or None)
+        require_node(one.alone, name, package, wanted.try_ or _name_advice(one), wanted['executable'] or None)
 
 
 def _name_advice(one: OfRun, key: str = 'name') -> str:
-    """Return advice to give a node its namespace and its name. Parts that depend on launch arguments are named by these."""
+    """Return advice to start the program of a node, or to give the node its namespace and its name. Parts that depend on launch
+    arguments are named by these.
+    """
     namespace, _, name = str(one.wanted[key]).strip('/').rpartition('/')
     program = one.wanted['executable'] or one.wanted['package']
+    if not _candidates(one):
+        return f'start {program} with {one.words}: add its Node, or check its condition and its event'
     argument = ARGUMENT.fullmatch(namespace)
     if argument is not None:
         return argument_as_namespace(one.run, argument[1], program)
     return name_of_node(one.run, one.filled(namespace), '' if name == program else one.filled(name), program)
+
+
+def _candidates(one: OfRun) -> Counter[str]:
+    """Return the names of the nodes of the rubric's program that may need another name. Nodes that also run where the rubric
+    wants no such node have their right names.
+    """
+    absent = [one.run[scenario] for scenario in one.wanted['absent'] if scenario in one.run]
+    names, *others = (_names(recording, one) for recording in (one.recording, *absent))
+    for other in others:
+        names -= other
+    return names
+
+
+def _names(recording: Recording, one: OfRun) -> Counter[str]:
+    package, executable = one.program()
+    positions = range(len(recording.nodes)) if package is None else nodes_of(recording, package, executable)
+    return Counter(recording.nodes[position].name for position in positions)
 
 
 @kind('Only these nodes run: {are}', 'are', 'package')
@@ -122,15 +153,38 @@ def nodes(run: Evidence, wanted: Wanted) -> None:
 def hears(run: Evidence, wanted: Wanted) -> None:
     """Require that a node subscribes to a topic that has messages."""
     for one in wanted.of_each(run):
-        topic = one.text('topic')
-        advice = wanted.try_ or remapping_to(run, topic)
-        require_listener(run, one.scenario, one.text('node'), topic, advice, *one.program())
+        node, topic = one.text('node'), one.text('topic')
+        require_topic(
+            run, one.scenario, topic, try_='check the name, the namespace and the remappings of the node that publishes'
+        )
+        name = own_name_of_topic(one.recording, *_own_node(one))
+        require_listener(run, one.scenario, node, topic, wanted.try_ or remapping_to(run, topic, name), *one.program())
+
+
+def _own_node(one: OfRun) -> tuple[int, NodeRecord]:
+    """Return (position in the recording, node) for the field `node`.
+
+    :raises Missing: with advice to start or to rename it, because advice of the rubric about this node would not help.
+    """
+    package, executable = one.program()
+    try:
+        return require_node(one.alone, one.text('node'), package, _name_advice(one, 'node'), executable)[one.scenario]
+    except Failure as failure:
+        failure.fits_rubric = False
+        raise
 
 
 @kind('{node} starts at the right time', 'node at', f'after {PROGRAM} {MEASURE}')
 def starts(run: Evidence, wanted: Wanted) -> None:
     """Require that a node starts at a given time, or at a given time after the start of another node."""
-    _happens(run, wanted.advising('check which action and which event start this node'), 'start', require_started)
+    one = next(wanted.of_each(run))
+    other = one.other('after')[0]
+    action = (
+        f'start {one.text("node")}' if not one.number('at') else f'put {one.text("node")} into a TimerAction({one.code("at")})'
+    )
+    steps = 'check which action and which event start this node', f'check whether this node waits for {other or "a timer"}'
+    last = f'{action} in an event handler for the start of {other}' if other else action
+    _happens(run, wanted.advising([*steps, last]), 'start', require_started)
 
 
 @kind('{node} ends at the right time', 'node at', f'after {PROGRAM} {MEASURE}')
@@ -153,7 +207,7 @@ def shuts_down(run: Evidence, wanted: Wanted) -> None:
                 seen='the launch continues until the end of the run',
                 **one.advice,
             )
-        one.require_close('the end of the launch (in s)', ended[0], one.number('at'), 0.3)
+        one.require_close('the end of the launch', ended[0], one.number('at'), 0.3, unit='s after its start')
 
 
 def _happens(run: Evidence, wanted: Wanted, what: str, require: Callable[..., float]) -> None:
@@ -161,17 +215,14 @@ def _happens(run: Evidence, wanted: Wanted, what: str, require: Callable[..., fl
         if _waits_in_vain(one):
             continue
         time_s = require(run, one.scenario, one.text('node'), _start_advice(one), *one.program())
-        since_s, words = _moment(one)
+        (since_s, words), thing = _moment(one), f'the {what} of {one.text("node")}'
         if words and time_s < since_s - one.tolerance(0.3) and one.number('at') >= 0.0:
-            raise Mismatch(
-                f'the {what} of {one.text("node")}', words.strip(), f'{since_s - time_s:.2f} s before that', **one.advice
-            )
-        one.require_close(f'the {what} of {one.text("node")}{words} (in s)', time_s - since_s, one.number('at'), 0.3)
+            raise Mismatch(thing, words.strip(), f'{since_s - time_s:.2f} s before that', **one.advice)
+        unit = f's{words or " after the start of the launch"}'
+        one.require_close(thing, time_s - since_s, one.number('at'), 0.3, unit=unit)
         other, *program = one.other('after')
         if other and _place(one, other, *program) > _place(one, one.text('node'), *one.program()):
-            raise Mismatch(
-                f'the {what} of {one.text("node")}', f'after the start of {other}', f'before the start of {other}', **one.advice
-            )
+            raise Mismatch(thing, f'after the start of {other}', f'before the start of {other}', **one.advice)
 
 
 def _waits_in_vain(one: OfRun) -> bool:
@@ -193,7 +244,7 @@ def _waits_in_vain(one: OfRun) -> bool:
     )
 
 
-def _start_advice(one: OfRun) -> str | None:
+def _start_advice(one: OfRun) -> Advice:
     """Return the advice of the rubric, or advice to correct the name of the node if its program starts."""
     package, executable = one.program()
     is_there = package is not None and executable is not None and nodes_of(one.recording, package, executable)
@@ -237,7 +288,7 @@ def topic(run: Evidence, wanted: Wanted) -> None:
         found = require_topic(run, one.scenario, wanted['name'], wanted['type'] or None, wanted['package'] or None, wanted.try_)
         if 'rate' in wanted:
             rate = found.count / one.recording.duration_s
-            one.require_close(f'the rate of {found.name} (in Hz)', rate, wanted['rate'], 0.2 * wanted['rate'])
+            one.require_close(f'the rate of {found.name}', rate, wanted['rate'], 0.2 * wanted['rate'], unit='Hz')
 
 
 @kind('The parameter {name} of {executable} has the right value', 'package executable name value')
@@ -245,8 +296,9 @@ def parameter(run: Evidence, wanted: Wanted) -> None:
     """Require the value of a parameter of an executable's node."""
     require_process(run, wanted['package'], wanted['executable'])
     values = {one.scenario: one.same_type('value') for one in wanted.of_each(run)}
-    advice = wanted.try_ or parameter_of_node(run, wanted['name'])
-    require_parameter(run, wanted['package'], wanted['executable'], wanted['name'], values, advice)
+    code = next(wanted.of_each(run)).code('value')
+    advice = wanted.try_ or parameter_of_node(run, wanted['name'], code)
+    require_parameter(run, wanted['package'], wanted['executable'], wanted['name'], values, advice, code=code)
 
 
 @kind('The parameter {name} of {node} has the right value', 'node package name value', 'origin')
@@ -258,8 +310,8 @@ def node_parameter(run: Evidence, wanted: Wanted) -> None:
         if found is None or not is_right or origin not in found.origin:
             refuse_missing_file(one.alone, [found], wanted['package'])
             seen = value_and_origin(found)
-            thing = f'{wanted["name"]} of {one.text("node")} in the run with {one.words}'
-            raise Mismatch(thing, f'{asked}, from {origin}' if origin else str(asked), seen, where=run.source.place, try_=advice)
+            thing, words = f'{wanted["name"]} of {one.text("node")}', f'{asked}, from {origin}' if origin else str(asked)
+            raise Mismatch(thing, words, seen, where=run.source.place, try_=advice, during=one.words)
 
 
 @kind('The parameter {name} of {node} has the right value', 'node package name', 'at_least at_most origin')
@@ -277,12 +329,14 @@ def measured_parameter(run: Evidence, wanted: Wanted) -> None:
             raise Mismatch(f'{wanted["name"]} of {one.text("node")}', asked, seen, where=run.source.place, try_=advice)
 
 
-def _parameters(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, Parameter | None, str]]:
+def _parameters(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, Parameter | None, Advice]]:
     """Yield (values of the check, parameter or None, advice) for each run. The node must exist."""
     for one in wanted.of_each(run):
         node, name = one.text('node'), wanted['name']
-        advice = wanted.try_ or f'check which parameter file, argument or Node sets the parameter {name} of {node}'
-        require_node(one.alone, node, wanted['package'], advice)
+        _own_node(one)
+        code = one.code('value') if 'value' in wanted else 'another value'
+        steps = f'check which parameter file, argument or Node sets {name} of {node}', f'set {name} of {node} to {code}'
+        advice = wanted.try_ or steps
         asked = one.same_type('value') if 'value' in wanted else None
         found = read_parameter(one.recording, node, wanted['package'], name, asked)
         if found is not None and 'origin' in wanted:
@@ -307,7 +361,9 @@ def place(run: Evidence, wanted: Wanted) -> None:
         track = _turtle(one, 'turtle')
         if not track:
             advice = {**one.advice, 'try_': wanted.try_ or f'spawn {wanted["turtle"]} with the service /spawn'}
-            raise Missing(f'the turtle {wanted["turtle"]}', seen='no pose of this turtle', **advice)
+            turtles = [topic.split('/')[-2] for topic in one.recording.topics if topic.endswith('/pose')]
+            seen = ', '.join(turtles) or 'no turtle'
+            raise Missing(f'the turtle {wanted["turtle"]}', name=str(wanted['turtle']), among=turtles, seen=seen, **advice)
         if track[-1][0] < one.recording.duration_s - LAST_LOOK_S:
             advice = {
                 **one.advice,
@@ -320,9 +376,9 @@ def place(run: Evidence, wanted: Wanted) -> None:
             if key in wanted:
                 asked = one.number(key)
                 worst = max(reversed(samples), key=lambda sample: abs(sample[axis] - asked))
-                thing = f'{key} of {wanted["turtle"]} at the end (in m)'
-                thing = thing if worst is track[-1] else f'{key} of {wanted["turtle"]} at {worst[0]:.2f} s (in m)'
-                one.require_close(thing, worst[axis], asked, 0.05)
+                when = 'the end' if worst is track[-1] else f'{worst[0]:.2f} s'
+                thing = f'the {key} of the turtle {wanted["turtle"]} at {when}'
+                one.require_close(thing, worst[axis], asked, 0.05, f'write {one.code(key)} as the {key} of the turtle', unit='m')
 
 
 @kind('The frame {child} has the parent {parent}', 'child parent', f'x y z yaw by {MEASURE}')
@@ -330,34 +386,37 @@ def frame(run: Evidence, wanted: Wanted) -> None:
     """Require a frame with its parent and, optionally, its position, its yaw and the package that broadcasts it. A frame with a
     yaw must have no roll and no pitch.
     """
-    child, advice = wanted['child'], wanted.try_ or 'check the tree of frames with ros2 run tf2_tools view_frames'
-    require_frame(run, child, wanted['parent'], advice)
+    child, parent = wanted['child'], wanted['parent']
+    tree = 'check the tree of frames with ros2 run tf2_tools view_frames'
+    steps = ('check the names of the frames', tree, f'publish the frame {child} with the parent {parent}')
+    require_frame(run, child, parent, wanted.try_ or steps)
     for one in wanted.of_each(run):
         for topic in ('/tf', '/tf_static') if wanted['by'] else ():
             refuse_strangers(one.recording, topic, wanted['by'])
         for sent in transforms(run, one.scenario)[child]:
-            place = sent.frame.translation
-            for axis, key in enumerate(('x', 'y', 'z')):
-                if key in wanted:
-                    thing = f'the {key} of {child} relative to {sent.frame.parent}'
-                    one.require_close(
-                        thing, place[axis], one.number(key), 0.01, _place_advice(one, key), f'the position {numbers(place)}'
-                    )
+            place, axes = sent.frame.translation, [key for key in ('x', 'y', 'z') if key in wanted]
+            wrong = [key for key in axes if not abs(place['xyz'.index(key)] - one.number(key)) <= one.tolerance(0.01)]
+            for key in wrong:
+                thing, seen = f'the {key} of the frame {child} relative to {parent}', place['xyz'.index(key)]
+                one.require_close(thing, seen, one.number(key), 0.01, _place_advice(one, wrong), f'at {numbers(place)}', 'm')
             if 'yaw' in wanted:
-                asked = one.number('yaw')
-                turns = round((asked - yaw(sent.frame)) / tau)  # half a turn is the same to the left and to the right
-                one.require_close(f'the yaw of {child}', yaw(sent.frame) + turns * tau, asked, 0.01, _place_advice(one, 'yaw'))
-                one.require_close(
-                    f'the tilt of {child} by roll and pitch', tilt(sent.frame), 0.0, 0.01, _place_advice(one, 'yaw')
-                )
+                advice, asked, seen = _place_advice(one, ['yaw']), one.number('yaw'), yaw(sent.frame)
+                turned = seen + round((asked - seen) / tau) * tau  # half a turn is the same to the left and to the right
+                seen = turned if abs(turned - asked) <= 1.0 else seen
+                one.require_close(f'the yaw of the frame {child}', seen, asked, 0.01, advice, unit='rad')
+                one.require_close(f'the tilt of the frame {child}', tilt(sent.frame), 0.0, 0.01, advice, unit='rad')
 
 
-def _place_advice(one: OfRun, key: str) -> str | Sequence[str]:
-    """Return the rubric's advice, or advice to change one number of a transform."""
-    argument, child = ARGUMENT.fullmatch(str(one.wanted[key])), one.wanted['child']
-    value = f'the launch argument {argument[1]}' if argument else f'{one.number(key):g}'
-    what = 'check the rotation of the frame' if key == 'yaw' else 'check the position of the frame'
-    steps = (what, f'check the {key} of the frame {child}', f'set the {key} of the frame {child} to {value}')
+def _place_advice(one: OfRun, keys: Sequence[str]) -> Advice:
+    """Return the rubric's advice, or advice to change some numbers of a transform."""
+    child = one.wanted['child']
+    values: list[str] = []
+    for key in keys:
+        argument = ARGUMENT.fullmatch(str(one.wanted[key]))
+        thing = f'its {key}' if values else f'the {key} of the frame {child}'
+        values.append(f'{thing} to ' + (f'the launch argument {argument[1]}' if argument else f'{one.number(key):g}'))
+    what = 'check the rotation of the frame' if keys == ['yaw'] else 'check the position of the frame'
+    steps = (what, f'check the {" and the ".join(keys)} of the frame {child}', f'set {", and ".join(values)}')
     return one.wanted.try_ or steps
 
 
@@ -373,7 +432,8 @@ def travels(run: Evidence, wanted: Wanted) -> None:
                 expected=f'at least {asked:g} m',
                 seen=f'{way:.2f} m',
                 share=min(share, wanted['share'] or 0.0),
-                **one.advice,
+                where=run.source.place,
+                try_=wanted.try_ or _wheel_advice(one, who),
             )
 
 
@@ -384,15 +444,17 @@ def circle(run: Evidence, wanted: Wanted) -> None:
         found = fit_circle([(x, y) for _, x, y in since(track, wanted['since'] or 2.0)])
         radius = one.number('radius')
         if found is None or not found.residual <= max(one.tolerance(0.02 * radius), 0.05 * radius):
-            raise Failure(
+            moves, advice = length(track) > STANDS_M, _wheel_advice(one, who)
+            failure = Failure(
                 f'{who} does not drive a circle in the run with {one.words}',
                 expected=f'a circle with a radius of {radius:g} m',
-                seen=f'a path of {length(track):.2f} m that is not a circle'
-                if length(track) > STANDS_M
-                else f'{who} does not move',
-                **one.advice,
+                seen=f'a path of {length(track):.2f} m that is not a circle' if moves else f'{who} does not move',
+                where=run.source.place,
+                try_=wanted.try_ if wanted.try_ and advice.startswith('find') else advice,
             )
-        one.require_close(f'the radius of the circle of {who}', found.radius, radius, 0.02 * radius)
+            failure.fits_rubric = failure.try_ == wanted.try_
+            raise failure
+        one.require_close(f'the radius of the circle of {who}', found.radius, radius, 0.02 * radius, unit='m')
 
 
 @kind('{follower} stays within {within} m of {goal}', 'follower goal within', 'since driver')
@@ -416,6 +478,19 @@ def _require_driver(one: OfRun, turtle: str) -> None:
     """Require that only the `driver` of the rubric sends commands to the turtle or robot. Without `driver`, do nothing."""
     if one.wanted['driver']:
         require_driver(one.alone, f'/{turtle.strip("/")}' if turtle else '', *one.wanted['driver'].split(maxsplit=1))
+
+
+def _wheel_advice(one: OfRun, who: str) -> str:
+    """Return advice about the velocities of a turtle or robot that does not drive as expected."""
+    name = f'/{str(one.wanted["turtle"]).strip("/")}' if one.wanted['turtle'] else ''
+    usual, place = f'{name}/cmd_vel', f'{name}/pose' if name else str(one.wanted['odometry'] or '/odom')
+    topics = sorted(command_topics(one.recording, place)) or [usual]
+    sent = (
+        [message for topic in topics for _, message in one.recording.messages(topic)] if topics[0] in one.recording.topics else []
+    )
+    if not sent:
+        return f'find out why no node publishes velocities on {topics[0]}'
+    return f'check the values of the velocities on {topics[0]}: linear.x moves {who} ahead, and angular.z turns it'
 
 
 def _tracks(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, str, Track]]:
