@@ -12,18 +12,16 @@ from edugrade import Evidence, Failure, Missing, Rubric, Scenario, check
 from edugrade.library.circle_fit import fit_circle
 from edugrade.library.deaths import refuse_dead, refuse_gone
 from edugrade.library.following import require_copy, require_driver, require_near, require_pursuit
-from edugrade.library.frames import require_frame
-from edugrade.library.identity import nodes_of, process_of
+from edugrade.library.frames import require_broadcast
 from edugrade.library.launched import find_processes, require_process
 from edugrade.library.movement import turtle_track
 from edugrade.library.node_graph import loose_ends
 from edugrade.library.parameters import require_parameter
-from edugrade.source import Place
 
 TURN = 0.5  # angular speed that the teacher's file sets, in rad/s
 SETTLED_S = 12.0
 ELSE = 'find out whether another node than the listener drives turtle2'
-BROADCASTER, LISTENER = ('turtle_tf2_py', 'turtle_tf2_broadcaster'), ('turtle_tf2_py', 'turtle_tf2_listener')
+LISTENER = ('turtle_tf2_py', 'turtle_tf2_listener')
 
 
 def scenarios(random: Random) -> list[Scenario]:
@@ -69,14 +67,15 @@ def turtle1_copies(run: Evidence) -> None:
             '\n'.join(loose_ends(run.first, 'turtlesim', 'mimic')),
         )
     except Failure as failure:
-        raise _at(failure, find_processes(run.first, 'turtlesim', 'mimic')[0].origin) from None
+        failure.where = run.source.own(find_processes(run.first, 'turtlesim', 'mimic')[0].origin)
+        raise
     require_driver(run, '/turtle1', 'turtlesim', 'mimic')
 
 
 @check(points=1, needs=[no_node_dies])
 def turtle1_is_on_tf(run: Evidence) -> None:
     """A broadcaster publishes the frame turtle1 with the parent world"""
-    require_frame(run, 'turtle1', 'world', 'check the Node of broadcaster1')
+    require_broadcast(run, 'turtle1', 'restore the Node of broadcaster1')
 
 
 @check(points=3, needs=[no_node_dies])
@@ -90,17 +89,8 @@ def turtle2_is_on_tf(run: Evidence) -> None:
                 where=run.source.place,
                 try_='restore the Node of turtle_tf2_listener, which spawns turtle2',
             )
-    loose = loose_ends(run.first, *BROADCASTER)
-    try:
-        require_frame(
-            run,
-            'turtle2',
-            'world',
-            'compare the turtle name of each broadcaster with the name of the turtle that the listener spawns',
-            '\n'.join(loose),
-        )
-    except Failure as failure:
-        raise _at(failure, _deaf_broadcaster(run, loose)) from None
+    advice = 'compare the turtle name of each broadcaster with the name of the turtle that the listener spawns'
+    require_broadcast(run, 'turtle2', advice)
 
 
 @check(points=3, needs=[no_node_dies])
@@ -108,7 +98,7 @@ def target_is_turtle1(run: Evidence) -> None:
     """The listener's parameter target_frame is turtle1"""
     require_process(run, *LISTENER)
     require_parameter(
-        run, *LISTENER, 'target_frame', dict.fromkeys(run, 'turtle1'), 'write turtle1 as the value of the parameter target_frame'
+        run, *LISTENER, 'target_frame', dict.fromkeys(run, 'turtle1'), "add parameters=[{'target_frame': 'turtle1'}] to the Node"
     )
 
 
@@ -121,24 +111,6 @@ def turtle2_follows(run: Evidence) -> None:
         require_near(run, name, turtle_track(recording, '/turtle1/pose'), '/turtle2', 2 * speed + 0.3, SETTLED_S, ELSE)
         require_pursuit(run, name, '/turtle1', '/turtle2', SETTLED_S, ELSE)
     require_driver(run, '/turtle2', *LISTENER)
-
-
-def _at(failure: Failure, where: tuple[str, int] | None) -> Failure:
-    """Return the same failure with the place of a Node, if it is known."""
-    if where is not None:
-        failure.where = Place(*where)
-    return failure
-
-
-def _deaf_broadcaster(run: Evidence, loose: list[str]) -> tuple[str, int] | None:
-    """Return the place of the broadcaster whose topic has no publisher."""
-    recording = run.first
-    for position in nodes_of(recording, *BROADCASTER):
-        node = recording.nodes[position]
-        process = process_of(recording, node, position)
-        if process is not None and any(words.startswith(f'{node.name} ') for words in loose):
-            return process.origin
-    return None
 
 
 RUBRIC = Rubric(

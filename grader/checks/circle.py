@@ -9,20 +9,22 @@ from __future__ import annotations
 from collections.abc import Iterable
 from random import Random
 
-from edugrade import Evidence, Failure, Mismatch, Missing, Rubric, Scenario, check
+from edugrade import Evidence, Failure, Missing, Rubric, Scenario, check
 from edugrade.library.arguments import require_declared, require_default
 from edugrade.library.circle_fit import fit_circle
 from edugrade.library.deaths import refuse_dead
 from edugrade.library.following import require_driver
 from edugrade.library.launched import find_processes, included_files, require_process
 from edugrade.library.movement import length, odometry_track, since
-from edugrade.library.parameters import find_parameter
+from edugrade.library.parameters import require_parameter
+from edugrade.library.written import parameter_of_node
 
 ARGUMENT, DEFAULT = 'circle_radius', '1.0'
 PACKAGE, EXECUTABLE = 'part3_beyond_basics', 'param_circle.py'
 TOLERANCE = 0.02  # largest error, as a share of the radius
 SETTLED_S = 2.0  # time when the robot exists and drives
 SHORTEST_TRACK_M = 0.5
+ADVICE = f'set the radius from the launch argument {ARGUMENT}: a fixed number is right for only one circle'
 
 
 def scenarios(random: Random) -> list[Scenario]:
@@ -59,22 +61,6 @@ def node_is_started(run: Evidence) -> None:
     require_process(run, PACKAGE, EXECUTABLE)
 
 
-@check(points=1, needs=[argument_is_declared, node_is_started])
-def default_is_one_metre(run: Evidence) -> None:
-    """Without an argument, the radius is 1.0"""
-    require_default(run, ARGUMENT, DEFAULT, _has_the_default)
-
-
-def _has_the_default(run: Evidence) -> None:
-    """Require that the node reads the default without an argument."""
-    for name in run:
-        seen = _radius_parameter(run, name)
-        if seen != float(DEFAULT):
-            text = f'{EXECUTABLE} has no parameter radius' if seen is None else str(seen)
-            advice = f"add parameters=[{{'radius': LaunchConfiguration('{ARGUMENT}')}}] to the Node"
-            raise Mismatch('the parameter radius', DEFAULT, text, where=run.source.place, try_=advice)
-
-
 @check(points=1, needs=[node_is_started])
 def no_node_dies(run: Evidence) -> None:
     """No node dies before the end"""
@@ -84,46 +70,39 @@ def no_node_dies(run: Evidence) -> None:
 @check(points=2, needs=[no_node_dies])
 def radius_is_passed(run: Evidence) -> None:
     """The node's parameter radius has the value of circle_radius"""
-    wanted = [_asked_radius(run, name) for name in run]
-    seen = [_radius_parameter(run, name) for name in run]
-    if seen == wanted:
-        return
-    advice = f"add parameters=[{{'radius': LaunchConfiguration('{ARGUMENT}')}}] to the Node"
-    given = find_processes(run.first, PACKAGE, EXECUTABLE)[0].parameter_origins
-    if 'radius' not in given:
-        raise Missing('the parameter radius of the Node', name='radius', among=given, try_=advice, where=_node_place(run))
-    raise Mismatch(
-        'the parameter radius',
-        '\n'.join(f'{value:g} with {run.scenario(name).words}' for name, value in zip(run, wanted, strict=True)),
-        '\n'.join(f'{value} with {run.scenario(name).words}' for name, value in zip(run, seen, strict=True)),
-        where=_node_place(run),
-        try_=advice,
-    )
+    radii, code = {name: _asked_radius(run, name) for name in run}, f"LaunchConfiguration('{ARGUMENT}')"
+    require_parameter(run, PACKAGE, EXECUTABLE, 'radius', radii, parameter_of_node(run, 'radius', code), code=code)
 
 
-@check(points=4, needs=[world_is_there, no_node_dies])
+@check(points=1, needs=[argument_is_declared, node_is_started], explained_by=[no_node_dies, radius_is_passed])
+def default_is_one_metre(run: Evidence) -> None:
+    """Without an argument, the radius is 1.0"""
+    require_default(run, ARGUMENT, DEFAULT, _has_the_default)
+
+
+def _has_the_default(run: Evidence) -> None:
+    """Require that the node reads the default without an argument."""
+    require_parameter(run, PACKAGE, EXECUTABLE, 'radius', dict.fromkeys(run, float(DEFAULT)), ADVICE)
+
+
+@check(points=4, needs=[world_is_there, no_node_dies], explained_by=[radius_is_passed])
 def circle_is_driven(run: Evidence) -> None:
     """The robot drives circles of the requested radius, measured on /odom"""
     wanted = [_asked_radius(run, name) for name in run]
     measured = [_measured_radius(run, name) for name in run]
     require_driver(run, '', PACKAGE, EXECUTABLE)
     if not all(abs(seen - asked) <= TOLERANCE * asked for seen, asked in zip(measured, wanted, strict=True)):
-        raise Mismatch(
-            'the radius of the circles',
-            _metres(wanted),
-            _metres(measured),
-            where=_node_place(run),
-            try_=f'set the radius from the launch argument {ARGUMENT}: a fixed number is right for only one circle',
+        raise Failure(
+            f'the circles should have a radius of {_metres(run, wanted, " and of ")}',
+            expected=_metres(run, wanted, '\n'),
+            seen=_metres(run, measured, '\n'),
+            where=find_processes(run.first, PACKAGE, EXECUTABLE)[0].origin,
+            try_=ADVICE,
         )
 
 
 def _asked_radius(run: Evidence, scenario: str) -> float:
     return float(run.arguments_of(scenario)[ARGUMENT])
-
-
-def _radius_parameter(run: Evidence, scenario: str) -> object:
-    parameter = find_parameter(run[scenario], PACKAGE, EXECUTABLE, 'radius', _asked_radius(run, scenario))
-    return parameter.value if parameter is not None else None
 
 
 def _measured_radius(run: Evidence, scenario: str) -> float:
@@ -150,12 +129,8 @@ def _measured_radius(run: Evidence, scenario: str) -> float:
     return circle.radius
 
 
-def _node_place(run: Evidence) -> tuple[str, int] | None:
-    return find_processes(run.first, PACKAGE, EXECUTABLE)[0].origin
-
-
-def _metres(values: Iterable[float]) -> str:
-    return ' and '.join(f'{value:.2f} m' for value in values)
+def _metres(run: Evidence, values: Iterable[float], joint: str) -> str:
+    return joint.join(f'{value:.2f} m with {run.scenario(name).words}' for name, value in zip(run, values, strict=True))
 
 
 RUBRIC = Rubric(
@@ -165,9 +140,9 @@ RUBRIC = Rubric(
         argument_is_declared,
         world_is_there,
         node_is_started,
-        default_is_one_metre,
         no_node_dies,
         radius_is_passed,
+        default_is_one_metre,
         circle_is_driven,
     ],
 )

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from edugrade import Evidence, Failure, Mismatch, Missing, Rubric, Scenario, check
 from edugrade.library.deaths import refuse_dead, refuse_gone
 from edugrade.library.following import driven_track, require_driver
+from edugrade.library.frames import transforms
 from edugrade.library.identity import nodes_of, processes_of
 from edugrade.library.movement import length, since
 from edugrade.library.node_graph import require_started
@@ -74,15 +75,16 @@ def everybody_is_there(run: Evidence) -> None:
     """The launch argument count sets the number of followers"""
     for scenario in driven(run):
         wanted = {f'turtle{number}' for where, number in followers(run) if where == scenario} | {'turtle1'}
-        seen = {name.split('/')[1] for name in run[scenario].topics if name.startswith('/turtle') and name.endswith('/pose')}
+        poses = [topic for topic in run[scenario].topics.values() if topic.count and topic.name.endswith('/pose')]
+        seen = {topic.name.split('/')[1] for topic in poses if topic.name.startswith('/turtle')}
         if seen != wanted:
-            words = f'the turtles in the run with {run.scenario(scenario).words}'
             raise Mismatch(
-                words,
+                'the turtles',
                 ', '.join(sorted(wanted)),
                 ', '.join(sorted(seen)),
                 where=run.source.place,
                 try_='include follower.launch.py once for each follower, with a condition',
+                during=run.scenario(scenario).words,
             )
 
 
@@ -138,17 +140,18 @@ def each_knows_its_own_leader(run: Evidence) -> None:
             me, target = (parameter_of(recording, position, name) for name in ('me', 'target'))
             if me is not None and target is not None:
                 targets[me.value] = target.value
-        if targets.get(f'turtle{number}') != f'carrot_turtle{number - 1}':
+        seen = str(targets.get(f'turtle{number}', 'no target'))
+        if seen != f'carrot_turtle{number - 1}':
+            own = [recording.processes[position] for position in processes_of(recording, *FOLLOWER)]
+            last = "write parameters=[{'me': me, 'target': ['carrot_', leader]}]"
+            if seen.startswith('carrot_turtle'):
+                last = f'pass the leader turtle{number - 1} to follower.launch.py for turtle{number}'
             raise Failure(
                 f'turtle{number} does not follow turtle{number - 1}',
                 expected=f'the target carrot_turtle{number - 1}',
-                seen=str(targets.get(f'turtle{number}', 'no target')),
-                where=run.source.place_in('follower.launch.py', 'leader'),
-                try_=[
-                    'check the parameters of the Node',
-                    'set the parameters me and target of the node follower',
-                    "write parameters=[{'me': me, 'target': ['carrot_', leader]}]",
-                ],
+                seen=seen,
+                where=run.source.own(own[0].origin if own else None),
+                try_=['check the parameters of the Node', 'check me and target of the node follower', last],
             )
 
 
@@ -157,6 +160,8 @@ def each_is_near_its_carrot(run: Evidence) -> None:
     """After 20 s, each follower has driven and is within 0.8 m of its carrot"""
     for scenario, number in followers(run):
         require_driver(run.only([scenario]), f'/turtle{number}', FOLLOWER[0])
+        carrot = next(iter(transforms(run, scenario).get(f'carrot_turtle{number - 1}', ())[-1:]), None)
+        is_lost = carrot is not None and not abs(carrot.frame.translation[0] + BEHIND_M) <= 0.01
         *_, (_, x, y, theta) = run[scenario].series(f'/turtle{number - 1}/pose', 'x', 'y', 'theta')
         track = driven_track(run, scenario, f'/turtle{number}')
         away = hypot(x - BEHIND_M * cos(theta) - track[-1][1], y - BEHIND_M * sin(theta) - track[-1][2])
@@ -166,7 +171,7 @@ def each_is_near_its_carrot(run: Evidence) -> None:
                 expected=f'at most {NEAR_M:g} m from its carrot, {BEHIND_M:g} m behind turtle{number - 1}',
                 seen=f'{away:.2f} m from its carrot, after a drive of {length(track):.1f} m',
                 where=run.source.place,
-                try_=ORDER,
+                try_=f'set the x of the frame carrot_turtle{number - 1} to {-BEHIND_M:g}' if is_lost else ORDER,
             )
 
 

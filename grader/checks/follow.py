@@ -11,9 +11,11 @@ from random import Random
 from edugrade import Evidence, Failure, Missing, Rubric, Scenario, check
 from edugrade.library.deaths import refuse_dead, refuse_gone
 from edugrade.library.following import driven_track, require_arrival, require_driver, require_near, require_pursuit
-from edugrade.library.frames import require_frame
-from edugrade.library.launched import refuse_shared_names, require_process
+from edugrade.library.frames import require_broadcast
+from edugrade.library.identity import nodes_of
+from edugrade.library.launched import find_processes, refuse_shared_names, require_process
 from edugrade.library.movement import length, turtle_track
+from edugrade.library.parameters import find_parameter, parameter_advice
 
 LEADER, FOLLOWER = '/turtle1/pose', '/turtle2/pose'
 SETTLED_S = 15.0  # the follower appears at about 2 s, and has caught up long before this time
@@ -47,11 +49,12 @@ def leader_exists(run: Evidence) -> None:
     """The turtle turtle1 exists"""
     for recording in run.values():
         if not turtle_track(recording, LEADER):
+            poses = [topic for topic in recording.topics if topic.endswith('/pose') and turtle_track(recording, topic)]
             raise Missing(
-                f'the topic {LEADER}',
-                where=run.source.place,
-                name=LEADER,
-                among=recording.topics,
+                f'the turtle with the topic {LEADER}',
+                where=find_processes(recording, 'turtlesim', 'turtlesim_node')[0].origin,
+                expected=LEADER,
+                seen=', '.join(poses) or 'no pose of a turtle',
                 try_='start turtlesim_node without a namespace',
             )
 
@@ -70,13 +73,16 @@ def follower_exists(run: Evidence) -> None:
             turtles = [
                 topic.split('/')[-2] for topic in recording.topics if topic.endswith('/pose') and turtle_track(recording, topic)
             ]
+            own = [recording.nodes[position] for position in nodes_of(recording, *LISTENER)]
+            calls = [f'{node.name} calls {name}' for node in own for name, _ in node.clients if name != '/spawn']
+            advice = "add Node(package='turtle_tf2_py', executable='turtle_tf2_listener', ...), which spawns turtle2"
             raise Missing(
                 'turtle2',
                 name='turtle2',
                 expected='a turtle named turtle2',
-                seen='only ' + ', '.join(turtles),
-                where=run.source.place,
-                try_="add Node(package='turtle_tf2_py', executable='turtle_tf2_listener', ...), which spawns turtle2",
+                seen='\n'.join(['only ' + ', '.join(turtles), *(call for call in calls if call.endswith('/spawn'))]),
+                where=run.source.own(find_processes(recording, *LISTENER)[0].origin if own else None),
+                try_='start turtle_tf2_listener without a namespace, because it calls the service /spawn' if own else advice,
             )
 
 
@@ -101,28 +107,36 @@ def leader_moves_when_asked(run: Evidence) -> None:
         )
 
 
-@check(points=2, needs=[leader_is_on_tf, follower_is_on_tf])
+@check(points=2, needs=[leader_is_on_tf, follower_is_on_tf], explained_by=[leader_moves_when_asked])
 def standing_leader_is_reached(run: Evidence) -> None:
     """turtle2 drives to turtle1 and stays there, if turtle1 does not move"""
     _require_near(run, 'standing')
-    require_arrival(run, 'standing', '/turtle2', LISTEN)
+    require_arrival(run, 'standing', '/turtle2', _listener_advice(run))
     require_driver(run, '/turtle2', *LISTENER)
 
 
-@check(points=2, needs=[leader_is_on_tf, follower_is_on_tf, leader_moves_when_asked])
+@check(points=2, needs=[leader_is_on_tf, follower_is_on_tf, leader_moves_when_asked], explained_by=[standing_leader_is_reached])
 def moving_leader_is_followed(run: Evidence) -> None:
     """turtle2 stays close to turtle1 while turtle1 moves"""
     _require_near(run, 'moving')
-    require_pursuit(run, 'moving', '/turtle1', '/turtle2', SETTLED_S, LISTEN)
+    require_pursuit(run, 'moving', '/turtle1', '/turtle2', SETTLED_S, _listener_advice(run))
     require_driver(run, '/turtle2', *LISTENER)
 
 
 def _require_frame(run: Evidence, turtle: str) -> None:
-    require_frame(run, turtle, 'world', f"add a turtle_tf2_broadcaster with parameters=[{{'turtlename': '{turtle}'}}]")
+    require_broadcast(run, turtle, f"add a turtle_tf2_broadcaster with parameters=[{{'turtlename': '{turtle}'}}]")
+
+
+def _listener_advice(run: Evidence) -> str:
+    """Return advice to correct the goal of the listener, or to look for another reason if it has the right goal."""
+    goal, own = find_parameter(run.first, *LISTENER, 'target_frame'), find_processes(run.first, *LISTENER)
+    if goal is not None and goal.value == 'turtle1':
+        return 'find out what else drives turtle2 or moves it'
+    return parameter_advice(run, 'target_frame', 'turtle1', goal, own[0].parameter_origins if own else (), LISTEN)
 
 
 def _require_near(run: Evidence, name: str) -> None:
-    require_near(run, name, turtle_track(run[name], LEADER), '/turtle2', BOUNDS_M[name], SETTLED_S, LISTEN)
+    require_near(run, name, turtle_track(run[name], LEADER), '/turtle2', BOUNDS_M[name], SETTLED_S, _listener_advice(run))
 
 
 RUBRIC = Rubric(

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from random import Random
 
-from edugrade import Evidence, Mismatch, Rubric, Scenario, check
+from edugrade import Evidence, Failure, Rubric, Scenario, check
 from edugrade.library.deaths import refuse_dead, refuse_gone
 from edugrade.library.following import require_arrival, require_copy, require_driver, require_near, still
 from edugrade.library.frames import frames_at_end, place_in, require_frame
@@ -66,12 +66,14 @@ def water_comes_from_the_file(run: Evidence) -> None:
         }
         if wrong:
             refuse_missing_file(run, wrong.values(), 'turtlesim')
-            raise Mismatch(
-                f'the water of {node}',
-                '; '.join(f'{name} {value}' for name, value in WATER.items()),
-                '; '.join(f'{name} {value_and_origin(parameter)}' for name, parameter in seen.items()),
+            is_key = all(parameter.origin == 'default' for parameter in seen.values())
+            key = 'begin the file with /**: above ros__parameters, because /** matches every node'
+            raise Failure(
+                f'{", ".join(wrong)} of {node} should come from {CONFIG}',
+                expected='\n'.join(f'{name} is {WATER[name]}' for name in wrong),
+                seen='\n'.join(f'{name} is {value_and_origin(parameter)}' for name, parameter in wrong.items()),
                 where=run.source.place_in(CONFIG, r'\bros__parameters\b|^\S+:'),
-                try_='begin the file with /**: above ros__parameters, because /** matches every node',
+                try_=key if is_key else f'check the name and the value of {", ".join(wrong)} in {CONFIG}',
             )
 
 
@@ -86,6 +88,7 @@ def goal_is_passed_on(run: Evidence) -> None:
         {name: run.scenario(name).arguments['goal'] for name in run},
         "pass target_frame=LaunchConfiguration('goal') to the included follower.launch.py",
         run.source.place_in(TOP, r"^(?!    ros2 ).*\('follower.launch.py'"),
+        "LaunchConfiguration('goal')",
     )
 
 
@@ -110,7 +113,7 @@ def goal_is_reached(run: Evidence) -> None:
     require_driver(run, '/turtle2', *LISTENER)
 
 
-@check(points=1, needs=[second_world_is_there])
+@check(points=1, needs=[second_world_is_there], explained_by=[goal_is_passed_on])
 def mimic_copies(run: Evidence) -> None:
     """turtle1 of the second world copies turtle2"""
     require_copy(

@@ -5,6 +5,7 @@ Two runs have heights that the student cannot predict. The frames in tf decide, 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import pi
 from random import Random
 from typing import TYPE_CHECKING
@@ -43,12 +44,6 @@ def laser_is_on_tf(run: Evidence) -> None:
     require_frame(run, 'laser', 'base_link', f'start {PUBLISHER} with --frame-id base_link and --child-frame-id laser')
 
 
-@check(points=1, needs=[laser_is_on_tf])
-def argument_is_declared(run: Evidence) -> None:
-    """The launch argument height is declared and has a default"""
-    require_default(run, ARGUMENT, None, _require_height)
-
-
 def _height(run: Evidence, name: str) -> float:
     text = run.arguments_of(name)[ARGUMENT]
     try:
@@ -57,6 +52,29 @@ def _height(run: Evidence, name: str) -> float:
         raise Mismatch(
             f'the default value of {ARGUMENT}', 'a number', text, where=run.source.place, try_="write default_value='0.5'"
         ) from None
+
+
+@check(points=3, needs=[laser_is_on_tf])
+def laser_is_in_its_place(run: Evidence) -> None:
+    """The laser is 0.2 m in front of base_link, and the launch argument height is its height"""
+    for name in run:
+        height = _height(run, name)
+        _require_place(run, name, 'laser', (0.2, 0.0, height), ("'0.2'", '', f"LaunchConfiguration('{ARGUMENT}')"))
+        for frame in (sent.frame for sent in transforms(run, name)['laser']):
+            if not (abs(yaw(frame)) <= TOLERANCE_RAD and tilt(frame) <= TOLERANCE_RAD):
+                raise Mismatch(
+                    'the direction of the laser',
+                    'that of base_link',
+                    f'a yaw of {yaw(frame):.2f} rad and a tilt of {tilt(frame):.2f} rad',
+                    where=run.source.place,
+                    try_='remove the angles from the arguments of its Node',
+                )
+
+
+@check(points=1, needs=[laser_is_on_tf], explained_by=[laser_is_in_its_place])
+def argument_is_declared(run: Evidence) -> None:
+    """The launch argument height is declared and has a default"""
+    require_default(run, ARGUMENT, None, _require_height)
 
 
 def _require_height(run: Evidence) -> None:
@@ -70,29 +88,6 @@ def _require_height(run: Evidence) -> None:
                 raise Mismatch('the height of the laser', f'{height:g}', f'{seen:g}', where=run.source.place, try_=advice)
 
 
-@check(points=3, needs=[laser_is_on_tf])
-def laser_is_in_its_place(run: Evidence) -> None:
-    """The laser is 0.2 m in front of base_link, and the launch argument height is its height"""
-    for name in run:
-        height = _height(run, name)
-        _require_place(
-            run,
-            name,
-            'laser',
-            (0.2, 0.0, height),
-            f"write '--x', '0.2' and '--z', LaunchConfiguration('{ARGUMENT}') in the arguments of its Node",
-        )
-        for frame in (sent.frame for sent in transforms(run, name)['laser']):
-            if not (abs(yaw(frame)) <= TOLERANCE_RAD and tilt(frame) <= TOLERANCE_RAD):
-                raise Mismatch(
-                    'the direction of the laser',
-                    'that of base_link',
-                    f'a yaw of {yaw(frame):.2f} rad and a tilt of {tilt(frame):.2f} rad',
-                    where=run.source.place,
-                    try_='remove the angles from the arguments of its Node',
-                )
-
-
 @check(points=2, needs=[no_node_dies])
 def camera_is_on_tf(run: Evidence) -> None:
     """The frame camera has the parent laser"""
@@ -103,12 +98,12 @@ def camera_is_on_tf(run: Evidence) -> None:
 def camera_is_in_its_place(run: Evidence) -> None:
     """The camera is 0.1 m above the laser and turned to the left"""
     for name in run:
-        _require_place(run, name, 'camera', (0.0, 0.0, 0.1), "write '--z', '0.1' in the arguments of its Node")
+        _require_place(run, name, 'camera', (0.0, 0.0, 0.1), ('', '', "'0.1'"))
         for sent in transforms(run, name)['camera']:
             _require_turn(run, sent.frame)
 
 
-@check(points=1, needs=[no_node_dies])
+@check(points=1, needs=[no_node_dies], explained_by=[laser_is_on_tf, camera_is_on_tf])
 def frames_are_static(run: Evidence) -> None:
     """Both frames are static: they are published once and stay valid"""
     for name in run:
@@ -132,16 +127,20 @@ def frames_are_static(run: Evidence) -> None:
             )
 
 
-def _require_place(run: Evidence, name: str, child: str, wanted: tuple[float, float, float], try_: str) -> None:
+def _require_place(run: Evidence, name: str, child: str, wanted: tuple[float, float, float], codes: Sequence[str]) -> None:
+    """Require the position of a frame. `codes` has the code of each coordinate for the advice, or '' for 0."""
     for frame in (sent.frame for sent in transforms(run, name)[child]):
-        if all(abs(seen - asked) <= TOLERANCE_M for seen, asked in zip(frame.translation, wanted, strict=True)):
+        wrong = [axis for axis in range(3) if not abs(frame.translation[axis] - wanted[axis]) <= TOLERANCE_M]
+        if not wrong:
             continue
+        words = [f"write '--{'xyz'[axis]}', {codes[axis]}" if codes[axis] else f"remove '--{'xyz'[axis]}'" for axis in wrong]
         raise Mismatch(
-            f'the position of {child} relative to {frame.parent} in the run with {run.scenario(name).words}',
-            f'x, y, z = {numbers(wanted)}',
-            f'x, y, z = {numbers(frame.translation)}',
+            f'the position of {child} relative to {frame.parent}',
+            f'x, y, z = {numbers(wanted)} m',
+            f'x, y, z = {numbers(frame.translation)} m',
             where=run.source.place,
-            try_=try_,
+            try_=f'{", and ".join(words)} in the arguments of its static_transform_publisher',
+            during=run.scenario(name).words,
         )
 
 
@@ -164,8 +163,8 @@ RUBRIC = Rubric(
     checks=[
         no_node_dies,
         laser_is_on_tf,
-        argument_is_declared,
         laser_is_in_its_place,
+        argument_is_declared,
         camera_is_on_tf,
         camera_is_in_its_place,
         frames_are_static,

@@ -104,6 +104,8 @@ class Outcome(NamedTuple):
 
 
 Found = TypeVar('Found')
+Advice = str | Sequence[str] | None
+"""What to do, in one step or in several steps that become more specific."""
 
 
 class Evidence(Mapping[str, 'Recording']):
@@ -205,7 +207,10 @@ class Failure(Exception):
     :param share: the share of the points that the check still gives: at least 0 and less than 1.
     :param name: the bare name that the check looked for. With `among`, the report advises to correct the nearest name.
     :param among: the names that exist.
+    :ivar fits_rubric: whether the advice is that of the rubric, so that its steps lead to it.
     """
+
+    fits_rubric = True
 
     def __init__(
         self,
@@ -214,7 +219,7 @@ class Failure(Exception):
         expected: object = None,
         seen: object = None,
         where: tuple[str, int | None] | None = None,
-        try_: str | Sequence[str] | None = None,
+        try_: Advice = None,
         share: float = 0.0,
         name: str | None = None,
         among: Iterable[str] = (),
@@ -227,27 +232,26 @@ class Failure(Exception):
         texts = [try_] if isinstance(try_, str) else list(try_ or ())
         self.steps, self.try_ = tuple(texts[:-1]), texts[-1] if texts else None
         self.share = share if 0.0 <= share < 1.0 else 0.0
-        self.name, self.known, self._may_ask = name, list(among), try_ is None or isinstance(try_, str)
+        self.name, self.known = name, list(among)
 
     def correct(self, texts: Iterable[str]) -> None:
-        """Advise to correct a name that the student wrote and that is similar to the expected name, before the other advice.
+        """Advise to correct a name that the student wrote and that is similar to the expected name, instead of the other advice.
 
         :param texts: what the student wrote. The advice never names anything that is not a whole word of these strings.
         """
-        name, try_ = self.name, self.try_
-        if name is None or name in self.known or not self._may_ask:
+        name = self.name
+        if name is None or name in self.known:
             return
         from edulaunch.engine.nearest import nearest
 
         close = nearest(name, self.known)
         if close is None or _has_other_part(name, close):
             return
-        written = re.compile(rf'(?<!\w){re.escape(close.rpartition("/")[2])}(?!\w)')
+        pairs = [pair for pair in zip(name.split('/'), close.split('/'), strict=True) if pair[0] != pair[1]]
+        right, wrong = pairs[0] if len(pairs) == 1 else (name, close)  # a launch file may write the parts of a name in two places
+        written = re.compile(rf'(?<!\w){re.escape(wrong.rpartition("/")[2])}(?!\w)')
         if any(written.search(text) for text in texts):
-            if try_ is None:
-                self.try_ = f'write "{name}" instead of "{close}"'
-            else:
-                self.try_ = f'write "{name}" instead of "{close}", or {try_}'
+            self.try_ = f'write "{right}" instead of "{wrong}"'
 
 
 class Missing(Failure):
@@ -267,7 +271,7 @@ class Missing(Failure):
         expected: object = None,
         seen: object = None,
         where: tuple[str, int | None] | None = None,
-        try_: str | Sequence[str] | None = None,
+        try_: Advice = None,
     ) -> None:
         known = list(among)
         if known:  # otherwise, the name and `none` would only repeat the headline
@@ -291,7 +295,10 @@ LONGEST_VALUE = 60
 
 
 class Mismatch(Failure):
-    """A thing has another value than the expected value. The report shows both values in full."""
+    """A thing has another value than the expected value. The report shows both values in full.
+
+    :param during: the arguments of the run, in words.
+    """
 
     def __init__(
         self,
@@ -300,10 +307,12 @@ class Mismatch(Failure):
         seen: object,
         *,
         where: tuple[str, int | None] | None = None,
-        try_: str | Sequence[str] | None = None,
+        try_: Advice = None,
         share: float = 0.0,
+        during: str = '',
     ) -> None:
         wanted = str(expected)
         is_short = len(wanted) <= LONGEST_VALUE and '\n' not in wanted
         words = f'{thing} should be {wanted}' if is_short else f'{thing} is not as expected'
+        words = f'{words} in the run with {during}' if during else words
         super().__init__(words, expected=expected, seen=seen, where=where, try_=try_, share=share)

@@ -17,7 +17,7 @@ from .library.deaths import words_on_deaths
 from .library.launched import VISITOR
 from .results import FAILED, GRADER_BROKE, LAUNCHES, NOT_RUN, PASSED, CheckResult
 from .rubric import Check
-from .source import Place, SubmittedText
+from .source import Place, SubmittedText, is_shipped
 from .worker import TooLong, cpu_limit, in_worker
 
 if TYPE_CHECKING:
@@ -32,7 +32,8 @@ def judge(
 ) -> list[CheckResult]:
     """Return the result of each check in the rubric's order. The first result states whether the launch file runs.
 
-    A check runs if all checks that it needs have passed. Without a recording, no check runs and no check passes.
+    A check runs if all checks that it needs have passed. Without a recording, no check runs and no check passes. A failure that
+    another failed check explains has the status of a check that did not run, and as few points.
     """
     results = {LAUNCHES: _launches(outcomes, source)}
     scenarios = {outcome.scenario.name: outcome.scenario for outcome in outcomes}
@@ -41,8 +42,11 @@ def judge(
     bare = {outcome.scenario.name: outcome.bare for outcome in outcomes if outcome.bare}
     evidence = Evidence(scenarios, recordings, source, names, bags, bare)
     for check in checks:
-        blocker = _blocker(check, results)
+        blocker = _blocker((LAUNCHES, *(need.name for need in check.needs)), results)
         result = _result(check, evidence) if blocker is None else _not_run(check, blocker, results)
+        if result.status == FAILED and not result.share:
+            blocker = _blocker(check.explained_by, results)
+            result = result if blocker is None else _not_run(check, blocker, results)
         results[check.name] = result
     return with_causes(list(results.values()), evidence)
 
@@ -99,14 +103,12 @@ def _which(bad: Sequence[Outcome], outcomes: Sequence[Outcome]) -> str | None:
     """Return words that name the launches that failed, or None if all launches failed."""
     if len(bad) == len(outcomes):
         return None
-    return 'a failure only with ' + ' and with '.join(outcome.scenario.words for outcome in bad)
+    runs = ', and with '.join(outcome.scenario.words for outcome in bad)
+    return f'a failure in {len(bad)} of the {len(outcomes)} runs: with {runs}'
 
 
-def _blocker(check: Check, results: Mapping[str, CheckResult]) -> CheckResult | None:
-    for name in (LAUNCHES, *(need.name for need in check.needs)):
-        if results[name].status != PASSED:
-            return results[name]
-    return None
+def _blocker(names: Sequence[str], results: Mapping[str, CheckResult]) -> CheckResult | None:
+    return next((results[name] for name in names if name in results and results[name].status != PASSED), None)
 
 
 def _not_run(check: Check, blocker: CheckResult, results: Mapping[str, CheckResult]) -> CheckResult:
@@ -198,8 +200,8 @@ LONGEST_S = 2.0  # this usually takes a hundredth of this time
 DIED = ' died with exit code '
 COVERED_BY_CHECKS = ('launch.unknown-argument', 'programs.died', 'programs.interrupted', 'programs.rule-failed')
 """Rubrics report dead programs and missing arguments themselves. The arguments of a run come from the grader."""
-SHORTEST_NAME = 4
-"""The fewest characters of a name that may be searched in a message."""
+SHORTEST_NAME, SHORTEST_OPTION = 4, 3
+"""The fewest characters of a name that may be searched in a message, and of a name in advice."""
 
 
 def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckResult]:
@@ -211,7 +213,9 @@ def with_causes(results: list[CheckResult], evidence: Evidence) -> list[CheckRes
         return results
     kept = _with_last_line(results, evidence)
     found = _findings(evidence, any(map(_is_death, kept)))
-    findings = [finding for finding in found if not any(_is_reported(finding, result) for result in kept)]
+    findings = [
+        finding for finding in found if not any(_is_reported(finding, result) or _is_reversed(finding, result) for result in kept)
+    ]
     fitting = [(finding, *_fitting(finding, kept)) for finding in findings]
     for finding, _, positions in sorted(fitting, key=lambda each: each[1]):  # the best fit comes first
         free = next((position for position in positions if kept[position].cause is None), None)
@@ -224,7 +228,7 @@ def _fitting(finding: Finding, results: Sequence[CheckResult]) -> tuple[int, lis
     """Return the positions of the failed checks that a finding fits best, after the rank of this fit, which is 0 for the best.
     The finding explains no other check.
     """
-    fits = (_has_both, _is_named, _is_near_in_node, _is_near, _is_there, _is_part)
+    fits = (_has_both, _is_named, _is_near_in_node, _is_near, _is_there, _is_part, _is_in_advice)
     for rank, is_about in enumerate(fits):
         found = [at for at, result in enumerate(results) if result.status == FAILED and is_about(finding, result)]
         if found:
@@ -245,6 +249,10 @@ def _findings(evidence: Evidence, death_is_covered: bool) -> list[Finding]:
         return []
     covered = COVERED_BY_CHECKS if death_is_covered else tuple(rule for rule in COVERED_BY_CHECKS if rule != 'programs.died')
     kept = [finding for finding in found if finding.rule not in covered and not _is_of_the_grader(finding)]
+    for position, finding in enumerate(kept):
+        if finding.file is not None and is_shipped(finding.file):  # the student's line is the one that includes this file
+            place = evidence.source.own((finding.file, finding.line), r'IncludeLaunchDescription\(|<include|include:')
+            kept[position] = finding._replace(file=place.file, line=place.line)
     return list({(each.rule, each.name, each.file, each.line): each for each in reversed(kept)}.values())[::-1]
 
 
@@ -292,6 +300,16 @@ def _is_reported(finding: Finding, result: CheckResult) -> bool:
     return finding.facts.get('near') is None and result.reason == f'the {finding.kind} {finding.name} is missing'
 
 
+def _is_reversed(finding: Finding, result: CheckResult) -> bool:
+    """Return whether a finding suggests the name that a failed check has found in place of the name that the finding is about."""
+    names = finding.name, finding.facts.get('near')
+    where = result.expected or '', (result.seen or '').split('(')[0]
+    return result.status == FAILED and all(
+        isinstance(name, str) and _names(name, text) and not _names(name, other)
+        for name, text, other in zip(names, where, reversed(where), strict=True)
+    )
+
+
 def _has_both(finding: Finding, result: CheckResult) -> bool:
     """Return whether a check names both the wrong name and the right name of a finding."""
     return _has_name(result, finding.facts.get('near')) and _is_named(finding, result)
@@ -327,14 +345,29 @@ def _is_part(finding: Finding, result: CheckResult) -> bool:
     """Return whether a check names the turtle of a topic, the frame from which a lookup starts, or the joints of a robot."""
     topics = [str(topic) for topic in (finding.name, finding.facts.get('near')) if str(topic).endswith(('/cmd_vel', '/pose'))]
     turtles = [topic.rpartition('/')[0].strip('/') for topic in topics]
-    is_its = any(result.reason.lstrip('/').startswith(f'{turtle} ') for turtle in turtles)
+    words = result.reason.lstrip('/').split()
+    is_its = any(turtle in words[:1] or words[1:3] == ['frame', turtle] for turtle in turtles)
     has_joint = 'joints' in finding.facts and 'joint' in _words_of(result)
     return is_its or has_joint or _has_name(result, finding.facts.get('target'))
 
 
+def _is_in_advice(finding: Finding, result: CheckResult) -> bool:
+    """Return whether the advice of a check contains the right name of a finding, the options of its program, or the node whose
+    remapping has no effect.
+    """
+    advice = ' '.join(filter(None, (*result.steps, result.try_)))
+    node = finding.name.rpartition('/')[2] if finding.rule == 'launch.remapping-unused' else None
+    option = str(finding.facts.get('option') or '').lstrip('-')
+    names = (finding.facts.get('near'), node, option if finding.kind == 'process' else None)
+    return any(isinstance(name, str) and len(name) >= SHORTEST_OPTION and _names(name.lstrip('-'), advice) for name in names)
+
+
 def _has_name(result: CheckResult, name: object) -> bool:
-    is_name = isinstance(name, str) and len(name) >= SHORTEST_NAME
-    return is_name and re.search(rf'(?<![\w/]){re.escape(str(name))}(?![\w/])', _words_of(result)) is not None
+    return isinstance(name, str) and len(name) >= SHORTEST_NAME and _names(name, _words_of(result))
+
+
+def _names(name: str, text: str) -> bool:
+    return re.search(rf'(?<![\w/]){re.escape(name)}(?![\w/])', text) is not None
 
 
 def _words_of(result: CheckResult) -> str:

@@ -26,6 +26,7 @@ class Check(NamedTuple):
     :param function: the function of the check.
     :param points: the points for passing the check.
     :param needs: the checks that must pass before the result of this check is useful.
+    :param explained_by: the names of earlier checks. While one of them does not pass, a failure of this check is not reported.
     """
 
     name: str
@@ -33,12 +34,15 @@ class Check(NamedTuple):
     function: CheckFunction
     points: int = 0
     needs: tuple[Check, ...] = ()
+    explained_by: tuple[str, ...] = ()
 
     def __call__(self, run: Evidence) -> None:
         self.function(run)
 
 
-def check(*, points: int = 0, needs: Sequence[Check] = ()) -> Callable[[CheckFunction], Check]:
+def check(
+    *, points: int = 0, needs: Sequence[Check] = (), explained_by: Sequence[Check] = ()
+) -> Callable[[CheckFunction], Check]:
     """Turn a function into a check. The first line of its docstring is the sentence that the student reads.
 
     :raises ValueError: if the function has no docstring, or the points are negative.
@@ -53,7 +57,8 @@ def check(*, points: int = 0, needs: Sequence[Check] = ()) -> Callable[[CheckFun
             raise ValueError(f'the check {name}() has {points!r} points; points are whole numbers, and never negative')
         if not all(isinstance(need, Check) for need in needs):
             raise ValueError(f'the check {name}() needs {needs!r}; write check functions, not their names')
-        return Check(name, text.splitlines()[0].strip(), function, points, tuple(needs))
+        causes = tuple(each.name for each in explained_by)
+        return Check(name, text.splitlines()[0].strip(), function, points, tuple(needs), causes)
 
     return make
 

@@ -86,7 +86,7 @@ def test_without_a_recording_no_check_is_run() -> None:
 
 def test_a_run_that_fails_with_one_argument_only_says_so() -> None:
     results = judged([good], Outcome(ONE, 'recorded', recording=RECORDING), Outcome(TWO, 'stopped', text='too slow'))
-    assert results['launches'].seen == 'a failure only with radius:=1.0'
+    assert results['launches'].seen == 'a failure in 1 of the 2 runs: with radius:=1.0'
     assert results['good'].status == 'not_run'
 
 
@@ -216,3 +216,26 @@ def test_a_rule_that_breaks_costs_no_mark() -> None:
     results = graded('circle', lambda scenario: Breaking(**vars(circle_run(0.5))))
     assert results['radius_is_passed'].status == 'failed'
     assert results['radius_is_passed'].cause is None
+
+
+def test_a_failure_that_another_one_explains_is_not_reported() -> None:
+    @check(points=4, explained_by=[bad])
+    def result_of_bad(run: Evidence) -> None:
+        """It follows"""
+        raise Failure('it does not follow')
+
+    found = judged([good, bad, result_of_bad])['result_of_bad']
+    assert (found.status, found.root_cause, found.earned) == ('not_run', 'bad', 0)
+    assert judged([result_of_bad])['result_of_bad'].status == 'failed'
+
+
+def test_a_finding_that_suggests_the_wrong_name_is_left_out() -> None:
+    back = found('frame', 'base_link', near='baselink')._replace(rule='tf.unknown-frame')
+    check_of_parent = failed('parent', expected='the parent base_link', seen='the parent baselink')
+    assert [result.cause for result in with_causes([check_of_parent], evidence(back))] == [None]
+
+
+def test_a_finding_stands_at_the_check_whose_advice_names_its_remapping() -> None:
+    unused = found('node', '/mimic', old='/output/cmd_vels', near='output/cmd_vel')._replace(rule='launch.remapping-unused')
+    checks = [failed('other'), failed('copies', try_='check the remappings of the Node of mimic')]
+    assert [result.cause for result in with_causes(checks, evidence(unused))] == [None, unused]

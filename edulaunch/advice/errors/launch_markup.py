@@ -199,7 +199,7 @@ def path_as_package(failure: Failure) -> Iterator[Finding]:
 
 CALL_SYNTAX = about(
     'launch.call-syntax',
-    what="launch cannot read '{text}': it expects {expected_there} at column {column}",
+    what="launch cannot read '{text}': at column {column}, it expects {expected_there}",
     do='check that brackets are closed, that quotes come in pairs, and that one space precedes each argument',
 )
 OPEN_QUOTE = about('launch.open-quote', what="a quote in '{text}' is not closed", do='close the quote before a $(...) begins')

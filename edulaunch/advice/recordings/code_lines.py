@@ -209,7 +209,7 @@ def only_number(tree: ast.Module, name: str) -> float | None:
 
 @rule(
     'programs.exit-in-callback',
-    what='{written} in {callback}() ended the program of {node} when it received message number {messages}: did you mean return?',
+    what='{written} in {callback}() ended the program of {node} when it received message number {messages}',
     why='exit() ends the whole program, and the node with it; return ends only this call of {callback}()',
     do='replace {written} with return, if the node should wait for the next message',
     lesson='09_broadcaster_and_listener',

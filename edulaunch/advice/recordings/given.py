@@ -189,7 +189,7 @@ def few_arguments(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.degrees',
-    what='{process} rotates its frame by {option} {value}: is this value in degrees?',
+    what='{process} rotates its frame by {option} {value}, which is more than a full turn in radians',
     why='all angles in ROS 2 are in radians: a quarter turn is 1.5708, and a full turn is 6.2832',
     do='write {option} {radians}',
     lesson='08_static_broadcaster',
@@ -208,7 +208,7 @@ def static_degrees(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'tf.old-order',
-    what='{process} rotates its frame by {angle} about the x axis (roll): did you mean the z axis (yaw)?',
+    what='{process} rotates its frame by {angle} about the x axis (roll), and not about the z axis (yaw)',
     why='without option names, the order is x y z yaw pitch roll',
     do='use option names: --x {x} --y {y} --z {z} --yaw {angle} --frame-id {parent} --child-frame-id {child}',
     lesson='08_static_broadcaster',

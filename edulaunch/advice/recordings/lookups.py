@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.runs import broadcasts, fact_place, frame_names, node_of, root_of
+from edulaunch.advice.runs import broadcast_place, broadcasts, fact_place, frame_names, node_of, root_of
 from edulaunch.engine.nearest import nearest, nearest_spelling
 
 if TYPE_CHECKING:
@@ -41,6 +41,7 @@ def _found(recording: Recording, fact: Fact, frame: str, **facts: Any) -> Findin
     why='the lookup can never succeed, so code that waits for it waits forever',
     do=(
         "write '{near}' if you mean that frame",
+        "write LaunchConfiguration('{argument}') in place of the string '{argument}'",
         "start the node that broadcasts '{frame}', or look up one of these frames: {frames}",
         'start a node that broadcasts transforms, because this run has no frames at all',
     ),
@@ -54,7 +55,12 @@ def unknown_frame(recording: Recording) -> Iterator[Finding]:
     for fact in _lookups(recording):
         for name in fact.data['unknown'] if known else fact.data['unknown'][-1:]:
             if name and name.removeprefix('/') not in known:
-                yield _found(recording, fact, name, near=_near(name.removeprefix('/'), known), frames=sorted(known)[:8])
+                near, is_argument = (
+                    _near(name.removeprefix('/'), known),
+                    name in {each.name for each in recording.launch.declared},
+                )
+                facts: dict[str, Any] = {'near': near, 'argument': name if is_argument else None}
+                yield _found(recording, fact, name, frames=sorted(known)[:8], **facts)
 
 
 def _near(name: str, known: list[str]) -> str | None:
@@ -166,7 +172,12 @@ def separate_trees(recording: Recording) -> Iterator[Finding]:
                 declared = {argument.name for argument in recording.launch.declared}
                 argument = next((root for root in (first, second) if root in declared), None)
                 facts = {'misspelt': misspelt, 'near': near.get(misspelt or ''), 'argument': argument}
-                yield _found(recording, fact, source, first=first, second=second, **facts)
+                report = _found(recording, fact, source, first=first, second=second, **facts)
+                sent = next((one for one in broadcasts(recording) if one.parent in (misspelt, argument)), None)
+                if sent is not None:  # the mistake is in the program that broadcasts this parent
+                    place = broadcast_place(recording, sent.node, '/tf_static' if sent.is_static else '/tf')
+                    report = report._replace(file=place[0], line=place[1])
+                yield report
 
 
 def _meant_root(recording: Recording, root: str) -> str | None:
@@ -187,7 +198,7 @@ def _meant_root(recording: Recording, root: str) -> str | None:
     do=(
         'pass rclpy.time.Time() to get the newest transform; this lookup blocks the node for {waited_s} s, so '
         'it receives no new transforms',
-        'pass rclpy.time.Time() as the time to get the newest transform',
+        'look up a time in the past, or pass rclpy.time.Time() as the time to get the newest transform',
     ),
     lesson=LESSON,
     level='error',

@@ -161,7 +161,7 @@ def unused(recording: Recording) -> Iterator[Finding]:
                     'old': one.match,
                     'new': one.replacement,
                     'named': named,
-                    'near': _near(node, one, names),
+                    'near': _own_form(node, one.match, _near(node, one, names)),
                     'names': names[:8],
                 }
                 yield found('node', node.name, file=file, line=line, time_s=node.started_s, **facts)
@@ -178,6 +178,13 @@ def _used(recording: Recording) -> set[str]:
         for one in remappings(process)
         if any(_has(node, one) for node in nodes.get(process.name, ()))
     }
+
+
+def _own_form(node: NodeRecord, given: str, near: str | None) -> str | None:
+    """Return a name as a program may use it: without the namespace of its node, unless this would repeat the given name."""
+    namespace = node.name.rpartition('/')[0]
+    own = near.removeprefix(f'{namespace}/') if near is not None else None
+    return near if own == given else own
 
 
 def _near(node: NodeRecord, rule: RemapRule, names: list[str]) -> str | None:

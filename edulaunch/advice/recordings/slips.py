@@ -57,7 +57,7 @@ def _is_known(tree: ast.Module, written: str) -> bool:
 
 @rule(
     'programs.atan2-swapped',
-    what='{written} gets the difference in x first: did you swap the two arguments?',
+    what='{written} has the difference in x as its first argument',
     why='the first argument of atan2 is the difference in y, and the second one is the difference in x',
     do='write math.atan2({second}, {first})',
     lesson='10_carrots',

@@ -41,7 +41,11 @@ def _printed(recording: Recording) -> Iterator[tuple[ProcessRecord, str]]:
         "the parameter '{parameter}' of {node} is of type {expected}, but its value is of type {given}",
     ),
     why='ROS 2 does not convert the value to the type of the parameter, so the program ends',
-    do=('write {meant}', 'write a value of type {expected}'),
+    do=(
+        'write {meant}',
+        "write LaunchConfiguration('{argument}') in place of the string '{argument}'",
+        'write a value of type {expected}',
+    ),
     lesson='03_parameters',
     level='error',
     hides=('programs.died', 'programs.parameter-not-declared', 'messages.nobody-publishes', 'messages.nobody-listens'),
@@ -65,6 +69,7 @@ def value_of_other_type(recording: Recording) -> Iterator[Finding]:
         value = given.get('value')
         facts: dict[str, Any] = {'node': given.get('node', process.name), 'value': value, **match.groupdict()}
         facts['meant'] = None if value is None else _meant(str(value), match['expected'])
+        facts['argument'] = value if value in [each.name for each in recording.launch.declared] else None
         facts['parameter'] = facts.pop('name')
         yield found('process', process.name, file=file, line=line, time_s=process.ended_s, **facts)
 

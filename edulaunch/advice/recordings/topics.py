@@ -13,6 +13,7 @@ from edulaunch.engine.graph.names import expand_name
 from edulaunch.engine.nearest import nearest, nearest_spelling
 
 if TYPE_CHECKING:
+    from edulaunch.engine.graph.names import RemapRule
     from edulaunch.engine.recording import Recording
     from edulaunch.engine.recording.records import EndRecord
 
@@ -88,7 +89,10 @@ def other_topic(recording: Recording) -> Iterator[Finding]:
             continue
         if (end.node in own or other.node in own) and _sent(recording, end):
             repair = _repair(recording, end, other)
-            mine = other if repair['outside'] == other.node or end.node not in own else end
+            is_first = speaker(recording, end.node) in (repair['remapped'], repair['command'], repair['publisher'])
+            changed = end if is_first or (repair['first'] or ' ') + other.name == end.name else other
+            mine = changed if changed.node in own else end if end.node in own else other
+            mine = other if repair['outside'] == other.node else mine
             place = end_place(recording, mine.kind, mine.name, mine.node)
             yield found(
                 'topic',
@@ -115,9 +119,11 @@ def _repair(recording: Recording, end: EndRecord, other: EndRecord) -> dict[str,
         if known is None and namespace and partner.name == namespace + one.name:
             facts |= {'relative': one.name[1:], 'outside': one.node}
     is_slip = nearest_spelling(end.name, [other.name]) is not None
-    if (how is None) != (other_how is None) and (is_slip or 'command' in (how, other_how)):
-        wrong, right = (other, end) if how is None else (end, other)
-        facts |= {'right': right.name, 'wrong': wrong.name, how or other_how or '': speaker(recording, wrong.node)}
+    wrong, right = (other, end) if how is None else (end, other)
+    lacks_slash = any(f'/{one.replacement}' == right.name for one in _remappings_of(recording, wrong))
+    if (how is None) != (other_how is None) and (is_slip or lacks_slash or 'command' in (how, other_how)):
+        written = right.name[1:] if lacks_slash else wrong.name
+        facts |= {'right': right.name, 'wrong': written, how or other_how or '': speaker(recording, wrong.node)}
     if other_how is None:
         facts['subscriber'] = speaker(recording, other.node)
     elif how is None:
@@ -131,13 +137,17 @@ def _how_named(recording: Recording, end: EndRecord) -> str | None:
     It is 'command' for a command line of `ros2 topic`, 'remapped' for a remapping, and None for the program itself.
     """
     process = next((each for each in recording.processes if each.name == programs(recording).get(end.node)), None)
-    if process is None:
-        return None
-    if process.argv[1:2] == ['topic']:
+    if process is not None and process.argv[1:2] == ['topic']:
         return 'command'
     namespace, _, name = end.node.rpartition('/')
-    new = {expand_name(one.replacement, name, namespace or '/') for one in remappings(process)}
+    new = {expand_name(one.replacement, name, namespace or '/') for one in _remappings_of(recording, end)}
     return 'remapped' if end.name in new else None
+
+
+def _remappings_of(recording: Recording, end: EndRecord) -> list[RemapRule]:
+    """Return the remappings of the program of an endpoint."""
+    program = programs(recording).get(end.node)
+    return [one for process in recording.processes if process.name == program for one in remappings(process)]
 
 
 def _joined(recording: Recording, end: EndRecord, other: EndRecord) -> str | None:

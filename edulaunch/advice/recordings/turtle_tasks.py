@@ -23,7 +23,7 @@ FIELDS = ('x', 'y', 'theta', 'linear_velocity', 'angular_velocity')
 
 @rule(
     'turtlesim.goal-in-degrees',
-    what='{node} sends the goal theta = {angle} to {action}: is this value in degrees?',
+    what='{node} sends the goal theta = {angle} to {action}, and this is more than a full turn in radians',
     why='all angles in ROS 2 are in radians: a quarter turn is 1.57, and a full turn is 6.28',
     do='convert the angle: math.radians({angle})',
     lesson='14_services',

@@ -131,7 +131,7 @@ def outside(recording: Recording) -> Iterator[Finding]:
 
 @rule(
     'turtlesim.degrees',
-    what='{node} sets the angle of {turtle} to {angle}: is this value in degrees?',
+    what='{node} sets the angle of {turtle} to {angle}, which is more than a full turn in radians',
     why='all angles in ROS 2 are in radians: a quarter turn is 1.57, and a full turn is 6.28',
     do='convert the angle: math.radians({angle})',
     lesson=LESSON,

@@ -108,7 +108,7 @@ LONG_S = 300.0
 
 @rule(
     'launch.timer-in-milliseconds',
-    what='this TimerAction waits {period} seconds ({minutes} minutes): did you mean milliseconds?',
+    what='this TimerAction waits {period} s, which is {minutes} minutes',
     why='the period of a TimerAction is in seconds',
     do='write the period in seconds: TimerAction(period={seconds}, ...)',
     lesson='05_events',

@@ -52,7 +52,7 @@ def launch_file_not_installed(source: PackageInWorkspace) -> Iterator[Finding]:
 
 @rule(
     'packages.data-not-installed',
-    what='no build installs {file}, so it is not in the share folder of {package}',
+    what='setup.py or CMakeLists.txt does not install {file}, so the file is not in the share folder of {package}',
     why='a launch file that uses get_package_share_directory() does not find it there',
     do=INSTALL,
     lesson='07_packages',

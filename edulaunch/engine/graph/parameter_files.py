@@ -145,7 +145,7 @@ def _too_early(event: Any, path: str) -> ParameterFileError:
             error, 'launch.parameter-no-space', at=line_of(event), squeezed=f'{name}:{value}', spaced=f'{name}: {value}'
         )
     misspelt = next((name for name in path.split('/') if 'param' in name.lower()), None)
-    if misspelt is None:
+    if misspelt in (None, PARAMETERS_KEY):  # the key is right, and the value is not indented below it
         return with_facts(error, LAYOUT)
     return with_facts(error, 'launch.parameters-key', found=misspelt, at=line_of(event))
 

@@ -183,7 +183,8 @@ def _remap_rule(flag: str, text: str) -> RemapRule:
     try:
         return remap_rule(text)
     except RuleError as error:
-        raise with_facts(_refuse('remap rule', flag, text, str(error)), 'launch.remap-rule') from None
+        names = {'rule': text} if ':=' in text and ' ' not in text else {}
+        raise with_facts(_refuse('remap rule', flag, text, str(error)), 'launch.remap-rule', **names) from None
 
 
 def remap_rule(text: str) -> RemapRule:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-from ..evidence import Evidence, Mismatch
+from ..evidence import Advice, Evidence, Mismatch
 
 
 def require_close(
@@ -18,22 +16,25 @@ def require_close(
     share: float = 0.5,
     *,
     where: tuple[str, int | None] | None = None,
-    try_: str | Sequence[str] | None = None,
+    try_: Advice = None,
     beside: str = '',
+    unit: str = '',
 ) -> None:
     """Require a number within a tolerance. NaN never passes.
 
     :param near: a wider tolerance, or 0. Within it, the check fails but gives `share` of its points.
     :param beside: a remark about the number that was found, which the report shows after the number.
+    :param unit: the unit of both numbers, such as 's'.
     :raises Mismatch: with both numbers and the tolerance, if the number is outside the tolerance.
     """
     off = abs(seen - wanted)
     if off <= tolerance:
         return
     raise Mismatch(
-        f'{thing} in the run with {run.scenario(scenario).words}',
-        f'{wanted:g} ± {tolerance:g}',
-        f'{seen:g}, {beside}' if beside else f'{seen:g}',
+        thing,
+        f'{wanted:g} ± {tolerance:g} {unit}'.rstrip(),
+        f'{seen:g} {unit}'.rstrip() + (beside and f', {beside}'),
+        during=run.scenario(scenario).words,
         where=where or run.source.place,
         try_=try_,
         share=share if off <= near else 0.0,

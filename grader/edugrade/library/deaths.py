@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 DIED = re.compile(r"\[ERROR\] \[([^\]\n]+)\]: process has died \[pid \d+, exit code (-?\d+), cmd '(.*)'\]")
 ERROR = re.compile(r'\[(?:ERROR|FATAL)\]|^\w*(?:Error|Exception)\b')
+WHAT = re.compile(r'^\s*what\(\):\s*')  # the message of an exception in C++
 USAGE = re.compile(r'^\s|^usage:|^$')
 BROKEN_FILE = re.compile(r"Couldn't parse params file: '--params-file ([^'\n]+)'\. Error: ([^\n]*)")
 LINE = re.compile(r'\bline (\d{1,6})\b')
@@ -128,12 +129,13 @@ def last_line(recording: Recording, name: str) -> str:
             lines += [line.removeprefix(prefix) for line in output.text.splitlines() if line.startswith(prefix)]
     spoken = [line for line in lines if not USAGE.match(line)]
     errors = [line for line in spoken if ERROR.search(line)]
-    return shortened((errors or spoken or [''])[-1], LONGEST_LINE)
+    messages = [WHAT.sub('', line) for line in lines if WHAT.match(line)]
+    return shortened((errors or messages or spoken or [''])[-1], LONGEST_LINE)
 
 
 def _failure(recording: Recording, death: Death, words: str) -> Failure:
     rationale = f'{death.name} died after {death.when_s:.1f} s with exit code {death.returncode} in the run with {words}'
-    expected = f'{death.name} runs until the end of the run'
+    expected = f'{death.name} runs without an error'
     origin = death.process.origin if death.process else None
     error = death.process.exception if death.process else None
     if error is not None:
@@ -146,7 +148,11 @@ def _failure(recording: Recording, death: Death, words: str) -> Failure:
         advice = advice_on_limits(seen) or _advice_on(death, where, at)
         return Failure(rationale, expected=expected, seen=seen, where=where, try_=advice)
     printed = last_line(recording, death.name)
-    advice = 'correct the mistake that the last line names' if printed else 'start it in a terminal of its own to see why it ends'
+    advice = (
+        'correct the mistake that the line "seen" describes'
+        if printed
+        else 'start it in a terminal of its own to see why it ends'
+    )
     return Failure(rationale, expected=expected, seen=printed or 'no output', where=origin, try_=advice)
 
 

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from math import cos, hypot, pi, sin
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..evidence import Evidence, Mismatch
+from ..evidence import Advice, Evidence, Mismatch
 from .frames import Sent, numbers, transforms
 
 if TYPE_CHECKING:
@@ -60,7 +60,7 @@ def _three(text: str) -> Three:
     return x, y, z
 
 
-def require_derived(run: Evidence, scenario: str, child: str, joint: Joint, try_: str | None) -> None:
+def require_derived(run: Evidence, scenario: str, child: str, joint: Joint, try_: Advice) -> None:
     """Require that every transform of a link follows from its joint and from a position of this joint on a topic.
 
     :param child: the link.

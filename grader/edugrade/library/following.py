@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..evidence import Evidence, Failure
+from ..evidence import Advice, Evidence, Failure
 from .identity import nodes_of
 from .launched import refuse_strangers, stranger
 from .movement import Track, command_topics, distances, farthest, fastest, length, progress_towards, pushed, since, turtle_track
@@ -20,7 +20,7 @@ LEAST_WAY_M = 0.5  # distance that a turtle must drive to reach a goal
 LEAST_SHARE = 0.4  # share of the distance of a moving goal; a follower that takes short cuts travels less than its goal
 
 
-def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound_m: float, since_s: float, try_: str) -> None:
+def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound_m: float, since_s: float, try_: Advice) -> None:
     """Require that a follower is never more than `bound_m` metres from its goal after `since_s` simulated seconds.
 
     :param goal: the position of the goal over time.
@@ -42,7 +42,7 @@ def require_near(run: Evidence, scenario: str, goal: Track, follower: str, bound
         )
 
 
-def require_arrival(run: Evidence, scenario: str, follower: str, try_: str) -> None:
+def require_arrival(run: Evidence, scenario: str, follower: str, try_: Advice) -> None:
     """Require that a turtle has driven to a goal that does not move.
 
     :param follower: the turtle, such as ``/turtle2``.
@@ -84,7 +84,7 @@ def require_driver(run: Evidence, turtle: str, package: str, executable: str | N
             refuse_strangers(recording, topic, package, executable)
 
 
-def require_pursuit(run: Evidence, scenario: str, goal: str, follower: str, since_s: float, try_: str) -> None:
+def require_pursuit(run: Evidence, scenario: str, goal: str, follower: str, since_s: float, try_: Advice) -> None:
     """Require that a turtle drives towards a moving turtle, for at least LEAST_SHARE of the distance that this turtle drives.
 
     A turtle that waits in the middle of the goal's path is near the goal, but does not follow it.
@@ -108,7 +108,7 @@ def require_pursuit(run: Evidence, scenario: str, goal: str, follower: str, sinc
         )
 
 
-def require_copy(run: Evidence, original: str, copy: str, try_: str, hint_seen: str = '') -> None:
+def require_copy(run: Evidence, original: str, copy: str, try_: Advice, hint_seen: str = '') -> None:
     """Require that a turtle drives as far as the turtle that it copies, within 5 %. The original must drive at least half a
     metre.
 

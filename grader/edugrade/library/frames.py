@@ -8,14 +8,18 @@ from math import asin, atan2, cos, hypot, sin
 from re import sub
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..evidence import Evidence, Failure, Missing
+from ..evidence import Advice, Evidence, Failure, Missing
+from .identity import nodes_of, process_of
 from .movement import turtle_track
+from .node_graph import loose_ends
+from .parameters import parameter_advice, parameter_of
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
     from edulaunch.engine.recording.records import Frame
 
 Frames = Mapping[str, 'Frame']
+BROADCASTER = ('turtle_tf2_py', 'turtle_tf2_broadcaster')
 LATE_S, OFF_M = 0.5, 0.1  # largest delay of a frame, and largest error of its position
 LAST_S = 1.0  # greatest age of the last transform of a moving frame that exists until the end
 
@@ -52,7 +56,7 @@ def _transforms(recording: Recording) -> dict[str, list[Sent]]:
     return found
 
 
-def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: str = '') -> None:
+def require_frame(run: Evidence, child: str, parent: str, try_: Advice | Sequence[str], hint_seen: str = '') -> None:
     """Require a frame in every run, from the middle of the run at the latest until its end, always with the right parent.
 
     :param hint_seen: another observation that explains why the frame is missing.
@@ -61,11 +65,14 @@ def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: 
         must also have the position of its turtle.
     """
     for scenario in run:
-        sent = transforms(run, scenario).get(child)
+        everything = transforms(run, scenario)
+        sent = everything.get(child)
+        if any(item.frame.parent == child for item in everything.get(parent, ())):
+            try_ = f'exchange the parent and the child: {child} should have the parent {parent}'
         if sent is None:
             frames = frames_at_end(run, scenario)
             known = ', '.join(f'{name} (parent {frame.parent})' for name, frame in frames.items()) or 'no frames'
-            if any(frame.parent == child for frame in frames.values()):
+            if any(item.frame.parent == child for items in everything.values() for item in items):
                 raise Failure(
                     f'the frame {child} has no parent',
                     expected=f'the frame {child} with the parent {parent}',
@@ -87,13 +94,13 @@ def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: 
         words = run.scenario(scenario).words
         elsewhere = next((item for item in sent if item.frame.parent != parent), None)
         if elsewhere is not None:
-            now_and_then = any(item.frame.parent == parent for item in sent)
+            other, now_and_then = elsewhere.frame.parent, any(item.frame.parent == parent for item in sent)
             raise Failure(
                 f'the parent of the frame {child} is not {parent} in the run with {words}',
                 expected=f'the parent {parent}',
-                seen=f'the parent {elsewhere.frame.parent}' + (f' at {elsewhere.time_s:.2f} s' if now_and_then else ''),
+                seen=f'the parent {other}' + (f' at {elsewhere.time_s:.2f} s' if now_and_then else ''),
                 where=run.source.place,
-                try_=try_,
+                try_=f'remove the parent {other} of {child}, because a frame has only one parent' if now_and_then else try_,
                 name=parent,
                 among=_misspelt(parent, {elsewhere.frame.parent} - set(frames_at_end(run, scenario))),
             )
@@ -102,7 +109,38 @@ def require_frame(run: Evidence, child: str, parent: str, try_: str, hint_seen: 
             _require_truth(run, scenario, child, sent, try_)
 
 
-def _require_truth(run: Evidence, scenario: str, turtle: str, sent: Sequence[Sent], try_: str) -> None:
+def require_broadcast(run: Evidence, turtle: str, try_: Advice) -> None:
+    """Require the frame of a turtle relative to `world`, as in :func:`require_frame`.
+
+    If a turtle_tf2_broadcaster broadcasts no turtle, or the same turtle as another one, the report names its place and its
+    parameter.
+
+    :param try_: the advice for a launch file without such a broadcaster.
+    """
+    recording, known = run.first, set[object]()
+    for position in nodes_of(recording, *BROADCASTER):
+        name, process = (
+            parameter_of(recording, position, 'turtlename'),
+            process_of(recording, recording.nodes[position], position),
+        )
+        value = name.value if name is not None else ''
+        if value not in known and f'/{value}/pose' in recording.topics and turtle_track(recording, f'/{value}/pose'):
+            known.add(value)
+        elif process is not None:
+            advice = parameter_advice(run, 'turtlename', turtle, name, process.parameter_origins, f'set turtlename to {turtle}')
+            break
+    else:
+        return require_frame(run, turtle, 'world', try_)
+    try:
+        node = recording.nodes[position].name
+        loose = [words for words in loose_ends(recording, *BROADCASTER) if words.startswith(f'{node} ')]
+        require_frame(run, turtle, 'world', advice, next(iter(loose), f'{node} broadcasts the turtle {value}'))
+    except Failure as failure:
+        failure.where = run.source.own(process.origin)
+        raise
+
+
+def _require_truth(run: Evidence, scenario: str, turtle: str, sent: Sequence[Sent], try_: Advice | Sequence[str]) -> None:
     """Require that the frame of a turtle always has the position of the turtle in the simulator.
 
     :raises Failure: with both positions.
@@ -127,7 +165,7 @@ def _require_truth(run: Evidence, scenario: str, turtle: str, sent: Sequence[Sen
             )
 
 
-def _require_all_the_time(run: Evidence, scenario: str, child: str, sent: Sequence[Sent], try_: str) -> None:
+def _require_all_the_time(run: Evidence, scenario: str, child: str, sent: Sequence[Sent], try_: Advice | Sequence[str]) -> None:
     duration_s = run[scenario].duration_s
     first_s, last_s = min(item.time_s for item in sent), max(item.time_s for item in sent)
     stays = all(item.frame.is_static for item in sent) or last_s >= duration_s - LAST_S

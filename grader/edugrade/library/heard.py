@@ -8,7 +8,7 @@ from bisect import bisect_right
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..evidence import Evidence, Failure, Mismatch
+from ..evidence import Advice, Evidence, Failure, Mismatch
 from .identity import nodes_of
 from .node_graph import ALWAYS_THERE, named_nodes, require_node
 
@@ -38,7 +38,7 @@ class Program(NamedTuple):
         return [recording.nodes[position] for position in nodes_of(recording, self.package or '', self.executable)]
 
 
-def require_heard(run: Evidence, scenario: str, listener: Program, speaker: Program, try_: str | None) -> None:
+def require_heard(run: Evidence, scenario: str, listener: Program, speaker: Program, try_: Advice) -> None:
     """Require that a node subscribes to a topic on which another node publishes messages, whatever the topic is called.
 
     :param listener: the node that must subscribe.
@@ -67,7 +67,7 @@ def require_heard(run: Evidence, scenario: str, listener: Program, speaker: Prog
 
 
 def require_lines_of_messages(
-    run: Evidence, scenario: str, listener: Program, topic: str, lines: Sequence[tuple[float, str]], try_: str | None
+    run: Evidence, scenario: str, listener: Program, topic: str, lines: Sequence[tuple[float, str]], try_: Advice
 ) -> None:
     """Require that the lines of a node follow the messages that the node receives on a topic.
 
@@ -96,7 +96,7 @@ def require_lines_of_messages(
         )
 
 
-def _refuse_incompatible(run: Evidence, scenario: str, listener: Program, topic: str, try_: str | None) -> None:
+def _refuse_incompatible(run: Evidence, scenario: str, listener: Program, topic: str, try_: Advice) -> None:
     """Refuse a subscription that receives nothing, because it is incompatible with each publisher of the topic.
 
     :raises Failure: with the policy that is incompatible.

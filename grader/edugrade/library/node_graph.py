@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from ..evidence import Evidence, Failure, Mismatch, Missing
+from ..evidence import Advice, Evidence, Failure, Mismatch, Missing
 from .identity import STARTERS, nodes_of, process_of
 from .launched import refuse_strangers
 
@@ -31,9 +32,7 @@ def named_nodes(recording: Recording, name: str, package: str | None = None, exe
     return [item for item in found if own is None or item[0] in own]
 
 
-def require_node(
-    run: Evidence, name: str, package: str | None, try_: str | None, executable: str | None = None
-) -> dict[str, Found]:
+def require_node(run: Evidence, name: str, package: str | None, try_: Advice, executable: str | None = None) -> dict[str, Found]:
     """Return (position, node) for the first node with this fully qualified name and program, by scenario.
 
     :param package: the package of the program, or None for any program.
@@ -71,7 +70,7 @@ def _to_correct(run: Evidence, scenario: str, name: str, among: Sequence[str]) -
 
 
 def require_nodes(
-    run: Evidence, scenario: str, names: Sequence[str], try_: str | None = None, packages: Mapping[str, str] | None = None
+    run: Evidence, scenario: str, names: Sequence[str], try_: Advice = None, packages: Mapping[str, str] | None = None
 ) -> None:
     """Require that exactly these nodes run. The nodes of `ros2` commands do not count.
 
@@ -82,14 +81,30 @@ def require_nodes(
     recording = run[scenario]
     found = sorted(node.name for position, node in enumerate(recording.nodes) if not _is_of_a_tool(recording, position))
     if found != sorted(names):
-        seen = ', '.join(found) or 'none'
-        words = run.scenario(scenario).words
-        raise Mismatch(
-            f'the list of nodes in the run with {words}', ', '.join(sorted(names)), seen, where=run.source.place, try_=try_
+        pairs = (found, names), (names, found)
+        extra, lacking = (sorted((Counter(one) - Counter(other)).elements()) for one, other in pairs)
+        words = [f'{", ".join(lacking)} should run'] * bool(lacking) + [f'{", ".join(extra)} should not run'] * bool(extra)
+        raise Failure(
+            f'{", and ".join(words)} in the run with {run.scenario(scenario).words}',
+            expected=', '.join(sorted(names)),
+            seen=', '.join(found) or 'none',
+            where=run.source.place,
+            try_=try_ or _correction(extra, lacking, run.scenario(scenario).words),
+            name=lacking[0] if len(lacking) == 1 else None,
+            among=extra,
         )
     for name, package in (packages or {}).items():
         if name in names:
             require_node(run.only([scenario]), name, package, try_)
+
+
+def _correction(extra: Sequence[str], lacking: Sequence[str], words: str) -> str:
+    """Return advice to start, rename or remove one of the wrong nodes of a run."""
+    if extra and lacking:
+        return f'give {extra[0]} the name {lacking[0]}: check its name and its namespace'
+    if extra:
+        return f'check the condition of {extra[0]}, which should not start with {words}'
+    return f'start {lacking[0]} with {words}: add its Node, or check its condition and its event'
 
 
 def _is_of_a_tool(recording: Recording, position: int) -> bool:
@@ -107,7 +122,7 @@ def require_listener(
     scenario: str,
     node: str,
     topic: str,
-    try_: str | None = None,
+    try_: Advice = None,
     package: str | None = None,
     executable: str | None = None,
 ) -> None:
@@ -123,7 +138,7 @@ def require_listener(
         seen = f'subscribers of {topic}: {", ".join(found.subscriptions) or "none"}'
         if node in found.subscriptions:
             seen += f'\nthis {node} is not a program of {package}'
-        heard = [name for name, _ in nodes[0][1].subscriptions if name not in ALWAYS_THERE] if nodes else []
+        heard = heard_topics(nodes[0][1]) if nodes else []
         if heard:
             seen = f'{node} subscribes to {", ".join(heard)}'
         process = process_of(run[scenario], nodes[0][1], nodes[0][0]) if nodes else None
@@ -138,8 +153,27 @@ def require_listener(
         )
 
 
+def heard_topics(node: NodeRecord) -> list[str]:
+    """Return the topics to which the program of a node subscribes. The topics of every node are left out."""
+    return [name for name, _ in node.subscriptions if name not in ALWAYS_THERE]
+
+
+def own_name_of_topic(recording: Recording, position: int, node: NodeRecord) -> str:
+    """Return the name that a program uses for the only topic to which it subscribes, or '...'.
+
+    :param position: the position of the node in `recording.nodes`.
+    """
+    heard, process = heard_topics(node), process_of(recording, node, position)
+    if len(heard) != 1:
+        return '...'
+    namespace = node.name.rpartition('/')[0]
+    rules = [word.partition(':=') for word in process.argv] if process is not None else []
+    inside = next((name for name, _, to in rules if to and heard[0] in (to, f'{namespace}/{to}')), heard[0])
+    return inside.removeprefix(f'{namespace}/')
+
+
 def require_started(
-    run: Evidence, scenario: str, node: str, try_: str | None = None, package: str | None = None, executable: str | None = None
+    run: Evidence, scenario: str, node: str, try_: Advice = None, package: str | None = None, executable: str | None = None
 ) -> float:
     """Return the time at which a node started, in simulated seconds.
 
@@ -149,7 +183,7 @@ def require_started(
 
 
 def require_ended(
-    run: Evidence, scenario: str, node: str, try_: str | None = None, package: str | None = None, executable: str | None = None
+    run: Evidence, scenario: str, node: str, try_: Advice = None, package: str | None = None, executable: str | None = None
 ) -> float:
     """Return the time at which a node ended before the end of the run, in simulated seconds.
 
@@ -170,7 +204,7 @@ def require_ended(
 
 
 def require_topic(
-    run: Evidence, scenario: str, name: str, type_: str | None = None, package: str | None = None, try_: str | None = None
+    run: Evidence, scenario: str, name: str, type_: str | None = None, package: str | None = None, try_: Advice = None
 ) -> TopicRecord:
     """Require messages on a topic, and return the topic. The message that the grader sends (`Scenario.sent`) does not count.
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from edulaunch.engine.recording.records import Parameter
 
-from ..evidence import Evidence, Failure, Mismatch, Missing
+from ..evidence import Advice, Evidence, Failure, Mismatch, Missing, described_defaults, written_text
 from ..source import Place
 from .identity import nodes_of, processes_of
 from .launched import find_processes
@@ -103,12 +103,21 @@ def value_and_origin(parameter: Parameter | None) -> str:
 
 
 def require_parameter(
-    run: Evidence, package: str, executable: str, name: str, wanted: Mapping[str, Any], try_: str, where: Place | None = None
+    run: Evidence,
+    package: str,
+    executable: str,
+    name: str,
+    wanted: Mapping[str, Any],
+    try_: Advice,
+    where: Place | None = None,
+    code: str = '',
 ) -> None:
     """Require the value of a parameter of an executable's node in each run.
 
     :param wanted: the expected value for each run, by the scenario's name.
+    :param try_: how to pass a value, for a launch file that passes none.
     :param where: the place for the report (default: the place of the Node).
+    :param code: the code of the expected value (default: the value itself).
     :raises Missing: if the launch file gives the node other parameters, but not this one.
     :raises Mismatch: with the values and their origins.
     :raises MissingParameterFile: if a parameter file of the node does not exist.
@@ -120,21 +129,44 @@ def require_parameter(
     process = find_processes(run.first, package, executable)[0]
     given = process.parameter_origins
     where = where or run.source.own(process.origin, 'IncludeLaunchDescription[(]')
+    bad = next(key for key, each in found.items() if each is None or each.value != wanted[key])
+    try_ = parameter_advice(run, name, code or str(wanted[bad]), found[bad], given, try_)
     if given and name not in given:
         raise Missing(f'the parameter {name} of the Node', name=name, among=given, try_=try_, where=where)
     thing, asked = f'the parameter {name} of {executable}', {key: str(value) for key, value in wanted.items()}
     seen = _by_run(run, {key: value_and_origin(each) for key, each in found.items()})
     if len(set(asked.values())) == 1:
         raise Mismatch(thing, _by_run(run, asked), seen, where=where, try_=try_)
-    bad = next(key for key, each in found.items() if each is None or each.value != wanted[key])
     words = f'{thing} should be {wanted[bad]} in the run with {run.scenario(bad).words}'
     raise Failure(words, expected=_by_run(run, asked), seen=seen, where=where, try_=try_)
+
+
+def parameter_advice(run: Evidence, name: str, code: str, seen: Parameter | None, given: Iterable[str], try_: Advice) -> Advice:
+    """Return advice that fits what the launch file passes to a node: correct the name, replace the value, or pass a value.
+
+    :param code: the code of the expected value.
+    :param seen: the parameter that the node has.
+    :param given: the names of the parameters that the launch file passes to the node.
+    :param try_: the advice for a launch file that passes no value.
+    """
+    from edulaunch.engine.nearest import nearest
+
+    if seen is None or seen.origin == 'default':
+        close = nearest(name, given)
+        return f'write {name} instead of {close} in the parameters of the Node' if close and close != name else try_
+    argument = seen.origin.removeprefix(FROM_ARGUMENT)
+    if argument != seen.origin and written_text(described_defaults(run.first).get(argument) or '') == str(seen.value):
+        return try_  # the launch file passes no value: the argument has its default
+    return f'write {code} as the value of {name}'
 
 
 class MissingParameterFile(Failure):
     """Launch could not find a parameter file, so advice about a single parameter would not help."""
 
+    fits_rubric = False
 
+
+FROM_ARGUMENT = 'launch argument '
 INSTALL = 'add this file to data_files in setup.py, or correct its path in the launch file'
 NOT_A_FILE = re.compile(r'Parameter file path is not a file: ([^\n]+)')
 

@@ -16,6 +16,11 @@ def written(run: Evidence, python: str, xml: str, yaml: str) -> str:
     return yaml if file.endswith(('.yaml', '.yml')) else python
 
 
+def value_of(run: Evidence, argument: str) -> str:
+    """Return the code for the value of a launch argument."""
+    return written(run, f"LaunchConfiguration('{argument}')", f'$(var {argument})', f'$(var {argument})')
+
+
 def default_of(run: Evidence, value: str) -> str:
     """Return the code for the default value of a launch argument."""
     return written(run, f"default_value='{value}'", f'default="{value}"', f'default: "{value}"')
@@ -31,22 +36,21 @@ def declaration_of(run: Evidence, name: str, default: str) -> str:
     )
 
 
-def remapping_to(run: Evidence, topic: str) -> str:
-    """Return advice to remap a topic of a node to `topic`."""
+def remapping_to(run: Evidence, topic: str, name: str = '...') -> str:
+    """Return advice to remap the topic `name` of a node to `topic`."""
     return written(
         run,
-        f"add remappings=[(..., '{topic}')] to the Node",
-        f'add <remap from="..." to="{topic}"/> to the node',
-        f'add remap: [{{from: "...", to: "{topic}"}}] to the node',
+        f"write remappings=[('{name}', '{topic}')] in the Node",
+        f'write <remap from="{name}" to="{topic}"/> in the node',
+        f'write remap: [{{from: "{name}", to: "{topic}"}}] in the node',
     )
 
 
 def argument_as_namespace(run: Evidence, argument: str, program: str) -> str:
     """Return advice to use a launch argument as the namespace of a program."""
-    value = written(
-        run, f"namespace=LaunchConfiguration('{argument}')", f'namespace="$(var {argument})"', f'namespace: "$(var {argument})"'
-    )
-    return f'write {value} in the Node of {program}'
+    value = value_of(run, argument)
+    words = written(run, f'namespace={value}', f'namespace="{value}"', f'namespace: "{value}"')
+    return f'write {words} in the Node of {program}'
 
 
 def name_of_node(run: Evidence, namespace: str, name: str, program: str) -> str:
@@ -56,13 +60,13 @@ def name_of_node(run: Evidence, namespace: str, name: str, program: str) -> str:
     return f'write {" and ".join(words)} in the Node of {program}' if words else f'add a Node of {program}'
 
 
-def parameter_of_node(run: Evidence, name: str) -> str:
-    """Return advice to set a parameter of a node."""
+def parameter_of_node(run: Evidence, name: str, value: str) -> str:
+    """Return advice to set a parameter of a node to the code of a value."""
     return written(
         run,
-        f"add parameters=[{{'{name}': ...}}] to the Node",
-        f'add <param name="{name}" value="..."/> to the node',
-        f'add param: [{{name: "{name}", value: "..."}}] to the node',
+        f"add parameters=[{{'{name}': {value}}}] to the Node",
+        f'add <param name="{name}" value="{value}"/> to the node',
+        f'add param: [{{name: "{name}", value: "{value}"}}] to the node',
     )
 
 

@@ -28,7 +28,7 @@ TRIES = {THING: 2, ALL: 4}
 ARTICLES = ('a ', 'an ', 'the ', 'one ', 'two ')
 KINDS = {
     'compare the names letter by letter with the task': (' instead of "',),
-    'check which action and which event start this node': ('which event start',),
+    'check which action and which event start this node': ('which event start', 'its event', 'event handler for the start'),
     'check the name and the default value of the launch argument': ('DeclareLaunchArgument', 'default_value', 'default'),
     'check which launch file is included, and which arguments it gets': ('IncludeLaunchDescription', 'launch_arguments'),
     'check the options of the static_transform_publisher': ('static_transform_publisher', 'arguments of its Node'),
@@ -36,7 +36,13 @@ KINDS = {
     'check which actions wait, and for how long': ('TimerAction',),
     'check which actions are in the group with the namespace': ('PushRosNamespace',),
     'check the remappings of the node': ('remap',),
-    'check the value that the launch file gives this parameter': ('parameters=', 'param ', 'parameter '),
+    'check the value that the launch file gives this parameter': (
+        'parameters=',
+        'param ',
+        'parameter ',
+        'in the parameters',
+        ' as the value of ',
+    ),
     'check the name and the namespace of the node': ('namespace',),
     'check the conditions of the actions': ('condition',),
     'check the command that the launch file starts': ('ExecuteProcess', 'ros2 topic pub'),
@@ -48,6 +54,7 @@ KINDS = {
     'check which files the package installs': ('data_files',),
     'check the path and the content of the parameter file': ('create this file', 'this parameter file'),
     'check what the node prints and logs': (' log ', ' logs ', ' print ', ' prints '),
+    'check the call of the service': ('the service ',),
     'check where the launch argument is declared and used': ('argument',),
     'check to which topic the node subscribes': ('subscri', ' listens'),
     'check which node publishes on this topic, and whether this node starts': ('publish',),
@@ -82,16 +89,17 @@ _INSIDE = (
 _ABBREVIATED = {'\0': '(...)', '\1': '[...]', '\2': '()', '\3': '{...}', '\4': '"..."', '\5': "'...'"}
 _DEEPEST = 6
 LAUNCHED = ' in the run with '
-_CORRECTED = re.compile(r'^write "[^"\n]*" instead of "[^"\n]*", or ')
 
 
 def at_level(result: CheckResult, level: int) -> CheckResult:
     """Return a result with the advice of a level. At KIND, the result has no cause, unless an error ended a program."""
-    if result.status == FAILED and ' died ' in result.reason and _has_ended(result):  # the cause knows more than the check
-        return replace(result, steps=(), try_=None if level >= ALL else 'correct the mistake that the cause names')
+    if result.status == FAILED and ' died ' in result.reason:  # the cause knows more than the check
+        known = None if level >= ALL else 'correct the mistake that the cause names'
+        return replace(result, steps=(), try_=known if _has_ended(result) else result.try_)
     # this result is not part of the task, so nothing is hidden
     if result.status != FAILED or level >= ALL or result.name in OF_NO_RUBRIC:
-        return result
+        needs_advice = result.status == FAILED and result.try_ is None
+        return replace(result, try_=kind_of(result)) if needs_advice else result
     given = (*result.steps, result.try_)
     step = given[min(level, len(given)) - 1] if result.steps else None
     if step is not None and step.startswith(ARTICLES):
@@ -113,11 +121,11 @@ def _has_ended(result: CheckResult) -> bool:
 
 def kind_of(result: CheckResult) -> str:
     """Return advice that names only the kind of thing to check."""
-    for text in (_CORRECTED.sub('', result.try_ or ''), result.reason.partition(LAUNCHED)[0], result.sentence):
+    for text in (result.try_ or '', result.reason.partition(LAUNCHED)[0], result.sentence):
         advice = next((kind for kind, words in KINDS.items() if any(word in text for word in words)), None)
         if advice is None:
             continue
-        if not result.reason.endswith('missing'):
+        if not result.reason.endswith('missing') or 'default' in result.reason:
             return advice
         if advice == PARAMETER:
             return 'write the missing parameter into the parameters of this Node, or correct its name there'
@@ -195,7 +203,7 @@ def explained(result: CheckResult, paths: ShortPaths, reader: Reader, level: int
     if result.cause is not None:
         from edulaunch.advice import rendered
 
-        words = rendered(result.cause, reader._replace(folder=''))
+        words = rendered(result.cause._replace(file=paths.text(result.cause.file)), reader._replace(folder=''))
         where = f' ({words.where})' if words.where else ''
         fields['cause'] = paths.text(f'{words.what}{where}' + (f'\n{words.do}' if level >= ALL else ''))
     return {reader.says(label): text for label, text in fields.items() if text}

@@ -90,7 +90,7 @@ def counts(run: Evidence, wanted: Wanted) -> None:
         times = sorted(time_s for topic in _topics(one) for time_s in _message_times(one, topic))
         lines = _lines(one)
         seen = [(time_s, float(found[1])) for time_s, found in lines]
-        thing = f'the count that {wanted["executable"]} prints in the run with {one.words}'
+        thing = f'the count that {wanted["executable"]} prints'
         if not seen:
             asked = readable(str(wanted['pattern']))
             raise Failure(
@@ -99,9 +99,10 @@ def counts(run: Evidence, wanted: Wanted) -> None:
         for time_s, number in seen:
             low, high = bisect_right(times, time_s - SENT_WITH_S), bisect_right(times, time_s + SENT_WITH_S)
             if not (low + 1 if high > low else low) <= number <= high:
-                raise Mismatch(thing, f'{high} at {time_s:.2f} s', f'{number:g}', **one.advice)
+                raise Mismatch(thing, f'{high} at {time_s:.2f} s', f'{number:g}', during=one.words, **one.advice)
         if len(seen) < len(times) - 1:
-            raise Mismatch(thing, f'on a line after each of {len(times)} messages', f'{len(seen)} lines', **one.advice)
+            asked, words = f'on a line after each of {len(times)} messages', f'{len(seen)} lines'
+            raise Mismatch(thing, asked, words, during=one.words, **one.advice)
 
 
 @kind('{executable} counts to {at_least}', 'package executable pattern topics at_least')
@@ -115,14 +116,18 @@ def counts_up(run: Evidence, wanted: Wanted) -> None:
         for time_s, found in _lines(one):
             number, sent = float(found[1]), bisect_right(times, time_s + SENT_WITH_S)
             if not newest <= number <= sent:
-                thing = f'the number that {program} prints at {time_s:.2f} s in the run with {one.words}'
+                thing = f'the number that {program} prints at {time_s:.2f} s'
                 asked = f'{sent}' if newest == sent else f'{newest:g} to {sent}'
-                raise Mismatch(thing, asked, f'{number:g}', **one.advice)
+                raise Mismatch(thing, asked, f'{number:g}', during=one.words, **one.advice)
             newest = number
         if not newest >= one.number('at_least'):
             asked = readable(str(wanted['pattern']))
             thing = f'the program {program} does not count to {one.number("at_least"):g} in the run with {one.words}'
-            raise Failure(thing, expected=asked, seen=_last_lines(one), **one.advice)
+            is_rare = len(_lines(one)) < len(times) - 1
+            advice = f'log a line after each message: {program} logs {len(_lines(one))} of them for {len(times)} messages'
+            failure = Failure(thing, expected=asked, seen=_last_lines(one), **one.advice | ({'try_': advice} if is_rare else {}))
+            failure.fits_rubric = not is_rare
+            raise failure
 
 
 @kind('{executable} prints the messages of {topic}', 'package executable pattern topic', 'example')
@@ -143,9 +148,9 @@ def repeats(run: Evidence, wanted: Wanted) -> None:
             recent = [text for sent_s, text in sent if time_s - HEARD_AFTER_S <= sent_s <= time_s]
             own = next((each for each in unprinted if time_s - HEARD_AFTER_S <= each[0] <= time_s and each[1] == found[1]), None)
             if own is None:
-                thing = f'the line that {program} prints at {time_s:.2f} s in the run with {one.words}'
+                thing = f'the line that {program} prints at {time_s:.2f} s'
                 asked = 'one line for each message' if found[1] in recent else ' or '.join(dict.fromkeys(recent)) or 'no line'
-                raise Mismatch(thing, asked, found[1], **one.advice)
+                raise Mismatch(thing, asked, found[1], during=one.words, **one.advice)
             unprinted.remove(own)
         first_s, last_s = lines[0][0], one.recording.duration_s - HEARD_AFTER_S
         missed = next((each for each in unprinted if first_s < each[0] < last_s or each == hidden), None)
@@ -167,12 +172,14 @@ def tells_place(run: Evidence, wanted: Wanted) -> None:
         lines, known_s = _lines(one), _first_transform_s(one)
         _refuse_poses(one)
         if len(lines) < LEAST_LINES:
-            asked = wanted['example'] or readable(str(wanted['pattern']))
+            asked, advice = wanted['example'] or readable(str(wanted['pattern'])), one.advice
+            if re.search(rf'{str(wanted["pattern"]).partition("(")[0]}-?[\d.]', _last_lines(one)):
+                advice = {**advice, 'try_': 'compare the numbers and the form of the line with the line "expected"'}
             raise Failure(
                 f'the program {wanted["executable"]} prints {len(lines)} lines of the expected form in the run with {one.words}',
                 expected=f'at least {LEAST_LINES} lines such as\n{asked}',
                 seen=_last_lines(one),
-                **one.advice,
+                **advice,
             )
         for time_s, found in lines:
             x, y, age = (float(found[group]) for group in (1, 2, 3))
@@ -260,10 +267,16 @@ def described(run: Evidence, wanted: Wanted) -> None:
         known = joints.get(child)
         if known is None or known.parent != parent:
             seen = ', '.join(f'{joint.parent} to {link}' for link, joint in joints.items()) or 'no joint'
-            raise Missing(f'the joint from {parent} to {child} in the robot description', seen=seen, **one.advice)
+            thing, advice = (
+                f'the joint from {parent} to {child} in the robot description',
+                f'add a joint from {parent} to {child}',
+            )
+            raise Missing(thing, seen=seen, where=run.source.place, try_=wanted.try_ or advice)
         asked = str(wanted['joint'] or known.kind)
         if known.kind != asked and not (asked == MOVABLE and known.kind != 'fixed'):
-            raise Mismatch(f'the type of the joint from {parent} to {child}', asked, known.kind or 'no type', **one.advice)
+            types = 'continuous or revolute' if asked == MOVABLE else asked
+            thing, advice = f'the type of the joint from {parent} to {child}', f'write {types} as the type of the joint'
+            raise Mismatch(thing, asked, known.kind or 'no type', where=run.source.place, try_=wanted.try_ or advice)
         require_derived(one.run, one.scenario, child, known, wanted.try_)
 
 
@@ -310,4 +323,5 @@ def command(run: Evidence, wanted: Wanted) -> None:
         known = [[os.path.basename(line[0]), *line[1:]] for line in lines if line]
         if not any(line[place : place + len(asked)] == asked for line in known for place in range(len(line))):
             seen = '\n'.join(shortened(' '.join(line), LONGEST_COMMAND) for line in known[1:]) or 'no command'
-            raise Missing(f'the command {wanted["words"]}', seen=seen, **one.advice)
+            advice = wanted.try_ or f'start {wanted["words"]} with an ExecuteProcess in the launch description'
+            raise Missing(f'the command {wanted["words"]}', seen=seen, where=run.source.place, try_=advice)

@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator
 from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..evidence import Evidence, Failure, Mismatch, Missing
+from ..evidence import Advice, Evidence, Failure, Mismatch, Missing
 from ..library.arguments import require_default
 from ..library.deaths import refuse_dead, refuse_gone
 from ..library.identity import nodes_of
 from ..library.launched import require_process
-from ..library.node_graph import require_ended, require_listener, require_node, require_nodes, require_started, require_topic
+from ..library.node_graph import (
+    own_name_of_topic,
+    require_ended,
+    require_listener,
+    require_node,
+    require_nodes,
+    require_started,
+    require_topic,
+)
 from ..library.parameters import named_origin, refuse_missing_file, require_parameter, value_and_origin
 from ..library.parameters import node_parameter as read_parameter
 from ..library.written import argument_as_namespace, name_of_node, parameter_of_node, remapping_to
@@ -19,7 +28,8 @@ from ..shortened import shortened
 from .yaml_wanted import ARGUMENT, OfRun, Wanted
 
 if TYPE_CHECKING:
-    from edulaunch.engine.recording.records import Parameter
+    from edulaunch.engine.recording import Recording
+    from edulaunch.engine.recording.records import NodeRecord, Parameter
 
 Function = Callable[[Evidence, Wanted], None]
 LONGEST_VALUE = 1000
@@ -61,7 +71,7 @@ def argument(run: Evidence, wanted: Wanted) -> None:
     try:
         require_default(run, wanted['name'], default, wanted.shows)
     except Missing as failure:
-        failure.try_ = wanted.try_ or failure.try_
+        failure.try_ = wanted.try_ if isinstance(wanted.try_, str) else failure.try_
         raise
 
 
@@ -86,21 +96,42 @@ def node(run: Evidence, wanted: Wanted) -> None:
         name, package = one.text('name'), wanted['package']
         if one.scenario in wanted['absent']:
             if any(each.name == name for each in one.recording.nodes):
-                asked = f'no node {name} in the run with {one.words}'
-                raise Failure(f'{name} starts in the run with {one.words}', expected=asked, seen=name, **one.advice)
+                asked, advice = f'no node {name} in the run with {one.words}', f'check the condition of {name}'
+                words = {**one.advice, 'try_': wanted.try_ or advice}
+                raise Failure(f'{name} starts in the run with {one.words}', expected=asked, seen=name, **words)
             continue
-        advice = wanted.try_ or _name_advice(one)
-        require_node(one.alone, name, package, advice, wanted['executable'] or None)
+        require_node(one.alone, name, package, wanted.try_ or _name_advice(one), wanted['executable'] or None)
 
 
 def _name_advice(one: OfRun, key: str = 'name') -> str:
-    """Return advice to give a node its namespace and its name. Parts that depend on launch arguments are named by these."""
+    """Return advice to start the program of a node, or to give the node its namespace and its name. Parts that depend on launch
+    arguments are named by these.
+    """
     namespace, _, name = str(one.wanted[key]).strip('/').rpartition('/')
     program = one.wanted['executable'] or one.wanted['package']
+    if not _candidates(one):
+        return f'start {program} with {one.words}: add its Node, or check its condition and its event'
     argument = ARGUMENT.fullmatch(namespace)
     if argument is not None:
         return argument_as_namespace(one.run, argument[1], program)
     return name_of_node(one.run, one.filled(namespace), '' if name == program else one.filled(name), program)
+
+
+def _candidates(one: OfRun) -> Counter[str]:
+    """Return the names of the nodes of the rubric's program that may need another name. Nodes that also run where the rubric
+    wants no such node have their right names.
+    """
+    absent = [one.run[scenario] for scenario in one.wanted['absent'] if scenario in one.run]
+    names, *others = (_names(recording, one) for recording in (one.recording, *absent))
+    for other in others:
+        names -= other
+    return names
+
+
+def _names(recording: Recording, one: OfRun) -> Counter[str]:
+    package, executable = one.program()
+    positions = range(len(recording.nodes)) if package is None else nodes_of(recording, package, executable)
+    return Counter(recording.nodes[position].name for position in positions)
 
 
 @kind('Only these nodes run: {are}', 'are', 'package')
@@ -116,15 +147,38 @@ def nodes(run: Evidence, wanted: Wanted) -> None:
 def hears(run: Evidence, wanted: Wanted) -> None:
     """Require that a node subscribes to a topic that has messages."""
     for one in wanted.of_each(run):
-        topic = one.text('topic')
-        advice = wanted.try_ or remapping_to(run, topic)
-        require_listener(run, one.scenario, one.text('node'), topic, advice, *one.program())
+        node, topic = one.text('node'), one.text('topic')
+        require_topic(
+            run, one.scenario, topic, try_='check the name, the namespace and the remappings of the node that publishes'
+        )
+        name = own_name_of_topic(one.recording, *_own_node(one))
+        require_listener(run, one.scenario, node, topic, wanted.try_ or remapping_to(run, topic, name), *one.program())
+
+
+def _own_node(one: OfRun) -> tuple[int, NodeRecord]:
+    """Return (position in the recording, node) for the field `node`.
+
+    :raises Missing: with advice to start or to rename it, because advice of the rubric about this node would not help.
+    """
+    package, executable = one.program()
+    try:
+        return require_node(one.alone, one.text('node'), package, _name_advice(one, 'node'), executable)[one.scenario]
+    except Failure as failure:
+        failure.fits_rubric = False
+        raise
 
 
 @kind('{node} starts at the right time', 'node at', f'after {PROGRAM} {MEASURE}')
 def starts(run: Evidence, wanted: Wanted) -> None:
     """Require that a node starts at a given time, or at a given time after the start of another node."""
-    _happens(run, wanted.advising('check which action and which event start this node'), 'start', require_started)
+    one = next(wanted.of_each(run))
+    other = one.other('after')[0]
+    action = (
+        f'start {one.text("node")}' if not one.number('at') else f'put {one.text("node")} into a TimerAction({one.code("at")})'
+    )
+    steps = 'check which action and which event start this node', f'check whether this node waits for {other or "a timer"}'
+    last = f'{action} in an event handler for the start of {other}' if other else action
+    _happens(run, wanted.advising([*steps, last]), 'start', require_started)
 
 
 @kind('{node} ends at the right time', 'node at', f'after {PROGRAM} {MEASURE}')
@@ -147,7 +201,7 @@ def shuts_down(run: Evidence, wanted: Wanted) -> None:
                 seen='the launch continues until the end of the run',
                 **one.advice,
             )
-        one.require_close('the end of the launch (in s)', ended[0], one.number('at'), 0.3)
+        one.require_close('the end of the launch', ended[0], one.number('at'), 0.3, unit='s after its start')
 
 
 def _happens(run: Evidence, wanted: Wanted, what: str, require: Callable[..., float]) -> None:
@@ -155,17 +209,14 @@ def _happens(run: Evidence, wanted: Wanted, what: str, require: Callable[..., fl
         if _waits_in_vain(one):
             continue
         time_s = require(run, one.scenario, one.text('node'), _start_advice(one), *one.program())
-        since_s, words = _moment(one)
+        (since_s, words), thing = _moment(one), f'the {what} of {one.text("node")}'
         if words and time_s < since_s - one.tolerance(0.3) and one.number('at') >= 0.0:
-            raise Mismatch(
-                f'the {what} of {one.text("node")}', words.strip(), f'{since_s - time_s:.2f} s before that', **one.advice
-            )
-        one.require_close(f'the {what} of {one.text("node")}{words} (in s)', time_s - since_s, one.number('at'), 0.3)
+            raise Mismatch(thing, words.strip(), f'{since_s - time_s:.2f} s before that', **one.advice)
+        unit = f's{words or " after the start of the launch"}'
+        one.require_close(thing, time_s - since_s, one.number('at'), 0.3, unit=unit)
         other, *program = one.other('after')
         if other and _place(one, other, *program) > _place(one, one.text('node'), *one.program()):
-            raise Mismatch(
-                f'the {what} of {one.text("node")}', f'after the start of {other}', f'before the start of {other}', **one.advice
-            )
+            raise Mismatch(thing, f'after the start of {other}', f'before the start of {other}', **one.advice)
 
 
 def _waits_in_vain(one: OfRun) -> bool:
@@ -187,7 +238,7 @@ def _waits_in_vain(one: OfRun) -> bool:
     )
 
 
-def _start_advice(one: OfRun) -> str | None:
+def _start_advice(one: OfRun) -> Advice:
     """Return the advice of the rubric, or advice to correct the name of the node if its program starts."""
     package, executable = one.program()
     is_there = package is not None and executable is not None and nodes_of(one.recording, package, executable)
@@ -231,7 +282,7 @@ def topic(run: Evidence, wanted: Wanted) -> None:
         found = require_topic(run, one.scenario, wanted['name'], wanted['type'] or None, wanted['package'] or None, wanted.try_)
         if 'rate' in wanted:
             rate = found.count / one.recording.duration_s
-            one.require_close(f'the rate of {found.name} (in Hz)', rate, wanted['rate'], 0.2 * wanted['rate'])
+            one.require_close(f'the rate of {found.name}', rate, wanted['rate'], 0.2 * wanted['rate'], unit='Hz')
 
 
 @kind('The parameter {name} of {executable} has the right value', 'package executable name value')
@@ -239,8 +290,9 @@ def parameter(run: Evidence, wanted: Wanted) -> None:
     """Require the value of a parameter of an executable's node."""
     require_process(run, wanted['package'], wanted['executable'])
     values = {one.scenario: one.same_type('value') for one in wanted.of_each(run)}
-    advice = wanted.try_ or parameter_of_node(run, wanted['name'])
-    require_parameter(run, wanted['package'], wanted['executable'], wanted['name'], values, advice)
+    code = next(wanted.of_each(run)).code('value')
+    advice = wanted.try_ or parameter_of_node(run, wanted['name'], code)
+    require_parameter(run, wanted['package'], wanted['executable'], wanted['name'], values, advice, code=code)
 
 
 @kind('The parameter {name} of {node} has the right value', 'node package name value', 'origin')
@@ -252,8 +304,8 @@ def node_parameter(run: Evidence, wanted: Wanted) -> None:
         if found is None or not is_right or origin not in found.origin:
             refuse_missing_file(one.alone, [found], wanted['package'])
             seen = value_and_origin(found)
-            thing = f'{wanted["name"]} of {one.text("node")} in the run with {one.words}'
-            raise Mismatch(thing, f'{asked}, from {origin}' if origin else str(asked), seen, where=run.source.place, try_=advice)
+            thing, words = f'{wanted["name"]} of {one.text("node")}', f'{asked}, from {origin}' if origin else str(asked)
+            raise Mismatch(thing, words, seen, where=run.source.place, try_=advice, during=one.words)
 
 
 @kind('The parameter {name} of {node} has the right value', 'node package name', 'at_least at_most origin')
@@ -271,12 +323,14 @@ def measured_parameter(run: Evidence, wanted: Wanted) -> None:
             raise Mismatch(f'{wanted["name"]} of {one.text("node")}', asked, seen, where=run.source.place, try_=advice)
 
 
-def _parameters(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, Parameter | None, str]]:
+def _parameters(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, Parameter | None, Advice]]:
     """Yield (values of the check, parameter or None, advice) for each run. The node must exist."""
     for one in wanted.of_each(run):
         node, name = one.text('node'), wanted['name']
-        advice = wanted.try_ or f'check which parameter file, argument or Node sets the parameter {name} of {node}'
-        require_node(one.alone, node, wanted['package'], advice)
+        _own_node(one)
+        code = one.code('value') if 'value' in wanted else 'another value'
+        steps = f'check which parameter file, argument or Node sets {name} of {node}', f'set {name} of {node} to {code}'
+        advice = wanted.try_ or steps
         asked = one.same_type('value') if 'value' in wanted else None
         found = read_parameter(one.recording, node, wanted['package'], name, asked)
         if found is not None and 'origin' in wanted:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import isfinite, tau
 
-from ..evidence import Evidence, Failure, Missing
+from ..evidence import Advice, Evidence, Failure, Missing
 from ..library.circle_fit import fit_circle
 from ..library.following import driven_track, require_driver, require_near, require_pursuit
 from ..library.frames import numbers, require_frame, tilt, transforms, yaw
 from ..library.launched import refuse_strangers
-from ..library.movement import Track, length, odometry_track, since, turtle_track
+from ..library.movement import Track, command_topics, length, odometry_track, since, turtle_track
 from .yaml_checks import MEASURE, kind
 from .yaml_wanted import ARGUMENT, OfRun, Wanted
 
@@ -25,7 +25,9 @@ def place(run: Evidence, wanted: Wanted) -> None:
         track = _turtle(one, 'turtle')
         if not track:
             advice = {**one.advice, 'try_': wanted.try_ or f'spawn {wanted["turtle"]} with the service /spawn'}
-            raise Missing(f'the turtle {wanted["turtle"]}', seen='no pose of this turtle', **advice)
+            turtles = [topic.split('/')[-2] for topic in one.recording.topics if topic.endswith('/pose')]
+            seen = ', '.join(turtles) or 'no turtle'
+            raise Missing(f'the turtle {wanted["turtle"]}', name=str(wanted['turtle']), among=turtles, seen=seen, **advice)
         if track[-1][0] < one.recording.duration_s - LAST_LOOK_S:
             advice = {
                 **one.advice,
@@ -38,9 +40,9 @@ def place(run: Evidence, wanted: Wanted) -> None:
             if key in wanted:
                 asked = one.number(key)
                 worst = max(reversed(samples), key=lambda sample: abs(sample[axis] - asked))
-                thing = f'{key} of {wanted["turtle"]} at the end (in m)'
-                thing = thing if worst is track[-1] else f'{key} of {wanted["turtle"]} at {worst[0]:.2f} s (in m)'
-                one.require_close(thing, worst[axis], asked, 0.05)
+                when = 'the end' if worst is track[-1] else f'{worst[0]:.2f} s'
+                thing = f'the {key} of the turtle {wanted["turtle"]} at {when}'
+                one.require_close(thing, worst[axis], asked, 0.05, f'write {one.code(key)} as the {key} of the turtle', unit='m')
 
 
 @kind('The frame {child} has the parent {parent}', 'child parent', f'x y z yaw by {MEASURE}')
@@ -48,34 +50,37 @@ def frame(run: Evidence, wanted: Wanted) -> None:
     """Require a frame with its parent and, optionally, its position, its yaw and the package that broadcasts it. A frame with a
     yaw must have no roll and no pitch.
     """
-    child, advice = wanted['child'], wanted.try_ or 'check the tree of frames with ros2 run tf2_tools view_frames'
-    require_frame(run, child, wanted['parent'], advice)
+    child, parent = wanted['child'], wanted['parent']
+    tree = 'check the tree of frames with ros2 run tf2_tools view_frames'
+    steps = ('check the names of the frames', tree, f'publish the frame {child} with the parent {parent}')
+    require_frame(run, child, parent, wanted.try_ or steps)
     for one in wanted.of_each(run):
         for topic in ('/tf', '/tf_static') if wanted['by'] else ():
             refuse_strangers(one.recording, topic, wanted['by'])
         for sent in transforms(run, one.scenario)[child]:
-            place = sent.frame.translation
-            for axis, key in enumerate(('x', 'y', 'z')):
-                if key in wanted:
-                    thing = f'the {key} of {child} relative to {sent.frame.parent}'
-                    one.require_close(
-                        thing, place[axis], one.number(key), 0.01, _place_advice(one, key), f'the position {numbers(place)}'
-                    )
+            place, axes = sent.frame.translation, [key for key in ('x', 'y', 'z') if key in wanted]
+            wrong = [key for key in axes if not abs(place['xyz'.index(key)] - one.number(key)) <= one.tolerance(0.01)]
+            for key in wrong:
+                thing, seen = f'the {key} of the frame {child} relative to {parent}', place['xyz'.index(key)]
+                one.require_close(thing, seen, one.number(key), 0.01, _place_advice(one, wrong), f'at {numbers(place)}', 'm')
             if 'yaw' in wanted:
-                asked = one.number('yaw')
-                turns = round((asked - yaw(sent.frame)) / tau)  # half a turn is the same to the left and to the right
-                one.require_close(f'the yaw of {child}', yaw(sent.frame) + turns * tau, asked, 0.01, _place_advice(one, 'yaw'))
-                one.require_close(
-                    f'the tilt of {child} by roll and pitch', tilt(sent.frame), 0.0, 0.01, _place_advice(one, 'yaw')
-                )
+                advice, asked, seen = _place_advice(one, ['yaw']), one.number('yaw'), yaw(sent.frame)
+                turned = seen + round((asked - seen) / tau) * tau  # half a turn is the same to the left and to the right
+                seen = turned if abs(turned - asked) <= 1.0 else seen
+                one.require_close(f'the yaw of the frame {child}', seen, asked, 0.01, advice, unit='rad')
+                one.require_close(f'the tilt of the frame {child}', tilt(sent.frame), 0.0, 0.01, advice, unit='rad')
 
 
-def _place_advice(one: OfRun, key: str) -> str | Sequence[str]:
-    """Return the rubric's advice, or advice to change one number of a transform."""
-    argument, child = ARGUMENT.fullmatch(str(one.wanted[key])), one.wanted['child']
-    value = f'the launch argument {argument[1]}' if argument else f'{one.number(key):g}'
-    what = 'check the rotation of the frame' if key == 'yaw' else 'check the position of the frame'
-    steps = (what, f'check the {key} of the frame {child}', f'set the {key} of the frame {child} to {value}')
+def _place_advice(one: OfRun, keys: Sequence[str]) -> Advice:
+    """Return the rubric's advice, or advice to change some numbers of a transform."""
+    child = one.wanted['child']
+    values: list[str] = []
+    for key in keys:
+        argument = ARGUMENT.fullmatch(str(one.wanted[key]))
+        thing = f'its {key}' if values else f'the {key} of the frame {child}'
+        values.append(f'{thing} to ' + (f'the launch argument {argument[1]}' if argument else f'{one.number(key):g}'))
+    what = 'check the rotation of the frame' if keys == ['yaw'] else 'check the position of the frame'
+    steps = (what, f'check the {" and the ".join(keys)} of the frame {child}', f'set {", and ".join(values)}')
     return one.wanted.try_ or steps
 
 
@@ -91,7 +96,8 @@ def travels(run: Evidence, wanted: Wanted) -> None:
                 expected=f'at least {asked:g} m',
                 seen=f'{way:.2f} m',
                 share=min(share, wanted['share'] or 0.0),
-                **one.advice,
+                where=run.source.place,
+                try_=wanted.try_ or _wheel_advice(one, who),
             )
 
 
@@ -102,15 +108,17 @@ def circle(run: Evidence, wanted: Wanted) -> None:
         found = fit_circle([(x, y) for _, x, y in since(track, wanted['since'] or 2.0)])
         radius = one.number('radius')
         if found is None or not found.residual <= max(one.tolerance(0.02 * radius), 0.05 * radius):
-            raise Failure(
+            moves, advice = length(track) > STANDS_M, _wheel_advice(one, who)
+            failure = Failure(
                 f'{who} does not drive a circle in the run with {one.words}',
                 expected=f'a circle with a radius of {radius:g} m',
-                seen=f'a path of {length(track):.2f} m that is not a circle'
-                if length(track) > STANDS_M
-                else f'{who} does not move',
-                **one.advice,
+                seen=f'a path of {length(track):.2f} m that is not a circle' if moves else f'{who} does not move',
+                where=run.source.place,
+                try_=wanted.try_ if wanted.try_ and advice.startswith('find') else advice,
             )
-        one.require_close(f'the radius of the circle of {who}', found.radius, radius, 0.02 * radius)
+            failure.fits_rubric = failure.try_ == wanted.try_
+            raise failure
+        one.require_close(f'the radius of the circle of {who}', found.radius, radius, 0.02 * radius, unit='m')
 
 
 @kind('{follower} stays within {within} m of {goal}', 'follower goal within', 'since driver')
@@ -134,6 +142,19 @@ def _require_driver(one: OfRun, turtle: str) -> None:
     """Require that only the `driver` of the rubric sends commands to the turtle or robot. Without `driver`, do nothing."""
     if one.wanted['driver']:
         require_driver(one.alone, f'/{turtle.strip("/")}' if turtle else '', *one.wanted['driver'].split(maxsplit=1))
+
+
+def _wheel_advice(one: OfRun, who: str) -> str:
+    """Return advice about the velocities of a turtle or robot that does not drive as expected."""
+    name = f'/{str(one.wanted["turtle"]).strip("/")}' if one.wanted['turtle'] else ''
+    usual, place = f'{name}/cmd_vel', f'{name}/pose' if name else str(one.wanted['odometry'] or '/odom')
+    topics = sorted(command_topics(one.recording, place)) or [usual]
+    sent = (
+        [message for topic in topics for _, message in one.recording.messages(topic)] if topics[0] in one.recording.topics else []
+    )
+    if not sent:
+        return f'find out why no node publishes velocities on {topics[0]}'
+    return f'check the values of the velocities on {topics[0]}: linear.x moves {who} ahead, and angular.z turns it'
 
 
 def _tracks(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, str, Track]]:

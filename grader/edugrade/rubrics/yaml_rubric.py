@@ -12,7 +12,6 @@ from typing import Any
 import yaml
 
 from ..evidence import Evidence, Failure, Scenario
-from ..library.parameters import MissingParameterFile
 from ..rubric import Check, CheckFunction, Rubric, RubricMistake
 from . import yaml_behaviour, yaml_movement  # noqa: F401  (their kinds)
 from .yaml_checks import KINDS
@@ -24,7 +23,7 @@ CONSONANTS, VOWELS = 'bdfgklmnprstv', 'aeiou'
 RUN = ('name', 'arguments', 'duration', 'seed', 'interrupt', 'defaults', 'late', 'sends', 'turns', 'fails')
 SENT = 0.4, 0.5  # the parts of a run between which the grader sends its message, or turns a turtle
 ENDS = ('ends', 'shuts_down')
-COMMON = ('points', 'say', 'name', 'needs', 'try', 'only')
+COMMON = ('points', 'say', 'name', 'needs', 'explained_by', 'try', 'only')
 
 
 def read_yaml_rubric(path: str, data: bytes) -> Rubric:
@@ -263,12 +262,7 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: 
     name = words.get('name') or f'{kinds[0]}_{len(known) + 1}'
     if name in known:
         raise problem(node, f'two checks are called {name}')
-    names = _value(parts['needs'], problem) if 'needs' in parts else []
-    if not isinstance(names, list):
-        raise problem(parts['needs'], 'needs is a list of names of checks')
-    strange = [each for each in names if not isinstance(each, str) or each not in known]
-    if strange:
-        raise problem(parts['needs'], f'{name} needs {", ".join(map(str, strange))}, which is not before it in the rubric')
+    names, causes = (_earlier(parts, key, name, known, problem) for key in ('needs', 'explained_by'))
     only = _value(parts['only'], problem) if 'only' in parts else runs
     if 'only' in parts and (not isinstance(only, list) or not only or any(str(each) not in runs for each in only)):
         raise problem(parts['only'], f'only is a list of names of runs; there are {", ".join(runs)}')
@@ -278,7 +272,19 @@ def _check(node: yaml.Node, problem: Problem, known: Mapping[str, Check], runs: 
         _with_steps(lambda run: kind.function(run.only(only), wanted), steps),
         points,
         tuple(known[each] for each in names),
+        (*causes, *map(str, given.get('shows', ()))),
     )
+
+
+def _earlier(parts: Mapping[str, yaml.Node], key: str, name: str, known: Mapping[str, Check], problem: Problem) -> list[str]:
+    """Return the names of earlier checks in the field `key` of a check."""
+    names = _value(parts[key], problem) if key in parts else []
+    if not isinstance(names, list):
+        raise problem(parts[key], f'{key} is a list of names of checks')
+    strange = [each for each in names if not isinstance(each, str) or each not in known]
+    if strange:
+        raise problem(parts[key], f'{name} needs {", ".join(map(str, strange))}, which is not before it in the rubric')
+    return names
 
 
 def _advice(node: yaml.Node, problem: Problem) -> list[str | None]:
@@ -290,13 +296,13 @@ def _advice(node: yaml.Node, problem: Problem) -> list[str | None]:
 
 
 def _with_steps(function: CheckFunction, steps: Sequence[str | None]) -> CheckFunction:
-    """Return a check function that adds the steps of the rubric to its failures, except to a missing parameter file."""
+    """Return a check function that adds the steps of the rubric to the failures that the rubric's advice fits."""
 
     def checked(run: Evidence) -> None:
         try:
             function(run)
         except Failure as failure:
-            if not isinstance(failure, MissingParameterFile):
+            if failure.fits_rubric:
                 failure.steps = tuple(filter(None, steps))
             raise
 

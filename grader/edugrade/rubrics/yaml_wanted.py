@@ -5,13 +5,14 @@ from __future__ import annotations
 import ast
 import operator
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from copy import copy
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-from ..evidence import Evidence, Mismatch
+from ..evidence import Advice, Evidence, Mismatch
 from ..library.close import require_close
+from ..library.written import value_of
 from ..shortened import readable
 
 if TYPE_CHECKING:
@@ -45,9 +46,9 @@ class Wanted(dict[str, Any]):
     shows: Callable[[Evidence], object] | None = None
     may_end = False
 
-    def __init__(self, given: dict[str, Any], try_: str | None) -> None:
+    def __init__(self, given: dict[str, Any], try_: Advice) -> None:
         super().__init__(given)
-        self.try_ = try_
+        self.try_: Advice = try_
 
     def __missing__(self, key: str) -> str:
         return ''
@@ -59,7 +60,7 @@ class Wanted(dict[str, Any]):
         parts = {key: readable(text) if key == 'pattern' else text for key, text in parts.items()}
         return Wanted({key: ARGUMENT.sub(r'\1', text) for key, text in parts.items()}, None)
 
-    def advising(self, advice: str) -> Wanted:
+    def advising(self, advice: Advice) -> Wanted:
         """Return the values with the given advice, unless the rubric contains advice."""
         if self.try_ is not None:
             return self
@@ -171,22 +172,28 @@ class OfRun:
 
         return yaml.safe_load(self.text(key))
 
+    def code(self, key: str) -> str:
+        """Return the code for the value of a field in a launch file. ``$(arg radius)`` is a LaunchConfiguration."""
+        argument = ARGUMENT.fullmatch(str(self.wanted[key]))
+        return value_of(self.run, argument[1]) if argument else str(self.same_type(key))
+
     def tolerance(self, usual: float) -> float:
         """Return the tolerance of the rubric, or `usual` if the rubric has none."""
         return float(self.wanted['tolerance']) if 'tolerance' in self.wanted else usual
 
     def require_close(
-        self, thing: str, seen: float, asked: float, usual: float, try_: str | Sequence[str] | None = None, beside: str = ''
+        self, thing: str, seen: float, asked: float, usual: float, try_: Advice = None, beside: str = '', unit: str = ''
     ) -> None:
         """Require a number within the tolerance of the rubric (default: `usual`). Within `near`, the check gives a share of its
         points.
 
         :param beside: a remark about the number that was found.
+        :param unit: the unit of both numbers.
         :raises Mismatch: with both numbers.
         """
         near, share = float(self.wanted['near'] or 0.0), float(self.wanted['share'] or 0.5)
-        advice = try_ or self.wanted.try_
-        require_close(self.run, self.scenario, thing, seen, asked, self.tolerance(usual), near, share, try_=advice, beside=beside)
+        advice, close = try_ or self.wanted.try_, (seen, asked, self.tolerance(usual), near, share)
+        require_close(self.run, self.scenario, thing, *close, try_=advice, beside=beside, unit=unit)
 
 
 def calculated(text: str) -> float:

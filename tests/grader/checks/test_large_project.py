@@ -61,8 +61,8 @@ def test_water_that_is_the_default_is_shown_with_its_origin() -> None:
     plain = {name: Parameter(69, 'default') for name in WATER}
     results = graded('large_project', lambda s: run(s, values={**run(s).values, '/turtlesim2/sim': plain}))
     assert statuses(results) == {'water_comes_from_the_file': 'failed'}
-    assert results['water_comes_from_the_file'].reason.startswith('the water of /turtlesim2/sim')
-    assert 'background_r 69, the default value' in results['water_comes_from_the_file'].seen
+    assert results['water_comes_from_the_file'].reason.endswith('of /turtlesim2/sim should come from config/turtlesim.yaml')
+    assert 'background_r is 69, the default value' in results['water_comes_from_the_file'].seen
 
 
 def test_the_right_colours_from_elsewhere_are_not_those_of_the_file() -> None:

@@ -37,5 +37,5 @@ def test_a_number_outside_gives_nothing_unless_it_is_near() -> None:
 def test_the_sentence_names_the_thing_and_the_numbers() -> None:
     with pytest.raises(Mismatch) as raised:
         require_close(RUN, 'usual', 'the speed', 2.0, 1.0, 0.25)
-    assert str(raised.value) == 'the speed in the run with usual values should be 1 ± 0.25'
+    assert str(raised.value) == 'the speed should be 1 ± 0.25 in the run with usual values'
     assert (raised.value.seen, raised.value.where) == ('2', ('a.py', 3))

@@ -12,6 +12,7 @@ from edugrade.library.written import (
     node_of,
     parameter_of_node,
     remapping_to,
+    value_of,
 )
 from edugrade.source import SubmittedText
 
@@ -23,14 +24,14 @@ def evidence(file: str) -> Evidence:
 @pytest.mark.parametrize(
     ('file', 'default', 'remapping'),
     [
-        ('/a.launch.py', "default_value='kitchen'", "add remappings=[(..., '/news')] to the Node"),
-        ('/a.launch.xml', 'default="kitchen"', 'add <remap from="..." to="/news"/> to the node'),
-        ('/a.launch.yaml', 'default: "kitchen"', 'add remap: [{from: "...", to: "/news"}] to the node'),
-        ('/a.launch.yml', 'default: "kitchen"', 'add remap: [{from: "...", to: "/news"}] to the node'),
+        ('/a.launch.py', "default_value='kitchen'", "write remappings=[('chatter', '/news')] in the Node"),
+        ('/a.launch.xml', 'default="kitchen"', 'write <remap from="chatter" to="/news"/> in the node'),
+        ('/a.launch.yaml', 'default: "kitchen"', 'write remap: [{from: "chatter", to: "/news"}] in the node'),
+        ('/a.launch.yml', 'default: "kitchen"', 'write remap: [{from: "chatter", to: "/news"}] in the node'),
     ],
 )
 def test_a_default_and_a_remapping(file: str, default: str, remapping: str) -> None:
-    assert (default_of(evidence(file), 'kitchen'), remapping_to(evidence(file), '/news')) == (default, remapping)
+    assert (default_of(evidence(file), 'kitchen'), remapping_to(evidence(file), '/news', 'chatter')) == (default, remapping)
 
 
 def test_a_name_of_a_node_is_what_to_write() -> None:
@@ -47,7 +48,7 @@ def test_a_name_of_a_node_is_what_to_write() -> None:
 def test_an_xml_file_gets_no_python() -> None:
     run = evidence('/a.launch.xml')
     assert declaration_of(run, 'room', 'kitchen') == '<arg name="room" default="kitchen" description="..."/>'
-    assert parameter_of_node(run, 'speed') == 'add <param name="speed" value="..."/> to the node'
+    assert parameter_of_node(run, 'speed', value_of(run, 'fast')) == 'add <param name="speed" value="$(var fast)"/> to the node'
     assert node_of(run, 'turtlesim', 'mimic') == '<node pkg="turtlesim" exec="mimic"/>'
 
 
