@@ -66,7 +66,7 @@ class Messages:
             return NoMessages(topic, self.topics)
         rows = []
         for column in self._columns(topic):
-            from_wire = self._class(column['type']).from_wire
+            from_wire = self.message_class(column['type']).from_wire
             rows += [(time, from_wire(wire)) for time, wire in zip(column['times'], column['messages'], strict=True)]
         rows.sort(key=_time_of)
         return [(time / 1e9, message) for time, message in rows]
@@ -102,7 +102,7 @@ class Messages:
             raise ValueError('series() needs at least one field, such as "linear.x"')
         if topic not in self.topics:
             return NoMessages(topic, self.topics)
-        cls = self._class(self.topics[topic].type)
+        cls = self.message_class(self.topics[topic].type)
         places = {path: place for place, (path, kind) in enumerate(cls.wire_type()) if ']' not in kind}
         if set(fields) <= places.keys() and all(column['type'] == cls.TYPE for column in self._columns(topic)):
             wires = self.wires(topic, cls.TYPE)  # reading wire tuples takes a fifth of the time of creating messages
@@ -110,26 +110,20 @@ class Messages:
         gets = [getter(cls, field) for field in fields]
         return [(time, *(get(message) for get in gets)) for time, message in self.messages(topic)]
 
-    def message_class(self, type_name: str) -> Any:
-        """Return the class of the message type `type_name` ('turtlesim/msg/Pose'), with the fields that it had in the run."""
-        return self._class(type_name)
-
-    @property
+    @cached_property
     def registry(self) -> RecordedTypes:
         """The interfaces of this recording: the student's own interfaces as recorded, and all importable interfaces."""
-        return self._registry
-
-    @cached_property
-    def _registry(self) -> RecordedTypes:
-        """The interfaces of this recording; see :attr:`registry`."""
         from edulaunch.engine.recording.recorded_types import RecordedTypes
 
         return RecordedTypes(self._content.get('interfaces') or {}, current_registry())
 
-    def _class(self, type_name: str) -> Any:
-        """Return the class of a type. Raise RecordingError if the type is unknown here, or its definition is invalid."""
+    def message_class(self, type_name: str) -> Any:
+        """Return the class of the message type `type_name` ('turtlesim/msg/Pose'), with the fields that it had in the run.
+
+        :raises RecordingError: if the type is unknown here, or its definition is invalid.
+        """
         try:
-            return self._registry.get(type_name)
+            return self.registry.get(type_name)
         except InterfaceError as error:
             raise RecordingError(error.message, help=error.help) from None
         except RecursionError:
@@ -145,9 +139,9 @@ class Messages:
 
     def _check(self, type_name: str, wires: list[Any]) -> None:
         """Raise RecordingError if messages from a file do not fit their type."""
-        self._class(type_name)
+        self.message_class(type_name)
         try:
-            fit = self._registry.checks.check(type_name)
+            fit = self.registry.checks.check(type_name)
         except InterfaceError as error:
             raise RecordingError(error.message, help=error.help) from None
         if not fit(wires):
@@ -158,7 +152,7 @@ class Messages:
         """The requests and their replies as messages, in order of the requests."""
         calls = []
         for time, service, kind, client, request, served, replied, response in self._content['calls']:
-            cls = self._class(kind)
+            cls = self.message_class(kind)
             if self._unread is not None:
                 self._check(f'{kind}_Request', [request])
                 self._check(f'{kind}_Response', [] if replied is None else [response])
@@ -183,7 +177,7 @@ class Messages:
         messages = self.messages(topic)
         if isinstance(messages, NoMessages):
             messages[0]  # raises an error that lists the existing topics
-        cls = self._class(self.topics[topic].type)
+        cls = self.message_class(self.topics[topic].type)
         paths = fields or tuple(path for path, kind in cls.wire_type() if ']' not in kind and path in leaf_paths(cls))
         gets = [getter(cls, path) for path in paths]
         rows = [[get(message) for get in gets] for _, message in messages]

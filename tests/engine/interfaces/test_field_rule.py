@@ -198,3 +198,11 @@ def test_what_was_appended_to_a_list_of_texts_is_checked_in_the_snapshot(get):
     message.name.append(4)
     with pytest.raises(AssertionError, match="The 'name' field must be a set or sequence"):
         message.to_wire(message)
+
+
+def test_what_was_appended_to_a_list_of_messages_is_checked_in_the_snapshot(get):
+    message = get('tf2_msgs/msg/TFMessage')(transforms=[get('geometry_msgs/msg/TransformStamped')()])
+    assert len(message.to_wire(message)[0]) == 1
+    message.transforms.append(get('geometry_msgs/msg/Transform')())
+    with pytest.raises(AssertionError, match="each value of type 'TransformStamped'"):
+        message.to_wire(message)

@@ -150,7 +150,10 @@ def test_a_line_that_names_a_file_of_ours_has_the_same_digest_wherever_edulaunch
     for place in (house.parent, tmp_path / 'copied'):
         shutil.rmtree(tmp_path / 'drive', ignore_errors=True)
         command = [sys.executable, '-c', ELSEWHERE, str(place), str(file)]
-        done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+        env = {
+            name: value for name, value in os.environ.items() if name not in ('PYTHONPATH', 'AMENT_PREFIX_PATH')
+        }  # an activated shell
+        done = subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, text=True, check=True)
         imported, logged, digest = done.stdout.split()
         assert Path(imported).parent.parent == place and logged == 'True'
         found.add(digest)

@@ -183,3 +183,16 @@ def test_the_configuration_goes_back_to_the_beginning(capsys: Any, tmp_path: Pat
     assert capsys.readouterr().out == '[INFO] [after]: text\n'
     assert launch_config.level == logging.INFO
     assert not launch_config.log_dir.startswith(str(tmp_path))
+
+
+def test_the_format_of_one_logger_can_be_taken_back() -> None:
+    handler, logger = launch.logging.handlers.StreamHandler(), logging.getLogger('one')
+    handler.setFormatter(logging.Formatter('usual: %(message)s'))
+    record = logging.LogRecord('one', logging.INFO, 'a.py', 1, 'hello', None, None)
+    log = [handler.format(record)]
+    handler.setFormatterFor(logger, logging.Formatter('own: %(message)s'))
+    log.append(handler.format(record))
+    for _ in range(2):  # the second call has no effect
+        handler.unsetFormatterFor(logger)
+        log.append(handler.format(record))
+    assert log == ['usual: hello', 'own: hello', 'usual: hello', 'usual: hello']

@@ -47,6 +47,12 @@ def test_an_extension_adds_words_and_changes_the_local_variable(installed: None,
     monkeypatch.delitem(current_process().state, 'launch_ros.node_extensions')
 
 
+def test_an_extension_without_a_method_of_its_own_adds_nothing() -> None:
+    words = {'name': '__node:=me'}
+    node = Node(package='demo_nodes_py', executable='talker')
+    assert NodeActionExtension().prepare_for_execute(LaunchContext(), words, node) == ([], words)
+
+
 def test_one_that_cannot_be_loaded_gives_a_warning(installed: None, caplog: pytest.LogCaptureFixture) -> None:
     found = get_extensions(logging.getLogger('extensions'))
     assert list(found) == ['mark'] and isinstance(found['mark'], NodeActionExtension)
