@@ -45,11 +45,6 @@ class Text:
         except (SyntaxError, ValueError, RecursionError):
             return None
 
-    @property
-    def line_count(self) -> int:
-        """The number of lines."""
-        return len(self._starts)
-
     def place(self, offset: int) -> Place:
         """Return the line and column of an offset."""
         number = bisect_right(self._starts, offset)
