@@ -23,8 +23,7 @@ def nearest_few(name: str, names: Iterable[str], most: int) -> list[str]:
     If a known name differs only in case and separators, return only this name.
     """
     folded = {_folded(candidate): candidate for candidate in sorted(set(names), reverse=True)}
-    same = folded.get(_folded(name))
-    if same is not None:
+    if same := folded.get(_folded(name)):
         return [same]
     from difflib import get_close_matches
 
@@ -47,24 +46,21 @@ def nearest_spelling(name: str, names: Iterable[str]) -> str | None:
     The names may differ by two letters, or by a fifth of the letters of a longer name. Use this function for packages,
     modules and programs, where `vision_msgs` and `visualization_msgs` are different things.
     """
-    most = max(2, len(name) // 5)
     folded = _folded(name.removesuffix('.py'))  # a program may be named with the ending of its file, or without
-    close = [near for near in nearest_few(name, names, 3) if _edits(folded, _folded(near.removesuffix('.py'))) <= most]
-    return next((near for near in close if not _has_other_word(name, near)), None)
+    close = [one for one in nearest_few(name, names, 3) if not _has_other_word(name, one)]
+    return next((one for one in close if _edits(folded, _folded(one.removesuffix('.py'))) <= max(2, len(name) // 5)), None)
 
 
 def _has_other_word(name: str, near: str) -> bool:
     """Return whether two names of several words contain clearly different words, such as `color_qos` and `color_fps`."""
     pairs = zip(name.split('_'), near.split('_'), strict=True) if name.count('_') == near.count('_') > 0 else ()
-    return any(
-        _begins_another_word(one, two) or _edits(one, two) > max(1, len(one) // 2) and sorted(one) != sorted(two)
-        for one, two in pairs
-    )
+    return any(_is_other(one, two) for one, two in pairs if one != two)
 
 
-def _begins_another_word(one: str, other: str) -> bool:
-    """Return whether one word is the other one with letters before it, such as `xarm` and `arm`."""
-    return one != other and (one.endswith(other) or other.endswith(one))
+def _is_other(one: str, other: str) -> bool:
+    """Return whether two words differ clearly, or one is the other one with letters before it, such as `xarm` and `arm`."""
+    is_far = _edits(one, other) > max(1, len(one) // 2) and sorted(one) != sorted(other)
+    return is_far or one.endswith(other) or other.endswith(one)
 
 
 def _edits(one: str, other: str) -> int:
@@ -82,15 +78,14 @@ def nearest_file(name: str, names: Iterable[str]) -> str | None:
 
     First, only the parts before the endings are compared, because `.launch.py` alone does not make two names similar.
     """
-    files = sorted(file for file in names if _stem(file))
+    files = sorted(one for one in names if _stem(one) and _edits(_stem(name), _stem(one)) <= max(2, len(_stem(one)) // 2))
     stem = nearest(_stem(name), map(_stem, files))
     alike = [file for file in files if _stem(file) == stem]
-    is_near = stem is not None and _edits(_folded(_stem(name)), _folded(stem)) <= max(2, len(stem) // 2)
-    return nearest(name, alike) or next(iter(alike), None) if is_near else None
+    return nearest(name, alike) or next(iter(alike), None)
 
 
 def _stem(file: str) -> str:
-    return file.partition('.')[0].removesuffix('_launch')
+    return _folded(file.partition('.')[0]).removesuffix('_launch')
 
 
 def _folded(name: str) -> str:
@@ -99,5 +94,4 @@ def _folded(name: str) -> str:
 
 def did_you_mean(name: str, names: Iterable[str]) -> str | None:
     """Return a line of help that suggests the nearest known name, or None if no name is similar."""
-    near = nearest(name, names)
-    return None if near is None else f'did you mean {near!r}?'
+    return f'did you mean {near!r}?' if (near := nearest(name, names)) else None

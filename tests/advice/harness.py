@@ -22,7 +22,7 @@ from edulaunch.runtime.session import Session
 
 EXAMPLES = Path(__file__).parent / 'examples'
 WITHOUT = {
-    *('packages.build-output-committed', 'packages.package-is-repository', 'programs.rule-failed'),
+    *('packages.build-output-committed', 'programs.rule-failed'),
     *('packages.built-before', 'packages.not-searched'),
     *('programs.alone-on-network', 'time.other-clock', 'messages.other-definition'),  # tests/extras/network/test_advice.py
 }

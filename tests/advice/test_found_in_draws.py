@@ -149,7 +149,7 @@ def test_a_package_with_both_build_files_is_built_as_its_manifest_says(tmp_path:
     write(folder, robo____init___py='', robo__walker_py=program(), CMakeLists_txt='project(robo)\nament_package()\n')
     node = "Node(package='robo', executable='walker')"
     found = told(write(tmp_path, main_launch_py=launch(node)), workspaces=True)
-    assert "add 'walker = robo.walker:main' to console_scripts" in found[0] and 'CMakeLists.txt' not in found[0]
+    assert "write 'other'" in found[0] and 'CMakeLists.txt' not in found[0]
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from edulaunch.advice.outlines import branches, launch_files, name_of, nodes, place_of
+from edulaunch.advice.outlines import branches, launch_files, nodes, place_of
 from edulaunch.advice.rule import Finding, found, rule
 
 if TYPE_CHECKING:
@@ -17,25 +17,6 @@ if TYPE_CHECKING:
 IDLE = frozenset(
     ('argument', 'include', 'set_configuration', 'push_namespace', 'set_env', 'unset_env', 'set_parameter', 'set_remap')
 )
-
-
-@rule(
-    'launch.remapping-to-itself',
-    what='{node} remaps {topic} to {topic}, which has no effect',
-    do="write another name second, as in remappings=[('{topic}', 'other_name')], or remove the remapping",
-    level='info',
-    lesson='01_first_launch',
-)
-def remapping_to_itself(rehearsal: Rehearsal) -> Iterator[Finding]:
-    """Report a remapping of a name to itself, if both names are literal. Names from launch arguments may be equal by chance."""
-    from launch.utilities.texts import plain_text
-
-    for branch, item in nodes(rehearsal):
-        written = branch.action.written_remappings
-        for (source, target), _ in zip(written, item['remappings'][-len(written) :], strict=False):
-            old, new = plain_text(source), plain_text(target)
-            if old is not None and old == new:
-                yield found('topic', old, **place_of(branch), node=name_of(item))
 
 
 @rule(
@@ -91,9 +72,8 @@ def argument_unused(rehearsal: Rehearsal) -> Iterator[Finding]:
             continue
         times = len({other.origin for other in declared if other.action.name == name})
         holders = re.findall(rf"""(\w+)\s*=\s*['"]{re.escape(name)}['"]""", text)
-        if any(re.search(rf'LaunchConfiguration\(\s*{holder}\b', text) for holder in holders):
-            continue
-        if len(re.findall(rf'(?<![\w-]){re.escape(name)}(?![\w-])', text)) <= times:
+        is_read = any(re.search(rf'LaunchConfiguration\(\s*{holder}\b', text) for holder in holders)
+        if not is_read and len(re.findall(rf'(?<![\w-]){re.escape(name)}(?![\w-])', text)) <= times:
             yield found('argument', name, **place_of(branch))
 
 

@@ -82,10 +82,8 @@ def died(recording: Recording) -> Iterator[Finding]:
             time_s=process.ended_s,
             code=process.returncode,
             at=error.get('line'),
-            absent=_absent_program(error, line),
-            waits=error.get('line') if _OUTSIDE.search(error.get('message', '')) else None,
-            raised=line if error and _raises(file, line) else None,
             required=required[1] if (required := _REQUIRED.match(error.get('message', ''))) else None,
+            **_reason(error),
             **{'error': _short(f'{error["type"]}: {error["message"]}') if error else None, **_last_words(printed)},
         )
     yield from _outside(recording)
@@ -108,18 +106,16 @@ def _outside(recording: Recording) -> Iterator[Finding]:
             )
 
 
-def _raises(file: str | None, line: int | None) -> bool:
-    """Return whether this line of a program is a `raise` statement."""
-    tree = script_of(file)
-    return tree is not None and any(isinstance(node, ast.Raise) and node.lineno == line for node in walked(tree))
-
-
-def _absent_program(error: dict[str, Any], line: int | None) -> str | None:
-    """Return the command that a line could not start with `subprocess`, because this computer does not have it, or None."""
-    match = re.search(r"No such file or directory: '([\w-]+)'", error.get('message', ''))
-    tree = script_of(error.get('file')) if match else None
-    calls = (node for node in walked(tree) if isinstance(node, ast.Call) and node.lineno == line) if tree else ()
-    return match[1] if match and any('subprocess' in ast.unparse(node.func) for node in calls) else None
+def _reason(error: dict[str, Any]) -> dict[str, Any]:
+    """Return facts about the line that ended a program: a command that is `absent`, a device that `waits`, or an own `raised`."""
+    message, line = error.get('message', ''), error.get('line')
+    tree = script_of(error.get('file'))
+    there = [node for node in walked(tree) if getattr(node, 'lineno', None) == line] if tree else []
+    absent = re.search(r"No such file or directory: '([\w-]+)'", message)
+    if absent and any(isinstance(node, ast.Name) and node.id == 'subprocess' for node in there):
+        return {'absent': absent[1]}
+    raised = line if any(isinstance(node, ast.Raise) for node in there) else None
+    return {'waits': line} if _OUTSIDE.search(message) else {'raised': raised}
 
 
 def _last_words(printed: list[str]) -> dict[str, Any]:

@@ -38,20 +38,17 @@ def result_before_reply(recording: Recording) -> Iterator[Finding]:
             nodes = list(_own(function))
             calls = [node for node in nodes if isinstance(node, ast.Call)]
             names = {name_of_call(call) for call in calls}
-            if not names & {*SENDING} or names & {*WAITING} or any(name.startswith('spin') for name in names):
+            waits = any(name in WAITING or name.startswith('spin') for name in names)
+            if waits or not names & {*SENDING} or any(isinstance(node, (ast.Await, ast.Yield)) for node in nodes):
                 continue
-            if any(isinstance(node, (ast.Await, ast.Yield)) for node in nodes):
-                continue
-            futures = {
-                ast.unparse(node.targets[0]): node
-                for node in nodes
-                if isinstance(node, ast.Assign) and name_of_call(node.value) in SENDING
-            }
+            asked = [node for node in nodes if isinstance(node, ast.Assign) and name_of_call(node.value) in SENDING]
+            futures = {ast.unparse(node.targets[0]): node for node in asked}
+            handed = {ast.unparse(one) for call in calls for one in call.args}  # a helper may wait for such a future
             for call in calls:
                 holder = (
                     ast.unparse(call.func.value) if isinstance(call.func, ast.Attribute) and call.func.attr == 'result' else ''
                 )
-                made = futures.get(holder)
+                made = None if holder in handed else futures.get(holder)
                 if made is not None and call.lineno > made.lineno:
                     sent = name_of_call(made.value)
                     yield found('variable', holder, file=file, line=call.lineno, future=holder, sent=sent, at=made.lineno)

@@ -240,10 +240,10 @@ def not_added(scripts: list[Script]) -> Iterator[Finding]:
 def _unread(function: ast.FunctionDef | ast.AsyncFunctionDef, read: set[str], file: str) -> Iterator[Finding]:
     for node in function.body:
         if isinstance(node, ast.Assign) and isinstance(node.value, ast.Call) and isinstance(node.value.func, ast.Name):
-            target, made = node.targets[0], node.value.func.id
-            is_left = isinstance(target, ast.Name) and target.id not in read and not _is_in_comment(target.id, file)
-            if made in ACTIONS and len(node.targets) == 1 and isinstance(target, ast.Name) and is_left:
-                yield found('variable', target.id, file=file, line=node.lineno, action=made, description=_adds(function))
+            made, name = node.value.func.id, ast.unparse(node.targets[0])
+            is_left = made in ACTIONS and isinstance(node.targets[0], ast.Name) and name not in read
+            if is_left and len(node.targets) == 1 and not _is_on_purpose(name, file, function.body):
+                yield found('variable', name, file=file, line=node.lineno, action=made, description=_adds(function))
 
 
 def _adds(function: ast.FunctionDef | ast.AsyncFunctionDef) -> str | None:
@@ -253,19 +253,11 @@ def _adds(function: ast.FunctionDef | ast.AsyncFunctionDef) -> str | None:
     return next((one.id for one in adding if isinstance(one, ast.Name)), None)
 
 
-def _is_in_comment(name: str, file: str) -> bool:
-    """Return whether a line in a comment or a string adds the variable.
-
-    In that case, the student left the action out on purpose.
-    """
+def _is_on_purpose(name: str, file: str, body: list[ast.stmt]) -> bool:
+    """Return whether a comment adds the variable, or a string between the lines names it: the student left it out on purpose."""
     from edulaunch.ros.sources.source_package import read_text
 
-    name = re.escape(name)
     added, listed = rf'(?:\w+\.add_action\()?{name}\)?,?\s*(?:#.*)?$', rf'.*\bLaunchDescription\(\[.*\b{name}\b'
-    text = read_text(file)
-    if re.search(rf'^\s*#\s*(?:{added}|{listed})', text, re.MULTILINE) is not None:
-        return True
-    left_out = [
-        one.value for one in ast.walk(ast.parse(text)) if isinstance(one, ast.Expr) and isinstance(one.value, ast.Constant)
-    ]
-    return any(re.search(rf'^\s*{added}', str(one.value), re.MULTILINE) for one in left_out)  # a string in three quotes
+    strings = [one.value for one in body[1:] if isinstance(one, ast.Expr) and isinstance(one.value, ast.Constant)]
+    is_named = any(re.search(rf'\b{name}\b', str(one.value), re.IGNORECASE) for one in strings)
+    return is_named or re.search(rf'^\s*#\s*(?:{added}|{listed})', read_text(file), re.MULTILINE) is not None

@@ -94,20 +94,6 @@ def _is_committed(path: str) -> bool:
 
 
 @rule(
-    'packages.package-is-repository',
-    what='the package {package} is itself the root folder of a repository',
-    why='`colcon build` in this folder writes build/, install/ and log/ into the repository',
-    do='clone it into src/ of a workspace, or move the package into a folder src/{package}/ of the repository',
-    level='info',
-)
-def package_is_repository(workspace: Workspace) -> Iterator[Finding]:
-    """Report a package in the top folder of a git repository, if the doctor checks this folder as a workspace."""
-    for package in workspace.packages:
-        if package.folder == workspace.path and os.path.isdir(os.path.join(workspace.path, '.git')):
-            yield found('package', package.name, file=package.manifest_file)
-
-
-@rule(
     'packages.build-file',
     what='{file} {said}',
     why='colcon reads this file when it builds the package',

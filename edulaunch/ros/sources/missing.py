@@ -143,7 +143,9 @@ def missing_executable(index: Index, package: str, executable: str) -> Facts:
     """Return facts about a missing executable: the nearest name, or that its source exists but no build file names it."""
     names = [*index.executables(package), *index.native_executables(package)]
     other_ending = [name for name in (f'{executable}.py', executable.removesuffix('.py')) if name in names]
-    same = other_ending or [name for name in names if name in _of_module(source_package(index, package), executable)]
+    found = source_package(index, package)
+    starts = {os.path.basename(place): entry[0] for place, entry in found.contents.entry_points.items()} if found else {}
+    same = other_ending or [name for name in names if starts.get(name, '').endswith(f'.{executable.removesuffix(".py")}')]
     near = same[0] if same else nearest_spelling(executable, names)
     not_built = {} if same else _not_built(index, package, executable)
     return not_built or {
@@ -156,14 +158,6 @@ def missing_executable(index: Index, package: str, executable: str) -> Facts:
         'launch_file': executable if re.search(r'[._]launch\.(py|xml|yaml)$', executable) else None,
         **_unread(index, package, executable),
     }
-
-
-def _of_module(package: SourcePackage | None, module: str) -> list[str]:
-    """Return the executables that start the module of this name: an entry point may have another name than its module."""
-    entries = package.contents.entry_points if package else {}
-    return [
-        os.path.basename(place) for place, (name, _) in entries.items() if name.rpartition('.')[2] == module.removesuffix('.py')
-    ]
 
 
 def _only_owner(index: Index, executable: str) -> str | None:

@@ -16,7 +16,7 @@ from launch.utilities.type_utils import ensure_argument_type
 from .._node_words import NODE_NAME, NODE_NAMESPACE, validated_name, validated_namespace
 from .._parameter_arguments import NO_NAMESPACE, ParameterArguments
 from ..parameters_type import SomeParameters
-from ..remap_rule_type import RemapRule, SomeRemapRules
+from ..remap_rule_type import SomeRemapRules
 from ..substitutions.executable_in_package import ExecutableInPackage
 from ..utilities.namespace_utils import make_namespace_absolute, prefix_namespace
 from ..utilities.normalize_parameters import normalize_parameters
@@ -223,11 +223,6 @@ class Node(ExecuteProcess):
             self.process_description.write_before_look(arguments.write_files)
             for text, is_file in arguments.items:
                 words += ('--params-file' if is_file else '-p', text)
-
-    @property
-    def written_remappings(self) -> list[RemapRule]:
-        """The node's own remappings as the launch file contains them, for code that inspects the file without running it."""
-        return self.__remappings
 
     def __expand_remappings(self, context: LaunchContext, words: Words) -> None:
         rules = self.__expanded_remappings = list(context.launch_configurations.get('ros_remaps', ()))

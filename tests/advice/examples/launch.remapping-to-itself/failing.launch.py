@@ -1,8 +1,0 @@
-from launch import LaunchDescription
-from launch_ros.actions import Node
-
-
-def generate_launch_description():
-    return LaunchDescription([
-        Node(package='turtlesim', executable='turtlesim_node', name='sim', remappings=[('turtle1/cmd_vel', 'turtle1/cmd_vel')]),
-    ])
