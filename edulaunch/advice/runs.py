@@ -178,8 +178,8 @@ class Broadcasts:
 
     :ivar poses: the different values of static transforms, in order.
     :ivar length: the length of the first rotation whose length is not 1.
-    :ivar odd: (time of the first one in seconds, count) for each kind of invalid transform: 'zero', 'long', 'nan', 'unstamped',
-        'clock'.
+    :ivar odd: (time of the first transform in seconds, count) for each kind of invalid transform: 'zero', 'long', 'nan',
+        'unstamped', 'clock'.
     :ivar lag_s: the age in seconds that the first transform had when it was broadcast. A negative age means a future time stamp.
     """
 

@@ -172,7 +172,7 @@ class OfRun:
         return yaml.safe_load(self.text(key))
 
     def tolerance(self, usual: float) -> float:
-        """Return the tolerance of the rubric, or `usual` if the rubric has none."""
+        """Return the tolerance of the rubric, or `usual` if the rubric states no tolerance."""
         return float(self.wanted['tolerance']) if 'tolerance' in self.wanted else usual
 
     def require_close(

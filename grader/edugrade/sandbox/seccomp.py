@@ -1,4 +1,4 @@
-"""A filter of system calls (seccomp), which allows the calls in a list and refuses all others.
+"""A filter of system calls (seccomp), which allows the calls in a list and refuses all other calls.
 
 This module writes the filter itself, so that it needs no library. A refused call fails with EPERM. From Linux 5.0 on, a
 *listener* receives each refused call, so that the report can name it. See `guard.py`.

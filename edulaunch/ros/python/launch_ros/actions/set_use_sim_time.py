@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 class SetUseSimTime(Action):
     """Set `use_sim_time` of launch's own node, whose clock ROSTimer uses.
 
-    :param value: a bool, a string that contains a bool, or substitutions for one.
+    :param value: a bool, a string that contains a bool, or substitutions that give a bool.
     """
 
     def __init__(self, value: Any, **kwargs: Any) -> None:
