@@ -233,7 +233,7 @@ class Broadcasts:
 
 @lru_cache(maxsize=1)
 def broadcasts(recording: Recording) -> list[Broadcasts]:
-    """Return all broadcasts in the order of their first transforms. Static ones come first."""
+    """Return all broadcasts in the order of their first transforms. Static broadcasts come first."""
     found: dict[Any, Broadcasts] = {}
     for topic, is_static in (('/tf_static', True), ('/tf', False)):
         for time_ns, node, wire in recording.published(topic, TF_TYPE):

@@ -291,7 +291,7 @@ LONGEST_VALUE = 60
 
 
 class Mismatch(Failure):
-    """A thing has another value than the expected value. The report shows both values in full."""
+    """A value differs from the expected value. The report shows both values in full."""
 
     def __init__(
         self,

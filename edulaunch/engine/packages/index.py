@@ -107,7 +107,7 @@ class Index:
         return [place.path for place in self._places]
 
     def packages(self) -> dict[str, str]:
-        """Return the prefix of each package, by package name. If several places have a package, the first one is used."""
+        """Return the prefix of each package, by package name. If several places have a package, the first place is used."""
         found: dict[str, str] = {}
         for place in self._places:
             for name in place.packages():

@@ -124,7 +124,7 @@ class _Program(ctypes.Structure):
 
 
 def restrict(program: bytes) -> None:
-    """Permanently filter the calls of this process and its children. PR_SET_NO_NEW_PRIVS must be set before.
+    """Permanently filter the calls of this process and its children. Set PR_SET_NO_NEW_PRIVS first.
 
     :raises OSError: if the kernel does not support filters.
     """
