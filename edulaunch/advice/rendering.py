@@ -52,7 +52,8 @@ def rendered(finding: Finding, reader: Reader | None = None) -> Rendered:
 def warning_lines(
     findings: Sequence[Finding], reader: Reader | None = None, shown_by: str = '', most: int = MOST_SHOWN
 ) -> list[str]:
-    """Return the lines that a run prints at its end: the most serious findings with what to do, and the number of the others.
+    """Return the lines that a run prints at its end: the most serious findings with what to do, and the number of the other
+    findings.
 
     :param findings: the findings, with the most serious one first.
     :param reader: determines the language and the form of paths (default: the user of this program).

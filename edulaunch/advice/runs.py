@@ -178,8 +178,8 @@ class Broadcasts:
 
     :ivar poses: the different values of static transforms, in order.
     :ivar length: the length of the first rotation whose length is not 1.
-    :ivar odd: (time of the first one in seconds, count) for each kind of invalid transform: 'zero', 'long', 'nan', 'unstamped',
-        'clock'.
+    :ivar odd: (time of the first transform in seconds, count) for each kind of invalid transform: 'zero', 'long', 'nan',
+        'unstamped', 'clock'.
     :ivar stamps: the time stamps of the transforms that are counted as 'clock', in nanoseconds.
     :ivar lag_s: the age in seconds that the first transform had when it was broadcast. A negative age means a future time stamp.
     """
@@ -236,7 +236,7 @@ class Broadcasts:
 
 @lru_cache(maxsize=1)
 def broadcasts(recording: Recording) -> list[Broadcasts]:
-    """Return all broadcasts in the order of their first transforms. Static ones come first."""
+    """Return all broadcasts in the order of their first transforms. Static broadcasts come first."""
     found: dict[Any, Broadcasts] = {}
     for topic, is_static in (('/tf_static', True), ('/tf', False)):
         for time_ns, node, wire in recording.published(topic, TF_TYPE):

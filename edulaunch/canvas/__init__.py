@@ -110,7 +110,7 @@ def plot_system(
     """Draw the nodes, topics and frames of a planned or recorded system, or of two systems side by side.
 
     :param system: the system; see `edulaunch.advice.explaining.systems.System`.
-    :param other: a second system to compare with the first one; None draws one system.
+    :param other: a second system to compare with the first system; None draws one system.
     :param changed: for each node with different parameters in the two systems, the names of these parameters.
     :param services: whether to show services that a node calls.
     :param ax: matplotlib axes to draw on; a list of two axes for two systems.

@@ -51,8 +51,8 @@ _HERE = _Pose((0.0, 0.0, 0.0), ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0
 def outline_of(description: str) -> list[Part]:
     """Return the shapes of a URDF from above, the lowest first, with every joint at 0. Return [] for an invalid URDF.
 
-    Each link has its collision shapes or, if it has none, its visual shapes. Boxes, cylinders and spheres are supported, meshes
-    are not. The last part is an arrow in the robot's forward direction.
+    Each link has its collision shapes or, without collision shapes, its visual shapes. Boxes, cylinders and spheres are
+    supported, meshes are not. The last part is an arrow in the robot's forward direction.
     """
     if '<!DOCTYPE' in description or '<!ENTITY' in description:
         return []  # no robot needs entities, and they can expand without limit

@@ -140,7 +140,7 @@ _NO_DATE = (1980, 1, 1, 0, 0, 0)
 
 
 class Copied(NamedTuple):
-    """The result of a copy: the files that were written, and the student's files that were not replaced by newer ones of the
+    """The result of a copy: the files that were written, and the student's files that were not replaced by newer files of the
     course.
     """
 

@@ -36,7 +36,7 @@ Say = Callable[[str], None]
 def run_lessons(course: str, names: list[str], wanted: list[str], say: Say = lambda line: None) -> dict[str, Outputs]:
     """Return the outputs of lessons by the name of the lesson. The lessons run as for a student.
 
-    :param names: all lessons up to the last wanted one, in their order.
+    :param names: all lessons up to the last wanted lesson, in their order.
     :param wanted: the lessons whose outputs are needed.
     :param say: called with one line before the run, and one line for each lesson that has run.
     :raises UnusableInput: when a cell fails that is not tagged `raises-exception`.

@@ -22,7 +22,7 @@ def with_facts(error: Error, about: str, **data: Any) -> Error:
 
 
 def facts_of(error: BaseException | None) -> dict[str, Any]:
-    """Return the facts of an error, or an empty dict if the error has none."""
+    """Return the facts of an error, or an empty dict for an error without facts."""
     found: dict[str, Any] = getattr(error, 'edulaunch_facts', {})
     return found
 

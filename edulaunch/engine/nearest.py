@@ -12,7 +12,7 @@ def nearest(name: str, names: Iterable[str]) -> str | None:
     """Return the known name that is most similar to `name`, or None if no name is similar.
 
     The search ignores case, and treats `-`, `.` and `_` as equal (`My-Robot` finds `my_robot`). If several names differ only
-    in these characters, the first one in alphabetical order is returned.
+    in these characters, the first name in alphabetical order is returned.
     """
     return next(iter(nearest_few(name, names, 1)), None)
 

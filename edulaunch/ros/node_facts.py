@@ -1,4 +1,4 @@
-"""Access to a node's own state, for programs of edulaunch that run on edulaunch's rclpy or on ROS 2's own.
+"""Access to a node's own state, for programs of edulaunch that run on edulaunch's rclpy or on the rclpy of ROS 2.
 
 `core_of(node)` returns the names of a node, the parameter values from outside, and the node's place in the graph. edulaunch's
 rclpy provides this state. Other code can replace the function: `edulaunch.extras.native` does so where ROS 2's own rclpy runs

@@ -1,4 +1,5 @@
-"""The part of a machine's recording that belongs to one command: the command's programs, and others that ran at the same time.
+"""The part of a machine's recording that belongs to one command: the command's programs, and other programs that ran at the
+same time.
 
 A machine runs longer than its commands. Advice on a command must not mention earlier programs. From concurrent programs, it
 may use only facts that the command's own programs could observe.

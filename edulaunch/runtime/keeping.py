@@ -88,7 +88,7 @@ def first_interrupt_waits(text: str) -> Iterator[None]:
 
 
 class Reserve:
-    """Memory and file descriptors that are reserved for the end of a run, because a program may use up all others."""
+    """Memory and file descriptors that are reserved for the end of a run, because a program may use up everything else."""
 
     def __init__(self) -> None:
         self._memory = bytes(MEMORY_BYTES)  # a bytearray would write to each page, which takes 20 ms and the memory itself

@@ -279,9 +279,9 @@ def run(
     :param seed: the seed of all random numbers. The same launch file, arguments and seed give the same recording, byte for byte.
     :param workspaces: folders with the student's packages. The default is the same as in `edulaunch launch`, see
         :func:`~edulaunch.engine.packages.discovery.find_workspaces`. An empty list uses no workspace.
-    :param console: a function that is called as console(stream, text) with everything that launch prints. Without it, problems
-        are printed on the error stream, one line each: programs that died and why, misspelt launch arguments, callbacks that
-        wait forever.
+    :param console: a function that is called as console(stream, text) with everything that launch prints. Without this
+        function, edulaunch prints problems on the error stream, one line each: programs that died and why, misspelt launch
+        arguments, callbacks that wait forever.
     :param session: further arguments of :class:`Session`, such as `env`, `stdin` and `start_ns`.
     :raises UnusableInput: when the file or package does not exist.
     :raises LaunchFileError: when the launch file cannot be loaded or one of its actions fails. The error has ROS 2's message, the

@@ -127,7 +127,9 @@ def here_and_above(folder: str) -> Iterator[str]:
 
 
 def course_manifest(inside: str = '') -> str | None:
-    """Return the course.toml of the course around a directory (default: the current one), or None if there is no manifest."""
+    """Return the course.toml of the course around a directory (default: the current directory), or None if there is no
+    manifest.
+    """
     places = (place for folder in here_and_above(inside) for place in (folder, os.path.join(folder, 'exercises')))
     return _manifest_of(places)
 

@@ -295,7 +295,7 @@ LONGEST_VALUE = 60
 
 
 class Mismatch(Failure):
-    """A thing has another value than the expected value. The report shows both values in full.
+    """A value differs from the expected value. The report shows both values in full.
 
     :param during: the arguments of the run, in words.
     """

@@ -122,7 +122,7 @@ def component_is_node(failure: Failure) -> Iterator[Finding]:
 )
 def missing_keyword(failure: Failure) -> Iterator[Finding]:
     """Report a missing argument. Actions pass unknown arguments on to their base class, so Python reports a misspelt argument
-    only as a missing one.
+    only as a missing argument.
     """
     match = re.match(r"(\w+)\.__init__\(\) missing \d+ required (?:keyword-only|positional) arguments?: '(\w+)'", failure.message)
     cls = class_named(match[1]) if match is not None else None

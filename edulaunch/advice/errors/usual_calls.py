@@ -221,7 +221,7 @@ def fields_by_name(failure: Failure) -> Iterator[Finding]:
     hides=('messages.field-value',),
 )
 def parameter_no_value(failure: Failure) -> Iterator[Finding]:
-    """Report a parameter without a value that a program reads, or that it assigns to a field of a message."""
+    """Report a parameter without a value, if a program reads the parameter or assigns it to a field of a message."""
     unset = re.match(r"The parameter '(\S+)' is not initialized", failure.message)
     if unset is not None and failure.process is not None:
         yield report(failure, parameter=unset[1])

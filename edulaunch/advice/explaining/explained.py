@@ -205,7 +205,7 @@ def explain(
     :param file: the name of a launch file in the package.
     :param arguments: the launch arguments by name.
     :param workspaces: folders with packages (default: the workspaces of the current folder).
-    :param assume_packages: whether to replace missing packages by empty ones and continue.
+    :param assume_packages: whether to replace missing packages by empty packages and continue.
     :raises UnusableInput: when there is no such file or package.
     """
     where = workspaces_of_command(workspaces, path_or_package)

@@ -24,7 +24,7 @@ UNNAMED = 'unnamed'
 def process_item(action: Any, context: LaunchContext, environ: Mapping[str, str], index: int) -> Item:
     """Return the item of an ExecuteLocal action that was just executed.
 
-    For a node, :func:`add_names_and_parameters` adds the rest.
+    For a node, :func:`add_names_and_parameters` adds the other entries.
 
     :param action: the action.
     :param context: the launch context.

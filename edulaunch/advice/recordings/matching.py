@@ -83,7 +83,7 @@ def quality(recording: Recording) -> Iterator[Finding]:
     level='error',
 )
 def different_types(recording: Recording) -> Iterator[Finding]:
-    """Report a publisher and a subscription with different types, if none of them has another partner on the topic."""
+    """Report a publisher and a subscription with different types, if neither endpoint has another partner on the topic."""
     ends = ends_by_name(recording)
     for mismatch in recording.mismatches:
         if mismatch.why != 'TYPE':

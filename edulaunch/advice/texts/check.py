@@ -59,7 +59,7 @@ def kind_of(path: str, text: str) -> str | None:
 
 
 def check(text: str, path: str, around: Around | None = None) -> list[Marked]:
-    """Return the mistakes in the content of a file, with the most serious one first. No code of the file is executed.
+    """Return the mistakes in the content of a file, with the most serious mistake first. No code of the file is executed.
 
     :param text: the content of the file.
     :param path: the path of the file. Its name determines the kind of file, and its folder determines the available packages.

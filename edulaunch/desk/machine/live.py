@@ -198,7 +198,9 @@ def finish(
 
 
 def end_programs(session: Session, programs: Sequence[Process]) -> None:
-    """Send SIGINT to some programs, wait :data:`PATIENCE_S` simulated seconds for their end, and kill the rest."""
+    """Send SIGINT to some programs, wait :data:`PATIENCE_S` simulated seconds for their end, and kill the programs that
+    remain.
+    """
     left = [program for program in programs if program.returncode is None]
     for program in left:
         program.send_signal(Signals.SIGINT)

@@ -69,7 +69,7 @@ class RosArguments:
         self.unknown: list[str] = []
 
     def overrides_for(self, fully_qualified_name: str) -> dict[str, Override]:
-        """Return the parameter overrides for one node. Later patterns take precedence over earlier ones."""
+        """Return the parameter overrides for one node. Later patterns take precedence over earlier patterns."""
         found: dict[str, Override] = {}
         for pattern, values in self.parameters.items():
             if pattern_matches(pattern, fully_qualified_name):

@@ -167,7 +167,7 @@ class Subscription(Endpoint):
 
 
 def connect(publisher: Publisher, subscription: Subscription) -> None:
-    """Match a publisher and a subscription of one topic. If they are incompatible, report the policy to both instead."""
+    """Match a publisher and a subscription of one topic, or report the policy that makes them incompatible to both."""
     policy = 'TYPE' if publisher.type_name != subscription.type_name else incompatible_policy(publisher.qos, subscription.qos)
     if policy is not None:
         publisher.graph.tracer.incompatible(publisher, subscription, policy)

@@ -46,7 +46,7 @@ _INF = float('inf')
 class FieldRule:
     """The rule that checks the values of one field. `message` is the class of a nested message, or None.
 
-    Generated setters handle the most common valid values themselves, and call `accept` for all others.
+    Generated setters handle the most common valid values themselves, and call `accept` for all other values.
     """
 
     __slots__ = ('name', 'type', 'kind', 'message')

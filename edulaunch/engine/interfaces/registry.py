@@ -122,8 +122,8 @@ class Registry:
         return self._specs[type_name]
 
     def get(self, type_name: str) -> type[Any]:
-        """Return the class of 'pkg/kind/Name': a message, a service, an action, or a part of one. The first call creates the
-        class.
+        """Return the class of 'pkg/kind/Name': a message, a service, an action, or a part of such a type. The first call
+        creates the class.
 
         :raises InterfaceError: if the type does not exist, its file is invalid, or the type contains itself.
         """

@@ -107,7 +107,7 @@ class Index:
         return [place.path for place in self._places]
 
     def packages(self) -> dict[str, str]:
-        """Return the prefix of each package, by package name. If several places have a package, the first one is used."""
+        """Return the prefix of each package, by package name. If several places have a package, the first place is used."""
         found: dict[str, str] = {}
         for place in self._places:
             for name in place.packages():
@@ -146,7 +146,7 @@ class Index:
         return self._underlay or ''
 
     def executables(self, package: str) -> list[str]:
-        """Return the names of the package's executables, sorted. An unknown package has none.
+        """Return the names of the package's executables, sorted. An unknown package has no executables.
 
         If a workspace contains the C++ source of a built-in package, the built-in executables are included.
         """
@@ -234,7 +234,7 @@ class Index:
     def python_modules(self) -> dict[str, str]:
         """Return the folder or .py file of each top-level module that every program loads separately, by module name.
 
-        ROS's own modules are always the built-in ones, because clones of them in a workspace need the real middleware.
+        ROS's own modules are always the built-in modules, because clones of them in a workspace need the real middleware.
         """
         found: dict[str, str] = {}
         for place in self._places:

@@ -58,7 +58,7 @@ class Contents:
 
 
 class Program(NamedTuple):
-    """A program of a package. All programs except native and absent ones run in the simulation.
+    """A program of a package. All programs except native and absent programs run in the simulation.
 
     :param kind: the kind of program. 'entry_point' is a function of a module, 'script' a file that runs as `__main__`, and
         'module' is for `python3 -m`. With 'shell', `file` is a shell line. A 'native' or 'absent' program ends immediately

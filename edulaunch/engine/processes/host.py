@@ -242,7 +242,7 @@ class Host:
         return self.command_set.find(spec, packages, lambda: self.overlay(packages).modules)
 
     def ended(self, process: Process) -> None:
-        """Remove a process that has ended; the process calls this."""
+        """Remove a process that has ended; the process calls this method."""
         self.processes.remove(process)
         self.tracer.process_exited(process)
 

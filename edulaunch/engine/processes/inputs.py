@@ -113,7 +113,7 @@ class Input:
         return self._cut(len(self._text) if size < 0 else size)
 
     def read1(self, size: int) -> str:
-        """Return at most `size` of the available characters. If there is no character, wait for the first one."""
+        """Return at most `size` of the available characters. If there is no character, wait for the first character."""
         self._fill(1)
         return self._cut(size)
 

@@ -67,7 +67,7 @@ class Loader:
 
     @property
     def builtins(self) -> dict[str, Any]:
-        """The `__builtins__` of this program's modules: Python's own, except for the names that depend on the process."""
+        """The `__builtins__` of this program's modules: Python's builtins, except for the names that depend on the process."""
         if self._builtins is None:
             self._builtins = self.import_module('builtins').__dict__
         return self._builtins

@@ -195,9 +195,9 @@ SYSTEM = frozenset({'', '/', '/usr', '/usr/local', '/home', '/opt'})
 
 
 def machine_roots() -> list[list[str]]:
-    """Return pairs (folder, short name), the more specific ones first.
+    """Return pairs (folder, short name), the more specific folders first.
 
-    If two names belong to the same folder, the first one is used.
+    If two names belong to the same folder, the first name is used.
     """
     import tempfile  # imported here, because only a recording needs it
 

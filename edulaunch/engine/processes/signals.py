@@ -32,9 +32,9 @@ class SignalDelivery:
     def deliver(self, signum: int) -> None:
         """Deliver a signal to the program. Do nothing if the program has ended.
 
-        The handler of the program runs where the program waits. Without a handler, SIGINT raises KeyboardInterrupt there. The
-        signals of DEADLY end the program, and all others are ignored. If a program sends a signal to itself, the signal takes
-        effect before this call returns.
+        The handler of the program runs where the program waits. Without a handler, SIGINT raises KeyboardInterrupt there.
+        The signals of DEADLY end the program, and all other signals are ignored. If a program sends a signal to itself, the
+        signal takes effect before this call returns.
         """
         signum, task = int(signum), self._lifecycle.task
         if self._lifecycle.returncode is not None:

@@ -1,7 +1,7 @@
 """The frozen description of a program to start. Launch actions create it, and most checks inspect it.
 
-The module also defines the place of an action in a launch file, and the signals that a program may get. They are the signals
-of Linux, even on Windows, which has only six signals.
+The module also defines the place of an action in a launch file, and the signals that a program may get. These are the
+signals of Linux, even on Windows, which has only six signals.
 """
 
 from __future__ import annotations

@@ -166,8 +166,8 @@ class Streams:
 
     :param stdin: the input of the program.
     :param write: called with the name of the stream and a string for each output.
-    :ivar is_writing: whether an output is being passed on now. Meanwhile, output to the real `sys` does not belong to the
-        program.
+    :ivar is_writing: whether the streams are passing output on. During this time, output to the real `sys` does not belong
+        to the program.
     """
 
     def __init__(self, stdin: Any, write: Callable[[str, str], object]) -> None:

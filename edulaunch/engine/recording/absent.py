@@ -20,7 +20,7 @@ class NothingToDraw(EdulaunchError, ValueError):
 
 
 def not_recorded(text: str, name: str, among: Iterable[str]) -> NotRecorded:
-    """Return the error for an unknown name. Its message lists the known names, and its help suggests the nearest one.
+    """Return the error for an unknown name. Its message lists the known names, and its help suggests the nearest name.
 
     :param text: a description of the missing thing that ends with its name.
     :param name: the unknown name.

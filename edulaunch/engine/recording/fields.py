@@ -15,7 +15,7 @@ def getter(cls: Any, path: str) -> Callable[[Any], Any]:
     """Return a function that reads a field from messages of a class.
 
     :param path: the path of the field.
-    :raises NotRecorded: if the type has no such field; the message names the nearest one.
+    :raises NotRecorded: if the type has no such field; the message names the nearest field.
     :raises ValueError: if the path is malformed.
     """
     steps = path.split('.')

@@ -93,7 +93,7 @@ class Messages:
         """Return numbers of a `topic` over time: rows of (time in seconds, field, field ...).
 
         :param fields: paths such as 'pose.pose.position.x' or 'ranges[0]'; the numbers have the units of the message.
-        :raises NotRecorded: if the messages have no such field; the message names the nearest one.
+        :raises NotRecorded: if the messages have no such field; the message names the nearest field.
         :raises ValueError: if `fields` is empty.
         """
         from edulaunch.engine.recording.fields import getter

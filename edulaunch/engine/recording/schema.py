@@ -56,7 +56,7 @@ def table(check: Check) -> Check:
 
 
 def record(needed: dict[str, Check], optional: dict[str, Check] | None = None) -> Check:
-    """Return a check for a mapping with all `needed` keys and possibly some `optional` ones. Each value must pass its check."""
+    """Return a check for a mapping with all `needed` keys and possibly some `optional` keys. Each value must pass its check."""
     known = {**needed, **(optional or {})}
     return lambda value: (
         type(value) is dict and needed.keys() <= value.keys() <= known.keys() and all(known[key](value[key]) for key in value)

@@ -95,7 +95,7 @@ class Views:
         """Serve the run to Foxglove and Lichtblick from a notebook. Return the server, which has `address` and `close()`.
 
         :param port: a port of this computer, or 0 for any free port.
-        :param origins: the origins of pages that may connect, in addition to Foxglove's own.
+        :param origins: the origins of pages that may connect, in addition to the origin of Foxglove.
         """
         return view('foxglove')(self, port, origins)
 

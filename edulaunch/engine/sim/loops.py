@@ -28,7 +28,7 @@ def set_aside() -> Aside:
 
 
 def put_back(aside: Aside) -> None:
-    """Make a loop the running one again, in the middle of its current task.
+    """Make a loop the running loop again, in the middle of its current task.
 
     :param aside: the result of :func:`set_aside`.
     """

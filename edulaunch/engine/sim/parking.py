@@ -75,8 +75,8 @@ class Parking:
         return woken
 
     def suspend(self) -> None:
-        """Stop the whole simulation in the middle of this turn, so that `run` or `step` returns. The next call of either
-        continues here.
+        """Stop the whole simulation in the middle of this turn, so that `run` or `step` returns. The next call of `run` or
+        `step` continues here.
 
         The agenda contains no item for this, so the recording of the run does not change.
         """

@@ -172,7 +172,7 @@ class AmbientTask(Task):
         return True
 
     def wake(self) -> None:
-        """Wake the task like :meth:`Task.wake`. Another thread may call this, too."""
+        """Wake the task like :meth:`Task.wake`. Another thread may call this method, too."""
         super().wake()
         if self.real_threads is not None:
             self.real_threads.ring()

@@ -141,7 +141,7 @@ class TransformBuffer:
         return self._try(problem(self._frames, target, source), target, source, time_ns)
 
     def can_transform_full(self, target: str, target_ns: int, source: str, source_ns: int, fixed: str) -> tuple[bool, str]:
-        """Return whether `lookup_full` would succeed for these arguments, and the reason why not ('' for success)."""
+        """Return whether `lookup_full(target, target_ns, source, source_ns, fixed)` would succeed, and the reason (or '')."""
         possible, reason = self._try(problem(self._frames, target, source, fixed), target, fixed, target_ns)
         return self._try('', fixed, source, source_ns) if possible else (False, reason)
 

@@ -1,4 +1,4 @@
-"""The velocity of one frame relative to another one, from two lookups."""
+"""The velocity of one frame relative to another frame, from two lookups."""
 
 from __future__ import annotations
 

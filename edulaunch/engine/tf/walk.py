@@ -1,6 +1,7 @@
 """Lookups step by step in the same order as tf2, so that failures have tf2's own messages.
 
-`path.py` handles the usual lookups faster. This module handles the others: failures, and frames whose parent has changed.
+`path.py` handles the usual lookups faster. This module handles the other lookups: failures, and frames whose parent has
+changed.
 """
 
 from __future__ import annotations

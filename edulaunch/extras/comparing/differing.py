@@ -177,7 +177,8 @@ def _rates(kind: str, name: str, here: Flow, there: Flow) -> Iterator[Difference
 
 
 def not_up(simulated: Observation, real: Observation) -> set[str]:
-    """Return the programs that received a signal in the real run before they had started, or just after (:data:`YOUNG_S`).
+    """Return the programs that received a signal in the real run before they had started, or at most :data:`YOUNG_S` after
+    their start.
 
     The behaviour of these programs after the signal is a matter of chance.
     """

@@ -56,7 +56,7 @@ def reason(known: Sequence[Known], words: Sequence[str], difference: Difference)
 
 
 def split(known: Sequence[Known], words: Sequence[str], found: Sequence[Difference]) -> tuple[list[Difference], list[Known]]:
-    """Return the differences that no row explains, and the rows that explain the rest."""
+    """Return the differences that no row explains, and the rows that explain the other differences."""
     rows = {each: reason(known, words, each) for each in found}
     return [each for each in found if rows[each] is None], list(dict.fromkeys(row for row in rows.values() if row))
 

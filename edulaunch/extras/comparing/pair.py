@@ -24,8 +24,8 @@ OTHER_SEEDS = (1, 2)
 class Pair(NamedTuple):
     """The result of a comparison: the differences, split by whether they count, and the observations of both runs.
 
-    Differences that depend on the computer's speed do not count. Neither do subjects that depend on random numbers, and
-    programs that had not started before Ctrl-C.
+    Differences that depend on the computer's speed do not count. Subjects that depend on random numbers, and programs that
+    had not started before Ctrl-C, do not count either.
     """
 
     found: list[Difference]
@@ -46,9 +46,9 @@ def compare(
 ) -> Pair:
     """Run a launch file in simulation, as long as the real run may take, and then in reality.
 
-    Some differences depend on the order in which programs start. In further simulations, programs therefore start as late as in
-    reality, at the same time of day. Other differences depend on random numbers; see :func:`by_chance`. The result contains the
-    rest.
+    Some differences depend on the order in which programs start. In further simulations, programs therefore start as late as
+    in reality, at the same time of day. Other differences depend on random numbers; see :func:`by_chance`. The result
+    contains the remaining differences.
 
     :param seconds: the simulated seconds until Ctrl-C.
     :param is_known: returns whether a difference is known. The run does not wait for known differences.

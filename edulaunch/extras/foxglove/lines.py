@@ -41,7 +41,7 @@ class Line(Protocol):
 
 
 class MachineLine:
-    """The connection with a Conversation in the machine's process.
+    """The connection to a Conversation in the machine's process.
 
     :param connection: a socket that is connected to the machine.
     :param hello: the first frame to send on the socket.

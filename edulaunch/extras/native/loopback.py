@@ -1,4 +1,4 @@
-"""Keep programs on the real rclpy on this computer. Without this, DDS binds sockets that other computers can reach."""
+"""Keep programs on the real rclpy on this computer. Without this limit, DDS binds sockets that other computers can reach."""
 
 from __future__ import annotations
 

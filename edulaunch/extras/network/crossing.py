@@ -87,7 +87,7 @@ def add_options(parser: argparse.ArgumentParser, prefix: str = '') -> None:
     """Add the options of a join. Commas may separate the names of a list.
 
     :param prefix: the beginning of the name of each option, which is 'network-' for a launch. For a launch, each option
-        takes one word, so that it does not take the package and the launch file as well.
+        takes one word, so that an option cannot also take the package and the launch file.
     """
     for name, text in LISTS.items():
         parser.add_argument(

@@ -30,7 +30,7 @@ def opened(frames: Iterable[tuple[int, bytes]]) -> Iterator[tuple[int, int, int,
 
 
 class Outbox:
-    """Frames that wait to be sent. An urgent frame is sent before all others, but after a frame that is partly sent."""
+    """Frames that wait to be sent. An urgent frame is sent before all other frames, but after a frame that is partly sent."""
 
     def __init__(self) -> None:
         self._half_sent = memoryview(b'')

@@ -41,7 +41,7 @@ class NullQueue:
     last: Any = None
 
     def append(self, item: Any) -> None:
-        """Store the message as the last one."""
+        """Store the message as the last message."""
         self.last = item
 
     def clear(self) -> None:

@@ -1,4 +1,4 @@
-"""The graph in both peers: each peer repeats the changes of the other, and messages reach the subscriptions of both peers.
+"""The graph in both peers: each peer repeats the changes of the other peer, and messages reach the subscriptions of both peers.
 
 Each peer has every node and endpoint, in the same order and with the same numbers. The endpoints of the other peer are *remote*:
 a message for such an endpoint is sent over the link, instead of into a queue.

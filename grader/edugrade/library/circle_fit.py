@@ -1,4 +1,4 @@
-"""Fits a circle to points by least squares. The module uses only plain Python, because loading numpy takes long."""
+"""Fits a circle to points by least squares. The module uses only plain Python, because loading numpy takes a long time."""
 
 from __future__ import annotations
 

@@ -122,8 +122,8 @@ def pairs(leader: Track, follower: Track) -> list[tuple[tuple[float, float, floa
 
 
 def progress_towards(leader: Track, follower: Track) -> float:
-    """Return the metres that the follower drove towards the leader, minus those away from it. Sideways movement does not
-    count.
+    """Return the metres that the follower drove towards the leader, minus the metres away from the leader. Sideways movement
+    does not count.
     """
     total = 0.0
     joined = pairs(leader, follower)

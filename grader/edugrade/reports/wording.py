@@ -1,8 +1,8 @@
 """Adapts results to their readers: the level of the advice, the language, and short paths.
 
 A rubric's author may write the steps of the advice (``try: [first, second, third]``). If there is only one step, this module
-creates the earlier ones. The first step is the kind of thing to check. The second step is the advice without the content of its
-brackets. The grader writes reports in English and translates them at the end (`edulaunch.advice.reader`).
+creates the earlier steps. The first step is the kind of thing to check. The second step is the advice without the content of
+its brackets. The grader writes reports in English and translates them at the end (`edulaunch.advice.reader`).
 """
 
 from __future__ import annotations

@@ -29,7 +29,8 @@ def rubrics_folder() -> str:
 def course_rubrics(inside: str = '') -> str | None:
     """Return the directory ``rubrics`` of a course, beside its course.toml or one level above. Return None without a course.
 
-    The function searches for the course in a folder (default: the current one) and its parents, but never in a submission.
+    The function searches for the course in a folder (default: the current folder) and its parents, but never in a
+    submission.
     """
     path = course_manifest(inside)
     if path is None:

@@ -178,7 +178,7 @@ class OfRun:
         return value_of(self.run, argument[1]) if argument else str(self.same_type(key))
 
     def tolerance(self, usual: float) -> float:
-        """Return the tolerance of the rubric, or `usual` if the rubric has none."""
+        """Return the tolerance of the rubric, or `usual` if the rubric states no tolerance."""
         return float(self.wanted['tolerance']) if 'tolerance' in self.wanted else usual
 
     def require_close(

@@ -1,4 +1,4 @@
-"""The system calls that a run may make, and the names of others, as ``name:number on x86-64:number on 64-bit ARM``.
+"""The system calls that a run may make, and the names of other system calls, as ``name:number on x86-64:number on 64-bit ARM``.
 
 Calls that are in none of these tables are refused as well. A number above NEWEST is reported as unknown, so the C library uses an
 older call.

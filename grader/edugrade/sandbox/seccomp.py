@@ -1,4 +1,4 @@
-"""A filter of system calls (seccomp), which allows the calls in a list and refuses all others.
+"""A filter of system calls (seccomp), which allows the calls in a list and refuses all other calls.
 
 This module writes the filter itself, so that it needs no library. A refused call fails with EPERM. From Linux 5.0 on, a
 *listener* receives each refused call, so that the report can name it. See `guard.py`.
@@ -124,7 +124,7 @@ class _Program(ctypes.Structure):
 
 
 def restrict(program: bytes) -> None:
-    """Permanently filter the calls of this process and its children. PR_SET_NO_NEW_PRIVS must be set before.
+    """Permanently filter the calls of this process and its children. Set PR_SET_NO_NEW_PRIVS first.
 
     :raises OSError: if the kernel does not support filters.
     """

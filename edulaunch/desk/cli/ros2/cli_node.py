@@ -86,7 +86,7 @@ def pause(node: Node, seconds: float) -> bool:
 
 
 def pause_until(node: Node, at_ns: int) -> bool:
-    """Wait until the simulated time is `at_ns` nanoseconds. Return and raise the same as :func:`pause`."""
+    """Wait until the simulated time is `at_ns` nanoseconds. The result and the exceptions are the same as for :func:`pause`."""
     sim = current_task().sim
     while sim.now_ns < at_ns and node.context.ok():
         node.context.rcl_park(at_ns)

@@ -53,7 +53,7 @@ def executables_verb(arguments: argparse.Namespace) -> str | None:
 
 
 def list_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add no arguments, because `ros2 pkg list` has none."""
+    """Add no arguments, because `ros2 pkg list` has no arguments."""
 
 
 def list_verb(arguments: argparse.Namespace) -> None:

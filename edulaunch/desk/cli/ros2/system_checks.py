@@ -238,7 +238,7 @@ def multicast_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def multicast_verb(arguments: argparse.Namespace) -> str | None:
-    """Send a datagram, or wait for one. Return an error message if that failed."""
+    """Send a datagram, or wait for a datagram. Return an error message if that failed."""
     from std_msgs.msg import String
 
     if arguments.verb == 'receive':

@@ -167,7 +167,8 @@ class SysView(ModuleType):
     def private_path(self) -> tuple[list[str], list[str]]:
         """Return the folders that this program added to its path, as two lists.
 
-        The first list contains the folders before all shared ones, and the second list the folders after the first shared one.
+        The first list contains the folders before all shared folders, and the second list the folders after the first shared
+        folder.
         """
         first = next((place for place, folder in enumerate(self.path) if folder in self._shared_path), len(self.path))
         return self.path[:first], [folder for folder in self.path[first:] if folder not in self._shared_path]

@@ -1,4 +1,4 @@
-"""The program custom_executor: an executor that runs the callbacks of some nodes before all others."""
+"""The program custom_executor: an executor that runs the callbacks of some nodes before all other callbacks."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ class SingleGoalActionServer(MinimalActionServer):
         self._goal_lock = Lock()
 
     def handle_accepted_callback(self, goal_handle: ServerGoalHandle) -> None:
-        """Abort the current goal, and start the new one."""
+        """Abort the current goal, and start the new goal."""
         with self._goal_lock:
             if self._goal_handle is not None and self._goal_handle.is_active:
                 self.get_logger().info('Aborting previous goal')

@@ -31,7 +31,8 @@ class ParsedByFrontend:
     So `super().parse(entity, parser)` in a student's subclass returns the keyword arguments of the base class.
 
     :param kind: 'action' or 'substitution'.
-    :param otherwise: the function for classes that the frontend has no parser for. Without it, these classes have no `parse`.
+    :param otherwise: the function for classes that the frontend has no parser for. Without this function, these classes have
+        no `parse`.
     """
 
     def __init__(self, kind: str, otherwise: Parse | None = None) -> None:

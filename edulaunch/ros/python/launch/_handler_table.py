@@ -39,7 +39,7 @@ class HandlerTable:
         return deque(_in_order(*self._groups.values()))
 
     def add(self, handler: Handler, *, append: bool) -> None:
-        """With `append`, add a handler after all others. Otherwise, add it before all others."""
+        """With `append`, add a handler after all other handlers. Otherwise, add it before all other handlers."""
         if append:
             self._last += 1
         else:

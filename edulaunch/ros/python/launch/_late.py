@@ -32,7 +32,8 @@ def late_names(
     :param attributes: the modules that are attributes, but are not exported.
     :param eager: the objects that the package has already imported. They must include each function that has the same name
         as its module. Otherwise, importing the module would replace the function with the module.
-    :param absent: names of ROS 2 that edulaunch does not have, each with its replacement; importing one raises ImportError.
+    :param absent: names of ROS 2 that edulaunch does not have, each with its replacement; importing such a name raises
+        ImportError.
     """
     exported = [*modules, *eager, *names]
     known = {*modules, *attributes, *names.values()}

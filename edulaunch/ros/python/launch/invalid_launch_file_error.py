@@ -9,7 +9,7 @@ class InvalidLaunchFileError(Exception):
     """A launch file cannot be loaded.
 
     :param extension: the extension of the file, without its dot.
-    :param likely_errors: the error of each loader that was tried. The first one becomes the `__cause__`.
+    :param likely_errors: the error of each loader that was tried. The first error becomes the `__cause__`.
     """
 
     def __init__(self, extension: str = '', *, likely_errors: Sequence[BaseException] = ()) -> None:

@@ -114,7 +114,7 @@ def finish(loop: asyncio.AbstractEventLoop, test: Any) -> None:
 def launch_description_of(result: object, prefix: str) -> LaunchDescription:
     """Return the launch description that a launch fixture has returned.
 
-    :raises: pytest's failure for anything but a description, or a sequence that begins with one.
+    :raises: pytest's failure for anything but a description, or a sequence that begins with a description.
     """
     first = result[0] if isinstance(result, Sequence) and not isinstance(result, str) and result else result
     if isinstance(first, LaunchDescription):
@@ -128,7 +128,7 @@ def launch_description_of(result: object, prefix: str) -> LaunchDescription:
 
 
 def launch_until_ready(service: Any, loop: Any, description: LaunchDescription, prefix: str, shutdown_when_idle: bool) -> None:
-    """Run a description up to its `ReadyToTest`. If the description has none, add one at its end.
+    """Run a description up to its `ReadyToTest`. If the description has no such action, add one at its end.
 
     If a service already runs for another fixture of the same scope, this service includes the description.
 

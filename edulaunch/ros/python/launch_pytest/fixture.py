@@ -79,9 +79,9 @@ def fixture(
     """Make a pytest fixture from a function that returns a launch description. The description is launched before the tests that
     use the fixture.
 
-    The function returns (or yields) a LaunchDescription, or a sequence that begins with one. The decorator adds the fixtures
-    `event_loop`, `launch_service` and `launch_context` of the same scope to the function's module. Existing fixtures of these
-    names, or of a wider scope, are not replaced.
+    The function returns (or yields) a LaunchDescription, or a sequence that begins with a LaunchDescription. The decorator
+    adds the fixtures `event_loop`, `launch_service` and `launch_context` of the same scope to the function's module.
+    Existing fixtures of these names, or of a wider scope, are not replaced.
 
     :param shutdown_when_idle: whether to end the launch when nothing is left to do.
     :param auto_shutdown: whether to shut the launch down after the tests. Otherwise, wait until the launch ends.

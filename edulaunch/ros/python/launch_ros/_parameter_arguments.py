@@ -110,7 +110,8 @@ class ParameterArguments:
         self._add((f'{name}:={yaml.safe_dump(value)}', False), {name: value}, {name: parameter})
 
     def in_force(self, node: Origin | None) -> list[Given]:
-        """Return all values that are given for this node's parameters. If a parameter has several values, the last one counts.
+        """Return all values that are given for this node's parameters. If a parameter has several values, the last value
+        counts.
 
         :param node: the place in the launch file that created the node.
         """

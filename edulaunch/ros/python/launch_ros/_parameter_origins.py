@@ -31,7 +31,7 @@ SHORT_CALL = 12
 def key_lines(file: str, line: int) -> dict[str, int]:
     """Return the source text of each dictionary key in the call that begins on `line`, with the line of the key.
 
-    For a repeated key, this is the last line. The result is empty if the file cannot be read.
+    For a repeated key, the line of the last occurrence is returned. The result is empty if the file cannot be read.
     """
     import linecache
 

@@ -43,7 +43,7 @@ _INSIDE = frozenset(('param',))
 
 def parameters_in(entity: Entity, parser: ParserProtocol, tag: str) -> list[Any]:
     """Return the argument `parameters` of a node, with one source for each element. The sources have the order of the file, so
-    later sources override earlier ones.
+    later sources override earlier sources.
 
     :raises RuntimeError: for attributes that cannot be combined.
     :raises ValueError: for an element with neither `name` nor `from`.

@@ -24,7 +24,7 @@ def post_shutdown_test() -> Callable[[type], type]:
 def ready_to_test_action_timeout(timeout: float = DEFAULT_TIMEOUT_S) -> Callable[[T], T]:
     """Set the maximum time until `ReadyToTest`, counted from the start of the launch.
 
-    :param timeout: the maximum in simulated seconds. Without this decorator, it is 15 s.
+    :param timeout: the maximum in simulated seconds. Without this decorator, the maximum is 15 s.
     """
 
     def mark(test_description: T) -> T:

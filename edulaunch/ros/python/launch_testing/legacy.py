@@ -1,4 +1,4 @@
-"""Tools of ROS 2 that are older than launch test files. Using one raises an error that names the replacement."""
+"""Tools of ROS 2 that are older than launch test files. Using such a tool raises an error that names the replacement."""
 
 from typing import TYPE_CHECKING
 

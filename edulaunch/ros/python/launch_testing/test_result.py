@@ -67,7 +67,7 @@ class TestResult(unittest.TestResult):
         self._write('FAIL\n')
 
     def addError(self, test: unittest.TestCase, err: ErrorInfo) -> None:
-        """Record any other exception. If the process of the test is being ended, end the test, too."""
+        """Record any other exception. If the process that runs the test is killed, the test ends, too."""
         if issubclass(err[0], TaskKilled):
             raise err[1]
         if is_pytest_outcome(err[1]) and err[0].__name__ == 'Skipped':

@@ -163,7 +163,7 @@ class CppNode(Node):
         return [self.set_parameters_atomically([parameter]) for parameter in parameter_list]
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
-        """Set all parameters, or none if one is rejected."""
+        """Set all parameters, or no parameter if one is rejected."""
         for parameter in parameter_list:
             refusal = self._refusal(parameter)
             if refusal is not None:

@@ -56,8 +56,8 @@ def init(
     """Initialise ROS 2 for this program or context.
 
     :param args: the command-line arguments; None means the arguments of the program.
-    :param signal_handler_options: the signals that shut ROS 2 down. By default, the default context handles all of them, and any
-        other context handles none.
+    :param signal_handler_options: the signals that shut ROS 2 down. By default, the default context handles all of them, and
+        any other context handles no signals.
     :raises RuntimeError: when the context is already initialised.
     """
     if signal_handler_options is None:

@@ -9,7 +9,7 @@ from weakref import ref
 class CallbackGroup:
     """The base class of callback groups. A group decides whether the callback of an entity may start.
 
-    `busy_with` is the entity whose running callback blocks all others of the group, or None.
+    `busy_with` is the entity whose running callback blocks all other callbacks of the group, or None.
     """
 
     def __init__(self) -> None:

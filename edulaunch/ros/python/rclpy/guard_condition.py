@@ -40,8 +40,8 @@ class GuardCondition(Entity):
         return Handle(self, lambda: self.destroyed)
 
     def trigger(self) -> None:
-        """Make the executor call the callback. Several triggers before the call count as one. Raise InvalidHandle
-        after destroy.
+        """Make the executor call the callback. Several triggers before the call count as one trigger. Raise InvalidHandle after
+        destroy.
         """
         if self.destroyed:
             raise invalid_handle()

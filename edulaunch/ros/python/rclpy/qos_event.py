@@ -1,5 +1,5 @@
-"""The old name of `rclpy.event_handler`. In ROS 2, importing it prints a warning. Here it prints none, because all processes
-share the module.
+"""The old name of `rclpy.event_handler`. In ROS 2, importing this module prints a warning. Here, the import prints no warning,
+because all processes share the module.
 """
 
 from __future__ import annotations

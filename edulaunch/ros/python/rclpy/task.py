@@ -291,7 +291,7 @@ def future_answer(source: Any) -> Future:
 
 
 def source_of(future: Any) -> Any:
-    """Return the client for whose reply a future waits; None if it waits for something else."""
+    """Return the client for whose reply a future waits, or None if the future waits for something else."""
     return getattr(future, '_source', None)
 
 

@@ -25,7 +25,7 @@ class TimeSource:
     """Passes the time of /clock to the attached clocks while the source is active. The node's parameter use_sim_time activates
     it.
 
-    :param node: the node that subscribes to /clock and has the parameter; None means that it is attached later.
+    :param node: the node that subscribes to /clock and has the parameter; None means that the node is attached later.
     """
 
     def __init__(self, *, node: NodeProtocol | None = None) -> None:

@@ -149,7 +149,9 @@ class TeleopTurtle(CppNode):
         print(*WELCOME, sep='\n')
 
     def spin(self) -> None:
-        """Handle keys until the program is stopped. Meanwhile, the terminal passes on each key when it is pressed."""
+        """Handle keys until the program is stopped. Until then, the terminal passes on each key as soon as the user
+        presses it.
+        """
         if self._timer is not None:
             rclpy.spin(self)
             return

@@ -35,9 +35,9 @@ class Student(NamedTuple):
 def namer(folder: str, pattern: str | None = None) -> Callable[[str], Student]:
     """Return a function that finds the student in a path, which is relative to the folder of all submissions and uses ``/``.
 
-    The function tries the pattern first. Then it tries the paths of Moodle (``Ada Lovelace_123_assignsubmission_file_/``), of
-    Gradescope (``submission_123/`` with the names of ``submission_metadata.yml``) and of Canvas
-    (``lovelaceada_123_456_circle.launch.py``). If none of them matches, it uses the first part of the path.
+    The function tries the pattern first. Then it tries the paths of Moodle (``Ada Lovelace_123_assignsubmission_file_/``),
+    of Gradescope (``submission_123/`` with the names of ``submission_metadata.yml``) and of Canvas
+    (``lovelaceada_123_456_circle.launch.py``). If no path matches, it uses the first part of the path.
 
     :param pattern: a regular expression with a group ``student`` and optionally a group ``id``, searched anywhere in the path.
     :raises UnusableInput: when the pattern is not a valid regular expression, or has no such group.

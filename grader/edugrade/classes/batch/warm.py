@@ -87,7 +87,7 @@ _lock = threading.Lock()
 
 
 def ask_warm(request: Request, patience_s: float) -> Answer:
-    """Grade with an idle grader of this process, or with a new one; see `WarmProcess.ask`."""
+    """Grade with an idle grader of this process, or with a new grader; see `WarmProcess.ask`."""
     with _lock:
         process = _idle.pop() if _idle else WarmProcess()
     try:

@@ -19,7 +19,7 @@ class AppendEnvironmentVariable(Action):
     """Add a value at the end or the beginning of an environment variable that is a list. Create the variable if it does not
     exist.
 
-    :param prepend: whether to add at the beginning; a boolean, or substitutions for one.
+    :param prepend: whether to add at the beginning; a boolean, or substitutions that give a boolean.
     :param separator: the string between the values. The default is the separator of search paths.
     """
 

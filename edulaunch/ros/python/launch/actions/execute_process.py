@@ -52,7 +52,7 @@ class ExecuteProcess(ExecuteLocal):
 
     @property
     def name(self) -> str | Substitutions | None:
-        """The unique name. Before execution, it is the given name, as substitutions."""
+        """The unique name. Before execution, this is the given name, as substitutions."""
         description = self.process_description
         return description.final_name if description.final_name is not None else description.name
 

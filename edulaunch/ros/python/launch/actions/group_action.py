@@ -25,8 +25,8 @@ class GroupAction(Action):
 
     :param scoped: whether the end of the group restores the environment variables and the launch configurations, which include
         the pushed namespace.
-    :param forwarding: whether the actions can read the configurations and variables set outside the group. Without it, they can
-        read only `launch_configurations`.
+    :param forwarding: whether the actions can read the configurations and variables set outside the group. Otherwise, the
+        actions can read only `launch_configurations`.
     :param launch_configurations: the configurations to set at the beginning.
     """
 

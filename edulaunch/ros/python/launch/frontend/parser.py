@@ -113,7 +113,7 @@ class Parser:
     def load(cls, file: str | os.PathLike[str] | TextIO) -> tuple[Entity, Parser]:
         """Return the root element of a file (a path, or an open text stream) and the parser for it.
 
-        Formats that match the name of the file are tried first, and then all others.
+        Formats that match the name of the file are tried first, and then all other formats.
 
         :raises InvalidFrontendLaunchFileError: when no format can read the file.
         :raises FileNotFoundError: when there is no such file.

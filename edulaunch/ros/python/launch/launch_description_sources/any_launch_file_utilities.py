@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def get_launch_description_from_any_launch_file(launch_file_path: str) -> LaunchDescription:
-    """Return the launch description in the file. Python is tried first for `.py` files, and last for all others.
+    """Return the launch description in the file. Python is tried first for `.py` files, and last for all other files.
 
     :raises InvalidLaunchFileError: when no loader can read the file. The message contains the message of each loader.
     """

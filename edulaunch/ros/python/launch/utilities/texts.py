@@ -27,7 +27,8 @@ def plain_text(value: Any) -> str | None:
 
 
 def normalize_to_list_of_substitutions(subs: SomeSubstitutionsType) -> list[Substitution]:
-    """Return a string, a substitution, or an iterable of both, as a list. Plain strings become :class:`TextSubstitution`.
+    """Return a string, a substitution, or an iterable of strings and substitutions, as a list. Plain strings become
+    :class:`TextSubstitution`.
 
     :raises TypeError: for any other item. The message contains the type of the item.
     """

@@ -33,8 +33,8 @@ _STEPS = {
 
 
 class LifecycleTransition(Action):
-    """Trigger transitions of the nodes in order. Each transition is requested after the previous one has succeeded. An error
-    ends the transitions of that node.
+    """Trigger transitions of the nodes in order. Each transition is requested after the previous transition has succeeded. An
+    error ends the transitions of that node.
 
     :param lifecycle_node_names: the full names of the nodes.
     :param transition_ids: constants of lifecycle_msgs.msg.Transition, as numbers or strings.

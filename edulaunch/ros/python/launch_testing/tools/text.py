@@ -15,7 +15,8 @@ def build_text_match(expected_text: Any, *, strip_ansi_escape_sequences: bool = 
     """Return a function (text, start=0) that returns the start and end of the expected string, or None if the text does not
     contain it.
 
-    :param expected_text: a string, a compiled regular expression, or a list of them. Each item must come after the previous one.
+    :param expected_text: a string, a compiled regular expression, or a list of them. Each item must come after the previous
+        item.
     :raises ValueError: for anything else.
     """
     one_by_one = [_matcher(item) for item in _as_list(expected_text)]

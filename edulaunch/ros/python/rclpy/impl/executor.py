@@ -232,7 +232,7 @@ class Executor(Waiting):
         return True
 
     def rcl_cannot_serve(self, entity: Entity) -> tuple[Any, ...] | None:
-        """Return a value if the executor cannot execute this entity while the running code waits; otherwise None.
+        """Return a value if the executor cannot execute this entity while the running code waits, and otherwise None.
 
         :returns: a value that stays equal during one callback of the running thread.
         """

@@ -36,7 +36,7 @@ def callback_name(entity: Any) -> str | None:
 
 
 def node_name(entity: Entity) -> str | None:
-    """Return the full name of the entity's node if no executor spins the node; otherwise None."""
+    """Return the full name of the entity's node if no executor spins the node, and otherwise None."""
     executor = entity.ready_list.executor
     nodes = [] if executor is None else executor.get_nodes()
     return next((core_of(node).full_name for node in nodes if core_of(node).ready_list is entity.ready_list), None)

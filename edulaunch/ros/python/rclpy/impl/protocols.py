@@ -28,10 +28,12 @@ class ExecutorProtocol(Protocol):
     spinner: SimTask | None
 
     def rcl_running_entity(self) -> Any:
-        """Return the entity whose callback is running; None between callbacks."""
+        """Return the entity whose callback is running, or None between callbacks."""
 
     def rcl_cannot_serve(self, source: Any) -> tuple[Any, ...] | None:
-        """Return a value if the running callback blocks this entity; otherwise None. The value changes with each callback."""
+        """Return a value if the running callback blocks this entity, and otherwise None. The value changes with each
+        callback.
+        """
 
     def get_nodes(self) -> Any:
         """Return the nodes that the executor spins."""

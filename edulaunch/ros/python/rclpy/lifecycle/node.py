@@ -20,7 +20,7 @@ def _life(core: NodeCore) -> Life:
 
 
 class LifecycleNodeMixin(ManagedEntity):
-    """Adds a managed lifecycle to a `Node`, for classes that inherit from both. Call `Node.__init__` first.
+    """Adds a managed lifecycle to a `Node`, for classes that inherit from both classes. Call `Node.__init__` first.
 
     :param enable_communication_interface: whether to offer the services `~/change_state`, `~/get_state` ... and the topic
         `~/transition_event`.

@@ -76,7 +76,7 @@ class ParameterStore:
             raise InvalidParameterValueException(parameter.name, parameter.value, result.reason)
 
     def set_atomically(self, parameters: list[Parameter]) -> SetParametersResult:
-        """Change several parameters, or none if one change is rejected."""
+        """Change several parameters, or no parameter if one change is rejected."""
         if self.pre_callbacks:
             parameters = [parameter for callback in self.pre_callbacks for parameter in callback(parameters)]
             if not parameters:
@@ -123,7 +123,7 @@ class ParameterStore:
         return _result(None)
 
     def problem(self, parameter: Parameter, descriptor: ParameterDescriptor, check_read_only: bool) -> str | None:
-        """Return the reason why a descriptor does not allow a value, with rclpy's wording; None if the value is allowed."""
+        """Return the reason why a descriptor does not allow a value, with rclpy's wording, or None if the value is allowed."""
         type_ = parameter.type_
         if check_read_only and descriptor.read_only:
             return f'Trying to set a read-only parameter: {parameter.name}.'

@@ -189,7 +189,7 @@ class NodeParameters:
         return results
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
-        """Set all parameters, or none if one is rejected.
+        """Set all parameters, or no parameter if one is rejected.
 
         :raises ParameterNotDeclaredException: when one of the parameters is undeclared.
         """

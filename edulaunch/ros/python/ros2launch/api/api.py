@@ -65,7 +65,7 @@ def is_launch_file(path: str) -> bool:
 
 
 def parse_launch_arguments(launch_arguments: Arguments) -> list[tuple[str, str]]:
-    """Return (name, value) for each argument `name:=value`. If several arguments have the same name, the last one counts.
+    """Return (name, value) for each argument `name:=value`. If several arguments have the same name, the last value counts.
 
     :raises RuntimeError: for a string of another form.
     """
