@@ -14,7 +14,7 @@ from typing import NoReturn
 from edulaunch.desk.cli import options_of
 from edulaunch.desk.cli.plugin_options import add_plugin_options
 from edulaunch.engine.nearest import did_you_mean
-from edulaunch.errors import EdulaunchError, UnusableInput
+from edulaunch.errors import FAULTS, EdulaunchError, UnusableInput, fault_text
 from edulaunch.runtime.version import __version__
 
 VERBS = {
@@ -95,8 +95,11 @@ def main(argv: Sequence[str] | None = None) -> int:
         sys.stderr.close()
         return 141
     except OSError as error:
-        if error.errno not in (errno.ENOSPC, errno.EDQUOT):
+        if error.errno not in FAULTS:
             raise
+        if error.errno not in (errno.ENOSPC, errno.EDQUOT):
+            print(f'error: {fault_text(error)}', file=sys.stderr)
+            return 1
         print(f'error: {error.strerror}: cannot write the output of the command', file=sys.stderr)
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # otherwise, Python tries to write again when it ends
         return 1
