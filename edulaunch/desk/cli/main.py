@@ -142,10 +142,11 @@ class _Parser(argparse.ArgumentParser):
         super().error(f'{message}\n  help: {near}' if near else message)
 
 
-def _unrecognized(words: Sequence[str], verb: str) -> str:
+def _unrecognized(words: Sequence[str], verb: str | None) -> str:
     """Return argparse's message for unknown options, with the most similar known option."""
     sub = argparse.ArgumentParser(prog=verb)
-    load(verb)[0](sub)
+    if verb is not None:
+        load(verb)[0](sub)
     wrong = next(word for word in words if word.startswith('-')) if any(word.startswith('-') for word in words) else words[0]
     near = did_you_mean(f'--{wrong.lstrip("-")}', options_of(sub))
     return f'unrecognized arguments: {" ".join(words)}' + (f'\n  help: {near}' if near else '')
