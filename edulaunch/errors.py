@@ -16,6 +16,27 @@ The errors of ROS 2 itself keep the types and messages of ROS 2. They are define
 
 from __future__ import annotations
 
+import errno
+
+FAULTS = (
+    errno.EMFILE,
+    errno.ENFILE,
+    errno.ENOMEM,
+    errno.ENOBUFS,
+    errno.EAGAIN,
+    errno.ENOSPC,
+    errno.EDQUOT,
+    errno.EIO,
+    errno.EROFS,
+)
+"""The numbers of errors that the computer causes, not a program."""
+
+
+def fault_text(error: OSError) -> str:
+    """Return the message and the help for an error of :data:`FAULTS`."""
+    place = '' if error.filename is None else f': {error.filename}'
+    return f'{error.strerror or error}{place}\n  help: close other programs or free disk space, and type the command again'
+
 
 class EdulaunchError(Exception):
     """The base class of all errors that edulaunch raises for its users.

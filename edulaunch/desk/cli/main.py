@@ -14,7 +14,7 @@ from typing import NoReturn
 from edulaunch.desk.cli import options_of
 from edulaunch.desk.cli.plugin_options import add_plugin_options
 from edulaunch.engine.nearest import did_you_mean
-from edulaunch.errors import EdulaunchError, UnusableInput
+from edulaunch.errors import FAULTS, EdulaunchError, UnusableInput, fault_text
 from edulaunch.runtime.version import __version__
 
 VERBS = {
@@ -95,8 +95,11 @@ def main(argv: Sequence[str] | None = None) -> int:
         sys.stderr.close()
         return 141
     except OSError as error:
-        if error.errno not in (errno.ENOSPC, errno.EDQUOT):
+        if error.errno not in FAULTS:
             raise
+        if error.errno not in (errno.ENOSPC, errno.EDQUOT):
+            print(f'error: {fault_text(error)}', file=sys.stderr)
+            return 1
         print(f'error: {error.strerror}: cannot write the output of the command', file=sys.stderr)
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # otherwise, Python tries to write again when it ends
         return 1
@@ -139,10 +142,11 @@ class _Parser(argparse.ArgumentParser):
         super().error(f'{message}\n  help: {near}' if near else message)
 
 
-def _unrecognized(words: Sequence[str], verb: str) -> str:
+def _unrecognized(words: Sequence[str], verb: str | None) -> str:
     """Return argparse's message for unknown options, with the most similar known option."""
     sub = argparse.ArgumentParser(prog=verb)
-    load(verb)[0](sub)
+    if verb is not None:
+        load(verb)[0](sub)
     wrong = next(word for word in words if word.startswith('-')) if any(word.startswith('-') for word in words) else words[0]
     near = did_you_mean(f'--{wrong.lstrip("-")}', options_of(sub))
     return f'unrecognized arguments: {" ".join(words)}' + (f'\n  help: {near}' if near else '')

@@ -16,6 +16,7 @@ from edulaunch.desk.machine import wire
 from edulaunch.desk.machine.following import GIVE_UP_S, Follower, GaveUp, window_size
 from edulaunch.desk.machine.place import Address, UnsafePlace, domain, folder, locked, log_file, read_address, remove_address
 from edulaunch.desk.machine.starting import CannotConnect, connect, open_connection, state
+from edulaunch.errors import fault_text
 from edulaunch.runtime.framing import Frames, frame
 
 ANSWER_S = 3.0
@@ -38,9 +39,11 @@ def run(words: Sequence[str], *, start: bool = True) -> int:
     for _ in range(3):  # a machine may end during the connection
         try:
             found = connect(domain(), start=start)
-        except (UnsafePlace, OSError) as error:
+        except (UnsafePlace, CannotConnect) as error:
             stuck = read_address(folder(), domain()) if words[:2] == ['machine', 'stop'] else None
             return _failed(str(error)) if stuck is None else _stop_by_force(stuck)
+        except OSError as error:
+            return _failed(f'cannot reach or start the machine of your terminals: {fault_text(error)}')
         if found is None:
             return _failed(f'no machine is running in ROS_DOMAIN_ID {domain()}: start one with any `ros2` command')
         code = _follow(*found, words, ANSWER_S if words[:1] == ['machine'] and not start else GIVE_UP_S)
@@ -61,6 +64,8 @@ def _follow(connection: socket.socket, address: Address, words: Sequence[str], p
             if words[:1] != ['machine']:
                 sys.stderr.write('\nthe machine does not answer; this terminal has left it\n')
             return error.code
+        except OSError as error:
+            return _failed(f'the connection to the machine broke: {fault_text(error)}')
     if code is None and (follower.is_welcome or follower.has_explained or _complaint()):  # a new machine would hide the reason
         return _failed(f'the machine has ended{_reason()}')
     return code

@@ -119,7 +119,10 @@ class Follower:
                     self._send(b'')
                 if not events & ~select.POLLOUT:
                     continue
-                data = self._connection.recv(CHUNK)
+                try:
+                    data = self._connection.recv(CHUNK)
+                except BlockingIOError:  # the wake-up was spurious
+                    continue
                 if not data:
                     return None
                 for kind, payload in self._frames.feed(data):

@@ -52,10 +52,10 @@ class Heartbeat:
             self._rounds = rounds
             try:
                 os.write(self._pipe, (IDLE_SIGN if is_idle else BUSY_SIGN).encode())
-            except BlockingIOError:
-                pass
-            except OSError:  # the guardian has ended
+            except BrokenPipeError:  # the guardian has ended
                 return
+            except OSError:  # the pipe is full, or this computer lacks memory
+                pass
             time.sleep(BEAT_S)
 
     def _interrupt(self, signum: int, frame: FrameType | None) -> None:

@@ -131,11 +131,14 @@ class Server:
             client, _ = self._listener.accept()
         except OSError:
             return
-        if len(self._connections) >= MOST_CONNECTIONS or not _is_ours(client):
-            client.close()
-            return
-        self.on_accept(client)
-        self._connections.append(Connection(client, self.selector, self._token, self._open_peer, self._forget))
+        try:
+            if len(self._connections) < MOST_CONNECTIONS and _is_ours(client):
+                self.on_accept(client)
+                self._connections.append(Connection(client, self.selector, self._token, self._open_peer, self._forget))
+                return
+        except OSError as error:  # this computer lacks memory or descriptors: the programs of other terminals continue
+            print(f'could not accept a terminal: {error}', file=sys.__stderr__)
+        client.close()
 
     def _open_peer(self, connection: Connection, fields: list[str]) -> Peer:
         """Open a terminal or page in the current session. The session may have changed since the connection was accepted."""

@@ -99,6 +99,25 @@ def serve(server: Server, place: str, number: str, address: Address) -> None:
     server.close()
 
 
+def started(listener: socket.socket, token: str) -> Server:
+    """Return the server of a new machine, which sends heartbeats and handles signals.
+
+    :param listener: the listening socket.
+    :param token: the secret that a terminal must send.
+    :raises OSError: when this computer has no files or no memory left.
+    :raises RuntimeError: when it has no threads left.
+    """
+    session = Session(start_ns=time.time_ns(), turn_limit_s=seconds_from('EDULAUNCH_TURN_LIMIT_S', TURN_LIMIT_S))
+    machine = LiveMachine(keep_s=KEPT_S)
+    machine.use(session)
+    server = Server(machine, listener, token)
+    signal.signal(signal.SIGTERM, lambda signum, frame: setattr(server, 'is_asked_to_end', True))
+    server.on_accept = wake_by_signal
+    Impatience(server).begin()
+    Heartbeat(server).begin()
+    return server
+
+
 def main() -> None:
     """Run a machine.
 
@@ -112,18 +131,14 @@ def main() -> None:
         return
     for name in ('SIGINT', 'SIGHUP'):
         signal.signal(getattr(signal, name), lambda signum, frame: None)  # not SIG_IGN, which real programs would inherit
-    session = Session(start_ns=time.time_ns(), turn_limit_s=seconds_from('EDULAUNCH_TURN_LIMIT_S', TURN_LIMIT_S))
-    machine = LiveMachine(keep_s=KEPT_S)
-    machine.use(session)
-    server = Server(machine, listener, address.token)
-    signal.signal(signal.SIGTERM, lambda signum, frame: setattr(server, 'is_asked_to_end', True))
-    server.on_accept = wake_by_signal
-    Impatience(server).begin()
-    Heartbeat(server).begin()
+    try:
+        server = started(listener, address.token)
+    except (OSError, RuntimeError) as error:  # no files, memory or threads are left
+        sys.exit(f'The machine could not start: {error}')
     gc.freeze()
     with streams_of_programs():
         serve(server, place, number, address)
-    session.close()
+    server.machine.session.close()
 
 
 if __name__ == '__main__':

@@ -48,9 +48,9 @@ def connect(number: str, *, start: bool = True) -> tuple[socket.socket, Address]
         if found is None:
             remove_stale_sockets(place)
             listener, address = listen(place, number, 'terminals')
-            address.pid, address.guardian = _spawn(listener, place, number)
-            write_address(place, number, address)
-            listener.close()
+            with listener:
+                address.pid, address.guardian = _spawn(listener, place, number)
+                write_address(place, number, address)
             found = open_connection(address)
     return found
 

@@ -66,8 +66,8 @@ class RecordingSource:
     def __init__(self, recording: Recording) -> None:
         from edulaunch.engine.recording.canonical import canonical
 
-        for topic in recording.topics:
-            recording.wires(topic, recording.topics[topic].type)  # rejects messages of a damaged file
+        for column in recording.rows('topics'):
+            recording.wires(column['topic'], column['type'])  # rejects messages of a damaged file
         self._content = canonical(recording._content)
         self._lines = recording.lines
         self._class = recording.message_class

@@ -17,7 +17,7 @@ from edulaunch.desk.cli.ros2.output import with_help
 from edulaunch.engine.graph.names import UnknownSubstitution
 from edulaunch.engine.nearest import nearest
 from edulaunch.engine.processes.current import current_process
-from edulaunch.errors import EdulaunchError
+from edulaunch.errors import FAULTS, EdulaunchError, fault_text
 
 if TYPE_CHECKING:
     from edulaunch.engine.processes.process import Process
@@ -297,6 +297,10 @@ def main(process: Process) -> int:
         return INTERRUPTED
     except (EdulaunchError, RuntimeError, UnknownSubstitution) as error:
         return _exit_code(process, str(error))
+    except OSError as error:
+        if error.errno not in FAULTS:
+            raise
+        return _exit_code(process, f'error: {fault_text(error)}')
 
 
 def _exit_code(process: Process, outcome: Any) -> int:
