@@ -135,7 +135,7 @@ def missing_keyword(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.not-a-text',
     what=(
-        '{set_of} is a set of values, because it has a comma instead of a colon',
+        '{set_of} has a comma between the name and the value of a parameter, so it is not a dictionary',
         '"{compared}" compares the substitution object itself in Python, and not its value',
         '{keyword}={value} is of type {given}, but launch expects strings and substitutions here',
         'launch expects a string here, and this value is of type {given}',
@@ -157,14 +157,14 @@ def missing_keyword(failure: Failure) -> Iterator[Finding]:
 def not_a_text(failure: Failure) -> Iterator[Finding]:
     """Report a number, a boolean or a path where launch expects a string.
 
-    In `parameters=`, the mistake is often a set instead of a dictionary, as in `{'speed', 2.0}`.
+    In `parameters=`, the mistake is often a set or a pair instead of a dictionary, as in `{'speed', 2.0}`.
     """
     if failure.facts.get('about') != 'launch.not-a-text':
         return
     for node in ast.walk(script_of(failure.file) or ast.Module([], [])):
         items = node.value.elts if isinstance(node, ast.keyword) and isinstance(node.value, ast.List) else []
         for item in items if isinstance(node, ast.keyword) and node.arg == 'parameters' else []:
-            if isinstance(item, ast.Set) and len(item.elts) == 2:
+            if isinstance(item, (ast.Set, ast.Tuple)) and len(item.elts) == 2:
                 name, value = map(ast.unparse, item.elts)
                 yield report(failure._replace(line=item.lineno), set_of=ast.unparse(item), as_dict=f'{{{name}: {value}}}')
                 return

@@ -182,7 +182,8 @@ def unknown_name(failure: Failure) -> Iterator[Finding]:
     do=(
         'write {made}(seconds=...)',
         'call {callee}: write parentheses after its name, as in now()',
-        'write Duration(seconds=5.0) in place of the number 5.0, or turn the other side into a number: time.nanoseconds / 1e9',
+        'write a Duration in place of {number}: Duration(seconds={number})',
+        'write a Duration, as in now - Duration(seconds=0.5); time.nanoseconds / 1e9 is a Time in seconds',
     ),
     level='error',
 )
@@ -202,7 +203,13 @@ def no_number(failure: Failure) -> Iterator[Finding]:
         return
     left, right = match.groups() if match is not None else (None, None)
     callee = next(iter({'method', 'function'}.intersection((left, right))), None)
-    yield report(failure, made=made[1] if made else None, left=left, right=right, callee=callee)
+    number = (
+        re.search(r'[<>]=?\s*(\d[\d.]*)', linecache.getline(failure.file or '', failure.line or 0))
+        if left == 'Duration'
+        else None
+    )
+    facts = {'made': made and made[1], 'left': left, 'right': right, 'callee': callee, 'number': number and number[1]}
+    yield report(failure, **facts)
 
 
 @rule(

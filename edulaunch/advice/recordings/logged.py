@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from edulaunch.advice.rule import Finding, found, rule
-from edulaunch.advice.run_sources import launch_scripts
+from edulaunch.advice.run_sources import launch_files
 from edulaunch.advice.runs import fact_place
 from edulaunch.engine.nearest import nearest, nearest_file
 from edulaunch.engine.packages.reading import read_manifest
@@ -79,8 +79,8 @@ def _written(recording: Recording, path: str) -> tuple[str | None, int | None, s
 
     The third value is the argument of os.path.join() there that begins with a slash, or None.
     """
-    for file, _ in launch_scripts(recording):
-        with open(file, encoding='utf-8') as text:
+    for file in filter(os.path.isfile, dict.fromkeys(launch_files(recording))):
+        with open(file, encoding='utf-8', errors='replace') as text:
             for number, line in enumerate(text, 1):
                 if os.path.basename(path) in line:
                     parts = re.findall(r"""join\(.*,\s*['"](/[^'"]*)['"]""", line)

@@ -93,11 +93,11 @@ def leading_slash(recording: Recording) -> Iterator[Finding]:
 @rule(
     'tf.empty-buffer',
     what=(
-        "{node} looks up '{frame}', but {sender} sent it only once, before {node} could receive it",
+        "{node} looks up '{frame}', but {sender} sent '{frame}' only once",
         "{node} looks up '{frame}' in a buffer that never received a transform, although a node broadcasts '{frame}'",
     ),
     why=(
-        'TransformBroadcaster in {sender} does not store a transform for listeners that come later',
+        'the transform from {sender} is valid only at its time stamp, and later listeners do not receive it',
         'only a TransformListener fills a buffer, and only while its node spins',
     ),
     do=(
@@ -107,10 +107,10 @@ def leading_slash(recording: Recording) -> Iterator[Finding]:
     ),
     lesson=LESSON,
     level='error',
-    hides=('programs.died',),
+    hides=('programs.died', 'tf.lookup-past', 'tf.lookup-future'),
 )
 def empty_buffer(recording: Recording) -> Iterator[Finding]:
-    """Report a lookup of a frame that is broadcast, if the buffer of the lookup is empty."""
+    """Report a lookup of a frame that is broadcast, if the buffer is empty, or if a moving frame was sent only once."""
     known = frame_names(recording)
     for fact in _lookups(recording):
         name = next((name for name in fact.data['unknown'] if name in known), None)
@@ -118,6 +118,11 @@ def empty_buffer(recording: Recording) -> Iterator[Finding]:
             sent = [one for one in broadcasts(recording) if name in (one.child, one.parent)]
             is_once = all(one.first_ns == one.last_ns and not one.is_static for one in sent)
             yield _found(recording, fact, name, sender=sent[0].node if sent and is_once else None)
+    once = [one for one in broadcasts(recording) if one.count == 1 and not one.is_static and 'clock' not in one.odd]
+    for one in once:
+        for fact, _ in (*_extrapolations(recording, 'past'), *_extrapolations(recording, 'future')):
+            if one.child in (fact.data['target'], fact.data['source']):
+                yield _found(recording, fact, one.child, sender=one.node)
 
 
 @rule(

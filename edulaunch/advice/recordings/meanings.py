@@ -10,8 +10,9 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
+from edulaunch.advice.recordings.matching import remappings
 from edulaunch.advice.recordings.topics import lone_ends
-from edulaunch.advice.recordings.turtles import commands, turtles
+from edulaunch.advice.recordings.turtles import WRITTEN, commands, turtles
 from edulaunch.advice.rule import Finding, found, rule
 from edulaunch.advice.run_sources import joined_strings, launch_scripts, program_scripts
 from edulaunch.advice.runs import (
@@ -21,14 +22,13 @@ from edulaunch.advice.runs import (
     broadcasts,
     by_child,
     end_place,
+    ends_by_name,
     fact_place,
     own_nodes,
     places,
     programs,
 )
 from edulaunch.engine.graph.names import expand_name
-from edulaunch.engine.graph.ros_arguments import remap_rule
-from edulaunch.engine.graph.rule_reader import RuleError
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -81,7 +81,7 @@ def lookup_swapped(recording: Recording) -> Iterator[Finding]:
             continue
         node = rows[0][1] if rows else ''
         turning = [(time, wire[5]) for time, who, wire in rows if who == node and wire[5]][-200:]
-        if node not in own or len(turning) < SAMPLES:
+        if node not in own or len(turning) < SAMPLES or len({speed for _, speed in turning}) <= WRITTEN:  # no formula
             continue
         mine = _poses(recording, turtle)
         for leader in (name for name in names if name != turtle):
@@ -265,38 +265,32 @@ def other_axis(recording: Recording) -> Iterator[Finding]:
 def remapping_reversed(recording: Recording) -> Iterator[Finding]:
     """Report a remapping with swapped names.
 
-    The node's endpoint has the second name and no partner, and another node's endpoint has the first name and no partner. If the
-    code of the node contains the first name, the order is right, and the other node needs the same remapping.
+    The node's endpoint has the second name and no partner, and another node's endpoint has the first name. A subscription with
+    the first name must have no partner. If the code of the node contains the first name, the order is right, and the other node
+    needs the same remapping.
     """
-    lone = {kind: {(end.name, end.type): end for end in lone_ends(recording, kind)} for kind in ('publisher', 'subscription')}
+    lone = {kind: lone_ends(recording, kind) for kind in ('publisher', 'subscription')}
     for process in recording.processes:
-        nodes = [node for node in recording.nodes if node.process == process.name]
-        for flag, text in zip(process.argv, process.argv[1:], strict=False):
-            if flag not in ('-r', '--remap') or not nodes:
-                continue
-            try:
-                one = remap_rule(text)
-            except RuleError:
-                continue
-            if one.kind not in ('node', 'namespace'):
-                namespace, _, name = nodes[0].name.rpartition('/')
-                old, new = (expand_name(each, name, namespace or '/') for each in (one.match, one.replacement))
-                mine = {kind: [end for (topic, _), end in ends.items() if topic == new] for kind, ends in lone.items()}
-                other = {'publisher': 'subscription', 'subscription': 'publisher'}
-                for kind, ends in mine.items():
-                    for end in ends:
-                        partner = lone[other[kind]].get((old, end.type))
-                        if partner is not None and end.node == nodes[0].name:
-                            file, line = places(recording).get(process.name, NOWHERE)
-                            code = _code_of(recording, end)
-                            facts: dict[str, Any] = {
-                                'old': one.match,
-                                'new': one.replacement,
-                                'other': partner.node if _has_first_name(code, end, old) else None,
-                                'unread': None if 'create_' in code else end.node,
-                            }
-                            yield found('node', nodes[0].name, file=file, line=line, **facts)
-                            break
+        node = next((node.name for node in recording.nodes if node.process == process.name), '')
+        for one in remappings(process) if node else ():
+            namespace, _, name = node.rpartition('/')
+            old, new = (expand_name(each, name, namespace or '/') for each in (one.match, one.replacement))
+            mine = [end for ends in lone.values() for end in ends if (end.name, end.node) == (new, node)]
+            others = [*lone['subscription'], *ends_by_name(recording).get(('publisher', old), ())]
+            for end in mine:
+                partner = next(
+                    (each for each in others if (each.name, each.type) == (old, end.type) and each.kind != end.kind), None
+                )
+                if partner is not None and partner.node != node:
+                    file, line = places(recording).get(process.name, NOWHERE)
+                    code = _code_of(recording, end)
+                    facts: dict[str, Any] = {
+                        'old': one.match,
+                        'new': one.replacement,
+                        'other': partner.node if _has_first_name(code, end, old) else None,
+                        'unread': None if 'create_' in code else end.node,
+                    }
+                    yield found('node', node, file=file, line=line, **facts)
 
 
 def _code_of(recording: Recording, end: EndRecord) -> str:

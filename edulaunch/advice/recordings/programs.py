@@ -190,7 +190,11 @@ def terminal_windows(recording: Recording) -> dict[str, ProcessRecord]:
     'launch.output-hidden',
     what='{process} prints "{text}", but the screen does not show it',
     why="a Node has output='log' by default, so the screen shows only its log messages",
-    do="set output='screen' on the Node to see it, or log it with self.get_logger().info(...)",
+    do=(
+        'write output="screen" into the <{xml}> to see it, or log it with self.get_logger().info(...)',
+        'write `output: "screen"` below the exec of the {yaml} to see it, or log it with self.get_logger().info(...)',
+        "set output='screen' on the Node to see it, or log it with self.get_logger().info(...)",
+    ),
     lesson='01_first_launch',
     level='info',
     confidence='asked',
@@ -211,4 +215,6 @@ def output_hidden(recording: Recording) -> Iterator[Finding]:
         is_windowed = os.path.basename(launched[name].argv[0]) in TERMINALS
         if line.strip() and f'[{name}] ' not in console and not is_windowed:
             file, line_number = launched[name].origin or (None, None)
-            yield found('process', name, file=file, line=line_number, text=line[:40])
+            ending = os.path.splitext(file or '')[1]
+            xml, yaml = ('node' if ending == form else None for form in ('.xml', '.yaml'))
+            yield found('process', name, file=file, line=line_number, text=line[:40], xml=xml, yaml=yaml)

@@ -56,6 +56,18 @@ def commands(recording: Recording) -> dict[str, list[tuple[int, str, Any]]]:
     return {turtle: recording.published(topic, TWIST) for turtle, topic in topics.items() if topic in recording.topics}
 
 
+def _asked(recording: Recording, service: str, client: str, time_s: float, turtle: str, **facts: Any) -> Finding:
+    """Return a finding about a request, at the line of its client."""
+    file, line = end_place(recording, 'client', service, client)
+    return found('turtle', turtle, file=file, line=line, time_s=time_s, node=speaker(recording, client), **facts)
+
+
+def _driven(recording: Recording, turtle: str, node: str, time_s: float, **facts: Any) -> Finding:
+    """Return a finding about velocity commands, at the line of their publisher."""
+    file, line = end_place(recording, 'publisher', f'{turtle}/cmd_vel', node)
+    return found('turtle', turtle, file=file, line=line, time_s=time_s, node=speaker(recording, node), **facts)
+
+
 @rule(
     'turtlesim.wall',
     what='{turtle} drove into the wall at x={x}, y={y} and pushed against it for {seconds} s',
@@ -77,9 +89,9 @@ def wall(recording: Recording) -> Iterator[Finding]:
         ]
         if len(at) * TICK_S >= 0.5:
             driver = _driver(recording, turtle)
-            file, line = end_place(recording, 'publisher', f'{turtle}/cmd_vel', driver or node)
             follower = driver if driver and any(end.node == driver for end in followed) else None
             x, y = (round(value, 2) for value in at[0][1][:2])
+            file, line = end_place(recording, 'publisher', f'{turtle}/cmd_vel', driver or node)
             seconds = round(len(at) * TICK_S, 1)
             facts = {'x': x, 'y': y, 'seconds': seconds, 'follower': follower}
             yield found('turtle', turtle, file=file, line=line, time_s=at[0][0] / 1e9, **facts)
@@ -105,8 +117,7 @@ def spawn_taken(recording: Recording) -> Iterator[Finding]:
     """Report a spawn with a name that already existed. In that case, the name in the reply is empty."""
     for time_s, service, client, request, response in _calls(recording, 'Spawn'):
         if response is not None and not response[0]:
-            file, line = end_place(recording, 'client', service, client)
-            yield found('turtle', request[3], file=file, line=line, time_s=time_s, node=speaker(recording, client))
+            yield _asked(recording, service, client, time_s, request[3])
 
 
 @rule(
@@ -123,10 +134,8 @@ def outside(recording: Recording) -> Iterator[Finding]:
     for kind in ('Spawn', 'TeleportAbsolute'):
         for time_s, service, client, request, _ in _calls(recording, kind):
             if not (0 <= request[0] <= SIDE and 0 <= request[1] <= SIDE):
-                file, line = end_place(recording, 'client', service, client)
                 name = (request[3] or 'a turtle') if kind == 'Spawn' else service.rpartition('/')[0]
-                place = {'x': round(request[0], 2), 'y': round(request[1], 2)}
-                yield found('turtle', name, file=file, line=line, time_s=time_s, node=speaker(recording, client), **place)
+                yield _asked(recording, service, client, time_s, name, x=round(request[0], 2), y=round(request[1], 2))
 
 
 @rule(
@@ -145,25 +154,12 @@ def degrees(recording: Recording) -> Iterator[Finding]:
     for kind, at in (('Spawn', 2), ('TeleportAbsolute', 2), ('TeleportRelative', 1)):
         for time_s, service, client, request, _ in _calls(recording, kind):
             if abs(request[at]) > FULL_TURN:
-                file, line = end_place(recording, 'client', service, client)
                 name = request[3] if kind == 'Spawn' else service.rpartition('/')[0]
-                yield found(
-                    'turtle',
-                    name,
-                    file=file,
-                    line=line,
-                    time_s=time_s,
-                    node=speaker(recording, client),
-                    angle=round(request[at], 2),
-                )
+                yield _asked(recording, service, client, time_s, name, angle=round(request[at], 2))
     for turtle, rows in commands(recording).items():
         fast = next((row for row in rows if abs(row[2][5]) > FAST), None)
         if fast is not None and len({round(abs(row[2][5]), 2) for row in rows if row[1] == fast[1]}) <= WRITTEN:
-            file, line = end_place(recording, 'publisher', f'{turtle}/cmd_vel', fast[1])
-            angle = round(fast[2][5], 2)
-            yield found(
-                'turtle', turtle, file=file, line=line, time_s=fast[0] / 1e9, node=speaker(recording, fast[1]), angle=angle
-            )
+            yield _driven(recording, turtle, fast[1], fast[0] / 1e9, angle=round(fast[2][5], 2))
 
 
 @rule(
@@ -179,9 +175,7 @@ def pen_off(recording: Recording) -> Iterator[Finding]:
     down = {row[1] for row in _calls(recording, 'SetPen') if not row[3][4]}
     for time_s, service, client, request, _ in _calls(recording, 'SetPen'):
         if request[4] and any(request[:4]) and service not in down:
-            file, line = end_place(recording, 'client', service, client)
-            turtle = service.rpartition('/')[0]
-            yield found('turtle', turtle, file=file, line=line, time_s=time_s, node=speaker(recording, client), off=request[4])
+            yield _asked(recording, service, client, time_s, service.rpartition('/')[0], off=request[4])
 
 
 @rule(
@@ -234,9 +228,7 @@ def killed(recording: Recording) -> Iterator[Finding]:
         turtle = f'{service.rpartition("/")[0]}/{request[0]}'
         late = next((row for row in commands(recording).get(turtle, ()) if row[0] / 1e9 > time_s and any(row[2])), None)
         if late is not None and not any(at_s > time_s and name == request[0] for at_s, name in spawned):
-            file, line = end_place(recording, 'publisher', f'{turtle}/cmd_vel', late[1])
-            facts = {'node': speaker(recording, late[1]), 'short': request[0]}
-            yield found('turtle', turtle, file=file, line=line, time_s=late[0] / 1e9, **facts)
+            yield _driven(recording, turtle, late[1], late[0] / 1e9, short=request[0])
 
 
 _NO_TURTLE = re.compile(r'Tried to kill turtle \[(.*)\], which does not exist')
@@ -258,11 +250,8 @@ def ignored_axes(recording: Recording) -> Iterator[Finding]:
         for node in dict.fromkeys(row[1] for row in rows):
             used = [any(row[2][axis] for row in rows if row[1] == node) for axis in range(6)]
             if any(used) and not any(used[axis] for axis in counting):
-                file, line = end_place(recording, 'publisher', f'{turtle}/cmd_vel', node)
                 axes = [name for name, is_used in zip(AXES, used, strict=True) if is_used]
-                yield found(
-                    'turtle', turtle, file=file, line=line, time_s=rows[0][0] / 1e9, node=speaker(recording, node), axes=axes
-                )
+                yield _driven(recording, turtle, node, rows[0][0] / 1e9, axes=axes)
 
 
 AXES = ('linear.x', 'linear.y', 'linear.z', 'angular.x', 'angular.y', 'angular.z')
@@ -292,6 +281,5 @@ def slow_commands(recording: Recording) -> Iterator[Finding]:
         over = recording.duration_s - moving[-1] / 1e9
         middle = gaps[len(gaps) // 2] if gaps else None
         if (middle is None and over > 2.0) or (len(moving) > 2 and middle is not None and middle > TIMEOUT_NS):
-            file, line = end_place(recording, 'publisher', f'{turtle}/cmd_vel', rows[0][1])
             gap_s = None if middle is None else round(middle / 1e9, 2)
-            yield found('turtle', turtle, file=file, line=line, time_s=moving[0] / 1e9, node=rows[0][1], gap_s=gap_s)
+            yield _driven(recording, turtle, rows[0][1], moving[0] / 1e9, gap_s=gap_s)

@@ -70,7 +70,7 @@ def _seconds(text: str) -> float:
     try:
         value = float(text)
     except ValueError:
-        raise argparse.ArgumentTypeError(f'{text!r} is not a number of seconds') from None
+        raise argparse.ArgumentTypeError(f'{text!r} is not a number of seconds; write a number, as in --for 10') from None
     if not 0 <= value <= 1e6:
         raise argparse.ArgumentTypeError(f'{text} is not between 0 and 1000000 seconds')
     return value

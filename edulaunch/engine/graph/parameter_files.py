@@ -185,15 +185,14 @@ def _read_sequence(reader: _Reader) -> list[Any]:
     while type(event := reader.next()).__name__ != 'SequenceEndEvent':
         if type(event).__name__ != 'ScalarEvent':
             what = 'Sequences' if type(event).__name__ == 'SequenceStartEvent' else 'Mappings'
-            reason = f'{what} cannot be values of a sequence. Error at line {line_of(event)}'
-            raise with_facts(ParameterFileError(reason), 'launch.nested-list', at=line_of(event))
-        item = _scalar(event)
-        if items and type(item) is not type(items[0]):
-            kind = sequence_type_name(item)
-            reason = f"Sequence should be of same type. Value type '{kind}' do not belong at line_num {line_of(event)}"
+            refused = ParameterFileError(f'{what} cannot be values of a sequence. Error at line {line_of(event)}')
+            raise with_facts(refused, 'launch.nested-list', at=line_of(event))
+        items.append(item := _scalar(event))
+        if type(item) is not type(items[0]):
             word = next((value for value in (item, items[0]) if isinstance(value, str)), None)
-            raise with_facts(ParameterFileError(reason), 'launch.list-of-one-type', word=word, at=line_of(event))
-        items.append(item)
+            other = f"Value type '{sequence_type_name(item)}' do not belong at line_num {line_of(event)}"
+            refused = ParameterFileError(f'Sequence should be of same type. {other}')
+            raise with_facts(refused, 'launch.list-of-one-type', word=word, at=line_of(event))
     return items
 
 

@@ -1,0 +1,32 @@
+import os
+from glob import glob
+
+from setuptools import find_packages, setup
+
+package_name = 'my_robot'
+
+setup(
+    name=package_name,
+    version='0.0.0',
+    packages=find_packages(exclude=['test']),
+    data_files=[
+        ('share/ament_index/resource_index/packages',
+            ['resource/' + package_name]),
+        ('share/' + package_name, ['package.xml']),
+        (os.path.join('share', package_name, 'launch'), glob('launch/*')),
+    ],
+    install_requires=['setuptools'],
+    zip_safe=True,
+    maintainer='user',
+    maintainer_email='user@todo.todo',
+    description='My robot',
+    license='Apache-2.0',
+    entry_points={
+        'console_scripts': [
+            'driver = my_robot.driver:main',
+            'broadcaster = my_robot.broadcaster:main',
+            'listener = my_robot.listener:main',
+            'sensor = my_robot.sensor:main',
+        ],
+    },
+)
