@@ -138,12 +138,15 @@ def each_knows_its_own_leader(run: Evidence) -> None:
             me, target = (parameter_of(recording, position, name) for name in ('me', 'target'))
             if me is not None and target is not None:
                 targets[me.value] = target.value
-        if targets.get(f'turtle{number}') != f'carrot_turtle{number - 1}':
+        target = str(targets.get(f'turtle{number}', 'no target'))
+        if target != f'carrot_turtle{number - 1}':
+            is_carrot = target.startswith('carrot_turtle')  # of another turtle, which convoy.launch.py chooses
+            file, word = ('convoy.launch.py', 'leader') if is_carrot else ('follower.launch.py', 'target')
             raise Failure(
                 f'turtle{number} does not follow turtle{number - 1}',
                 expected=f'the target carrot_turtle{number - 1}',
-                seen=str(targets.get(f'turtle{number}', 'no target')),
-                where=run.source.place_in('follower.launch.py', 'leader'),
+                seen=target,
+                where=run.source.place_in(file, f'[\'"]{word}[\'"]'),
                 try_=[
                     'check the parameters of the Node',
                     'set the parameters me and target of the node follower',

@@ -45,6 +45,19 @@ def _is_stock_by_its_word(process: ProcessRecord, is_confined: bool) -> bool:
     return runs_beside_the_student(package, executable, word)
 
 
+def is_stock(recording: Recording, node: int) -> bool:
+    """Return whether a node belongs to a program of edulaunch or to a `ros2` command, or is the node of the grader.
+
+    :param node: the position of the node in `recording.nodes`.
+    """
+    process = process_of(recording, recording.nodes[node], node)
+    if process is None:
+        return True
+    position = recording.processes.index(process) if recording.owners is None else recording.owners['nodes'][node]
+    program = program_of(recording, position)
+    return _is_command(recording, position, '') or (program is not None and comes_with_edulaunch(program[0]))
+
+
 def processes_of(recording: Recording, package: str, executable: str | None = None) -> list[int]:
     """Return the positions of the processes that run a program of a package, in the order in which they started.
 
