@@ -200,8 +200,9 @@ def _first_transform_s(one: OfRun) -> float:
 
 
 def _refuse_poses(one: OfRun) -> None:
-    """Refuse a node of the student that receives the poses of the turtle, in a check with `frame`: it needs no tf2 to know the
-    position, and can tell it to the other programs.
+    """Refuse a node of the student that receives the poses of the turtle, in a check with `frame`.
+
+    Such a node needs no tf2 to know the position, and can send it to the other programs.
     """
     topic = f'/{one.text("turtle").strip("/")}/pose'
     for position, node in enumerate(one.recording.nodes if one.wanted['frame'] else ()):

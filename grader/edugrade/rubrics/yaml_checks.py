@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterator, Sequence
 from math import inf, isfinite, tau
 from typing import TYPE_CHECKING, NamedTuple
 
+from edulaunch.engine.recording.frames import frame_links
+
 from ..evidence import Evidence, Failure, Mismatch, Missing
 from ..library.arguments import require_default
 from ..library.circle_fit import fit_circle
@@ -13,7 +15,7 @@ from ..library.deaths import refuse_dead, refuse_gone
 from ..library.following import driven_track, require_driver, require_near, require_pursuit
 from ..library.frames import numbers, require_frame, tilt, transforms, yaw
 from ..library.identity import nodes_of
-from ..library.launched import refuse_strangers, require_process
+from ..library.launched import require_process, stranger
 from ..library.movement import Track, length, odometry_track, since, turtle_track
 from ..library.node_graph import require_ended, require_listener, require_node, require_nodes, require_started, require_topic
 from ..library.parameters import named_origin, refuse_missing_file, require_parameter, value_and_origin
@@ -333,8 +335,7 @@ def frame(run: Evidence, wanted: Wanted) -> None:
     child, advice = wanted['child'], wanted.try_ or 'check the tree of frames with ros2 run tf2_tools view_frames'
     require_frame(run, child, wanted['parent'], advice)
     for one in wanted.of_each(run):
-        for topic in ('/tf', '/tf_static') if wanted['by'] else ():
-            refuse_strangers(one.recording, topic, wanted['by'])
+        _refuse_broadcasters(one, child, wanted['by'])
         for sent in transforms(run, one.scenario)[child]:
             place = sent.frame.translation
             for axis, key in enumerate(('x', 'y', 'z')):
@@ -350,6 +351,21 @@ def frame(run: Evidence, wanted: Wanted) -> None:
                 one.require_close(
                     f'the tilt of {child} by roll and pitch', tilt(sent.frame), 0.0, 0.01, _place_advice(one, 'yaw')
                 )
+
+
+def _refuse_broadcasters(one: OfRun, child: str, package: str) -> None:
+    """Refuse a node that broadcasts the frame, but is not of this package. Any node may broadcast other frames."""
+    names = frame_links(one.recording)[child].broadcasters if package else ()
+    for topic in ('/tf', '/tf_static') if package else ():
+        node, process = stranger(one.recording, topic, package, names=names) or (None, None)
+        if node is not None:
+            raise Failure(
+                f'{node.name} broadcasts the frame {child}, which only {package} may broadcast',
+                expected=f'only {package} broadcasts {child}',
+                seen=f'the process {node.process} broadcasts it',
+                where=process.origin if process else None,
+                try_=f'remove the broadcast of {child} from {node.process}',
+            )
 
 
 def _place_advice(one: OfRun, key: str) -> str | Sequence[str]:

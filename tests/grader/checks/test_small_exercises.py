@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from edugrade.grading import WarmGrader, plan_work
+from edugrade.grading import WarmGrader, grade, plan_work
 from edugrade.submission import Submission
 
 SOLUTIONS = Path(__file__).resolve().parents[3] / 'solutions'
@@ -231,6 +231,24 @@ PRETENDED = {
     ),
     'followers that jump': ('convoy', 'each_is_near_its_carrot', ('convoy/follower.py', '', TELEPORTS)),
 }
+
+
+@pytest.mark.processes
+@pytest.mark.parametrize(
+    ('file', 'old', 'new', 'line'),
+    [
+        ('launch/convoy.launch.py', "f'turtle{number - 1}'}", "'turtle1'}", "names = {'me'"),
+        ('launch/follower.launch.py', "'target': ['carrot_', leader]", "'target': leader", "parameters=[{'me'"),
+    ],
+)
+def test_a_wrong_leader_has_the_place_that_chooses_it(tmp_path: Path, file: str, old: str, new: str, line: str) -> None:
+    shutil.copytree(SOLUTIONS / 'convoy', tmp_path / 'convoy')
+    path = tmp_path / 'convoy' / file
+    path.write_text(path.read_text().replace(old, new))
+    (report,) = grade([plan_work(Submission(str(tmp_path / 'convoy')))])
+    (failed,) = [result for result in report.results if result.status == 'failed']
+    assert failed.where is not None and failed.where.file.endswith(file)
+    assert path.read_text().splitlines()[(failed.where.line or 0) - 1].strip().startswith(line)
 
 
 @pytest.mark.processes
