@@ -32,6 +32,16 @@ ORDER = [
     'check each step from the new turtle to its movement',
     'check, in this order, whether the turtle exists, is in the tf tree, finds the carrot, and drives',
 ]
+CHOICE = [
+    'check the arguments of the included launch file',
+    'compare the argument leader of each follower with the turtle in front of it',
+    'pass turtle1 as the leader of turtle2, turtle2 as the leader of turtle3, and so on',
+]
+PARAMETERS = [
+    'check the parameters of the Node',
+    'set the parameters me and target of the node follower',
+    "write parameters=[{'me': me, 'target': ['carrot_', leader]}]",
+]
 
 
 def scenarios(random: Random) -> list[Scenario]:
@@ -140,18 +150,17 @@ def each_knows_its_own_leader(run: Evidence) -> None:
             me, target = (parameter_of(recording, position, name) for name in ('me', 'target'))
             if me is not None and target is not None:
                 targets[me.value] = target.value
-        seen = str(targets.get(f'turtle{number}', 'no target'))
-        if seen != f'carrot_turtle{number - 1}':
-            own = [recording.processes[position] for position in processes_of(recording, *FOLLOWER)]
-            last = "write parameters=[{'me': me, 'target': ['carrot_', leader]}]"
-            if seen.startswith('carrot_turtle'):
-                last = f'pass the leader turtle{number - 1} to follower.launch.py for turtle{number}'
+        target = str(targets.get(f'turtle{number}', 'no target'))
+        if target != f'carrot_turtle{number - 1}':
+            # convoy.launch.py chooses the leader, and follower.launch.py passes it on
+            is_passed_on = target.startswith('carrot_turtle') and len(targets) == len(nodes_of(recording, *FOLLOWER))
+            file, word = ('convoy.launch.py', 'leader') if is_passed_on else ('follower.launch.py', 'target')
             raise Failure(
                 f'turtle{number} does not follow turtle{number - 1}',
                 expected=f'the target carrot_turtle{number - 1}',
-                seen=seen,
-                where=run.source.own(own[0].origin if own else None),
-                try_=['check the parameters of the Node', 'check me and target of the node follower', last],
+                seen=target,
+                where=run.source.place_in(file, f'[\'"]{word}[\'"]'),
+                try_=CHOICE if is_passed_on else PARAMETERS,
             )
 
 

@@ -42,15 +42,14 @@ def no_node_dies(run: Evidence) -> None:
 @check(points=1, needs=[no_node_dies])
 def first_world_is_there(run: Evidence) -> None:
     """The first world has the node /sim"""
-    require_node(run, '/sim', 'turtlesim', 'include world.launch.py')
+    require_node(run, '/sim', 'turtlesim', 'include world.launch.py', 'turtlesim_node')
 
 
 @check(points=2, needs=[no_node_dies])
 def second_world_is_there(run: Evidence) -> None:
     """The second world has the node /turtlesim2/sim, in its own namespace"""
-    require_node(
-        run, '/turtlesim2/sim', 'turtlesim', "add GroupAction([PushRosNamespace('turtlesim2'), include('world.launch.py')])"
-    )
+    advice = "add GroupAction([PushRosNamespace('turtlesim2'), include('world.launch.py')])"
+    require_node(run, '/turtlesim2/sim', 'turtlesim', advice, 'turtlesim_node')
 
 
 @check(points=3, needs=[first_world_is_there, second_world_is_there])

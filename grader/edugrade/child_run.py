@@ -136,7 +136,7 @@ class ChildRun:
             self.returncode = message.get('status', self.returncode)
             self.cut = self.cut or message.get('cut')
             self.refused = message.get('refused', self.refused)
-            if not self.has_begun:
+            if not self.has_begun and 'guard' in message:  # the guard may fail before it can say this
                 self._pids = [message['guard'], message['pid']]
                 self.has_begun = True
                 self.begun_at = monotonic()

@@ -26,7 +26,7 @@ def it_says_it_loud(run: Evidence) -> None:
 def the_word_is_a_parameter(run: Evidence) -> None:
     """The word comes from a parameter file"""
     found = run.first.parameters('/hello').get('word')
-    if found is None or '.yaml' not in found.origin:
+    if found is None or found.value != 'HELLO' or '.yaml' not in found.origin:
         seen = 'no such parameter' if found is None else f'{found.value}, from {found.origin}'
         raise Mismatch(
             'the parameter word of /hello',

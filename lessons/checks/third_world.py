@@ -15,7 +15,7 @@ SECOND, THIRD = '/turtlesim2/turtle1', '/turtlesim3/turtle1'
 @check(points=1)
 def there_is_a_third_world(run: Evidence) -> None:
     """There is a world /turtlesim3/sim"""
-    require_node(run, '/turtlesim3/sim', 'turtlesim', 'add a group with a namespace, as for turtlesim2')
+    require_node(run, '/turtlesim3/sim', 'turtlesim', 'add a group with a namespace, as for turtlesim2', 'turtlesim_node')
 
 
 @check(points=1)

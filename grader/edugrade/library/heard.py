@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from ..evidence import Advice, Evidence, Failure, Mismatch
 from .identity import nodes_of
-from .node_graph import ALWAYS_THERE, named_nodes, require_node
+from .node_graph import ALWAYS_THERE, named_nodes, refuse_incompatible, require_node
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
@@ -37,6 +37,10 @@ class Program(NamedTuple):
             return [node for _, node in named_nodes(recording, self.node, self.package, self.executable)]
         return [recording.nodes[position] for position in nodes_of(recording, self.package or '', self.executable)]
 
+    def names(self, recording: Recording) -> set[str]:
+        """Return the full names of these nodes."""
+        return {node.name for node in self.nodes(recording)}
+
 
 def require_heard(run: Evidence, scenario: str, listener: Program, speaker: Program, try_: Advice) -> None:
     """Require that a node subscribes to a topic on which another node publishes messages, whatever the topic is called.
@@ -54,7 +58,7 @@ def require_heard(run: Evidence, scenario: str, listener: Program, speaker: Prog
     heard = _topics(node.subscriptions for node in listener.nodes(recording))
     live = [name for name in spoken if (record := recording.topics.get(name)) is not None and record.count]
     for topic in (name for name in live if name in heard):
-        _refuse_incompatible(run, scenario, listener, topic, try_)
+        refuse_incompatible(run, scenario, listener.words, listener.names(recording), topic, try_)
     if not set(live) & set(heard):
         raise Failure(
             f'{listener.words} receives no messages of {speaker.words} in the run with {run.scenario(scenario).words}',
@@ -82,7 +86,7 @@ def require_lines_of_messages(
     if topic not in _topics(node.subscriptions for node in listener.nodes(recording)):
         thing = f'{listener.words} does not subscribe to {topic}'
         raise Failure(thing, expected=f'a subscription of {listener.words} to {topic}', where=run.source.place, try_=try_)
-    _refuse_incompatible(run, scenario, listener, topic, try_)
+    refuse_incompatible(run, scenario, listener.words, listener.names(recording), topic, try_)
     times = [time_s for time_s, _ in recording.messages(topic)] if topic in recording.topics else []
     for number, (time_s, text) in enumerate(lines, 1):
         if number > bisect_right(times, time_s):
@@ -93,25 +97,6 @@ def require_lines_of_messages(
         near = ', '.join(text for time_s, text in lines if sent_s <= time_s <= sent_s + HEARD_AFTER_S) or 'no line'
         raise Mismatch(
             f'the line of {listener.words} for the message of {sent_s:.2f} s', word, near, where=run.source.place, try_=try_
-        )
-
-
-def _refuse_incompatible(run: Evidence, scenario: str, listener: Program, topic: str, try_: Advice) -> None:
-    """Refuse a subscription that receives nothing, because it is incompatible with each publisher of the topic.
-
-    :raises Failure: with the policy that is incompatible.
-    """
-    recording = run[scenario]
-    names = {node.name for node in listener.nodes(recording)}
-    refused = [each for each in recording.mismatches if each.topic == topic and each.subscriber in names]
-    publishers = set(recording.topics[topic].publishers) if topic in recording.topics else set()
-    if refused and publishers <= {each.publisher for each in refused}:
-        raise Failure(
-            f'{listener.words} receives no messages on {topic} in the run with {run.scenario(scenario).words}',
-            expected='a subscription that is compatible with its publisher',
-            seen=f'the subscription of {refused[0].subscriber} is incompatible with {refused[0].publisher}: {refused[0].why}',
-            where=run.source.place,
-            try_=try_,
         )
 
 

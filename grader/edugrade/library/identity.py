@@ -45,6 +45,19 @@ def _is_stock_by_its_word(process: ProcessRecord, is_confined: bool) -> bool:
     return runs_beside_the_student(package, executable, word)
 
 
+def is_stock(recording: Recording, node: int) -> bool:
+    """Return whether a node belongs to a program of edulaunch or to a `ros2` command, or is the node of the grader.
+
+    :param node: the position of the node in `recording.nodes`.
+    """
+    process = process_of(recording, recording.nodes[node], node)
+    if process is None:
+        return True
+    position = recording.processes.index(process) if recording.owners is None else recording.owners['nodes'][node]
+    program = program_of(recording, position)
+    return _is_command(recording, position, '') or (program is not None and comes_with_edulaunch(program[0]))
+
+
 def processes_of(recording: Recording, package: str, executable: str | None = None) -> list[int]:
     """Return the positions of the processes that run a program of a package, in the order in which they started.
 
@@ -67,8 +80,21 @@ def nodes_of(recording: Recording, package: str, executable: str | None = None) 
             for position, node in enumerate(recording.nodes)
             if _is_of_by_name(recording, node.process, package, executable)
         ]
-    wanted = set(processes_of(recording, package, executable))
-    return [position for position in range(len(recording.nodes)) if recording.owners['nodes'][position] in wanted]
+    wanted, owners = set(processes_of(recording, package, executable)), recording.owners['nodes']
+    inside = set(components_of(recording, package)) if executable is None else set()
+    return [position for position in range(len(recording.nodes)) if owners[position] in wanted or position in inside]
+
+
+def components_of(recording: Recording, package: str) -> list[int]:
+    """Return the positions of the nodes that containers of edulaunch have loaded from a package."""
+    containers = set(processes_of(recording, 'rclcpp_components'))
+    loaded = {
+        call.response.full_node_name
+        for call in (recording.service_calls if containers else ())
+        if call.service.endswith('/_container/load_node') and call.response and call.request.package_name == package
+    }
+    owners = recording.owners['nodes'] if recording.owners is not None else []
+    return [at for at, owner in enumerate(owners) if owner in containers and recording.nodes[at].name in loaded]
 
 
 def rows_of(recording: Recording, part: str, package: str, executable: str | None = None) -> list[int]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 from ..evidence import Evidence, Failure, Missing
@@ -37,17 +38,20 @@ def refuse_strangers(recording: Recording, topic: str, package: str, executable:
 
 
 def stranger(
-    recording: Recording, topic: str, package: str, executable: str | None = None
+    recording: Recording, topic: str, package: str, executable: str | None = None, names: Collection[str] | None = None
 ) -> tuple[NodeRecord, ProcessRecord | None] | None:
     """Return a node whose program publishes a topic without permission, and the process of the node. Return None if there is no
     such node.
 
     The node of the grader, which publishes the messages of `Scenario.sent`, is ignored.
+
+    :param names: the names of the nodes to look at (default: all nodes).
     """
     own, owners = set(nodes_of(recording, package, executable)), recording.owners
     for position, node in enumerate(recording.nodes):
         is_of_the_grader = node.process == VISITOR if owners is None else owners['nodes'][position] < 0
-        if position not in own and not is_of_the_grader and any(name == topic for name, _ in node.publishers):
+        is_asked = names is None or node.name in names
+        if is_asked and position not in own and not is_of_the_grader and any(name == topic for name, _ in node.publishers):
             return node, process_of(recording, node, position)
     return None
 

@@ -74,9 +74,10 @@ def require_nodes(
 ) -> None:
     """Require that exactly these nodes run. The nodes of `ros2` commands do not count.
 
-    :param packages: the packages of some nodes, by the node's name. The other nodes may belong to any program.
+    :param packages: the packages of some nodes, by the node's name, such as 'turtlesim' or, for one of its programs, 'turtlesim
+        mimic'. The other nodes may belong to any program.
     :raises Mismatch: with both lists of nodes.
-    :raises Missing: if a node belongs to a program of another package.
+    :raises Missing: if a node belongs to another program.
     """
     recording = run[scenario]
     found = sorted(node.name for position, node in enumerate(recording.nodes) if not _is_of_a_tool(recording, position))
@@ -93,9 +94,10 @@ def require_nodes(
             name=lacking[0] if len(lacking) == 1 else None,
             among=extra,
         )
-    for name, package in (packages or {}).items():
+    for name, program in (packages or {}).items():
         if name in names:
-            require_node(run.only([scenario]), name, package, try_)
+            package, _, executable = program.partition(' ')
+            require_node(run.only([scenario]), name, package, try_, executable or None)
 
 
 def _correction(extra: Sequence[str], lacking: Sequence[str], words: str) -> str:
@@ -150,6 +152,27 @@ def require_listener(
             try_=try_,
             name=topic,
             among=heard,
+        )
+    refuse_incompatible(run, scenario, node, {each.name for _, each in nodes}, topic, try_)
+
+
+def refuse_incompatible(run: Evidence, scenario: str, words: str, names: set[str], topic: str, try_: Advice) -> None:
+    """Refuse a subscription that receives nothing, because it is incompatible with each publisher of the topic.
+
+    :param words: the subscribing node or program, for the message.
+    :param names: the full names of the subscribing nodes.
+    :raises Failure: with the policy that is incompatible.
+    """
+    recording = run[scenario]
+    refused = [each for each in recording.mismatches if each.topic == topic and each.subscriber in names]
+    publishers = set(recording.topics[topic].publishers) if topic in recording.topics else set()
+    if refused and publishers <= {each.publisher for each in refused}:
+        raise Failure(
+            f'{words} receives no messages on {topic} in the run with {run.scenario(scenario).words}',
+            expected='a subscription that is compatible with its publisher',
+            seen=f'the subscription of {refused[0].subscriber} is incompatible with {refused[0].publisher}: {refused[0].why}',
+            where=run.source.place,
+            try_=try_,
         )
 
 

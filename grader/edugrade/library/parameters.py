@@ -49,12 +49,13 @@ def _changes(recording: Recording, position: int, name: str) -> list[tuple[float
 
 
 def find_parameter(recording: Recording, package: str, executable: str, name: str, wanted: Any = None) -> Parameter | None:
-    """Return a parameter of the first node of an executable that has it, or None; see :func:`parameter_of`."""
-    for position in nodes_of(recording, package, executable):
-        parameter = parameter_of(recording, position, name, wanted)
-        if parameter is not None:
-            return parameter
-    return None
+    """Return a parameter of the nodes of an executable, or None; see :func:`parameter_of`.
+
+    If several nodes have it, return the first one whose value is not `wanted`: a right node must not hide a wrong one.
+    """
+    every = (parameter_of(recording, position, name, wanted) for position in nodes_of(recording, package, executable))
+    known = [parameter for parameter in every if parameter is not None]
+    return next((each for each in known if each.value != wanted), known[0] if known else None)
 
 
 def node_parameter(recording: Recording, node: str, package: str, name: str, wanted: Any = None) -> Parameter | None:

@@ -13,7 +13,7 @@ from ..library.description import joints_of, require_derived
 from ..library.following import require_copy, require_driver
 from ..library.frames import transforms
 from ..library.heard import Program, require_heard, require_lines_of_messages
-from ..library.identity import rows_of
+from ..library.identity import is_stock, rows_of
 from ..library.launched import refuse_strangers
 from ..library.movement import Track, turtle_track
 from ..library.node_graph import require_topic
@@ -23,7 +23,10 @@ from .yaml_checks import PROGRAM, kind
 from .yaml_wanted import OfRun, Wanted
 
 LEAST_LINES, LONGEST_COMMAND = 3, 100
-MOVABLE = 'movable'
+KINDS_OF_JOINTS = {
+    'movable': ('revolute', 'continuous', 'prismatic', 'planar', 'floating'),
+    'turning': ('revolute', 'continuous'),
+}
 FOUND_AFTER_S = 0.5  # by then, a polling recorder has discovered a topic
 HEARD_AFTER_S = 1.0  # largest time between a message and the line that prints it
 SENT_WITH_S = 0.05  # largest time between a message and the line that counts it
@@ -205,11 +208,14 @@ def _first_transform_s(one: OfRun) -> float:
 
 
 def _refuse_poses(one: OfRun) -> None:
-    """Refuse a program that receives the poses of the turtle, in a check with `frame`: it needs no tf2 to know the position."""
+    """Refuse a node of the student that receives the poses of the turtle, in a check with `frame`.
+
+    Such a node needs no tf2 to know the position, and can send it to the other programs.
+    """
     topic = f'/{one.text("turtle").strip("/")}/pose'
-    nodes = Program('', *one.program()).nodes(one.recording) if one.wanted['frame'] else []
-    node = next((node for node in nodes if topic in (name for name, _ in node.subscriptions)), None)
-    if node is not None:
+    for position, node in enumerate(one.recording.nodes if one.wanted['frame'] else ()):
+        if topic not in (name for name, _ in node.subscriptions) or is_stock(one.recording, position):
+            continue
         thing = f'{node.name} receives the positions on {topic}, and not only from tf2, in the run with {one.words}'
         asked, advice = f'no subscription to {topic}', f'remove this subscription, and look up {one.wanted["frame"]} in a Buffer'
         raise Failure(thing, expected=asked, seen=f'a subscription to {topic}', where=one.run.source.place, try_=advice)
@@ -256,7 +262,7 @@ def _distance(track: Track, time_s: float, x: float, y: float) -> float:
 def described(run: Evidence, wanted: Wanted) -> None:
     """Require a joint between two links in the robot description on /robot_description, and transforms that follow from it.
 
-    The value of `joint` is 'movable' or a joint type.
+    The value of `joint` is 'movable', 'turning' or a joint type.
     """
     for one in wanted.of_each(run):
         found = require_topic(one.run, one.scenario, '/robot_description', try_=wanted.try_)
@@ -273,10 +279,11 @@ def described(run: Evidence, wanted: Wanted) -> None:
             )
             raise Missing(thing, seen=seen, where=run.source.place, try_=wanted.try_ or advice)
         asked = str(wanted['joint'] or known.kind)
-        if known.kind != asked and not (asked == MOVABLE and known.kind != 'fixed'):
-            types = 'continuous or revolute' if asked == MOVABLE else asked
+        kinds = KINDS_OF_JOINTS.get(asked, (asked,))
+        if known.kind not in kinds:
+            types = ' or '.join(kinds)
             thing, advice = f'the type of the joint from {parent} to {child}', f'write {types} as the type of the joint'
-            raise Mismatch(thing, asked, known.kind or 'no type', where=run.source.place, try_=wanted.try_ or advice)
+            raise Mismatch(thing, types, known.kind or 'no type', where=run.source.place, try_=wanted.try_ or advice)
         require_derived(one.run, one.scenario, child, known, wanted.try_)
 
 

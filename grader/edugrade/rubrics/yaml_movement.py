@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import isfinite, tau
 
+from edulaunch.engine.recording.frames import frame_links
+
 from ..evidence import Advice, Evidence, Failure, Missing
 from ..library.circle_fit import fit_circle
 from ..library.following import driven_track, require_driver, require_near, require_pursuit
 from ..library.frames import numbers, require_frame, tilt, transforms, yaw
-from ..library.launched import refuse_strangers
+from ..library.launched import stranger
 from ..library.movement import Track, command_topics, length, odometry_track, since, turtle_track
 from .yaml_checks import MEASURE, kind
 from .yaml_wanted import ARGUMENT, OfRun, Wanted
@@ -55,8 +57,7 @@ def frame(run: Evidence, wanted: Wanted) -> None:
     steps = ('check the names of the frames', tree, f'publish the frame {child} with the parent {parent}')
     require_frame(run, child, parent, wanted.try_ or steps)
     for one in wanted.of_each(run):
-        for topic in ('/tf', '/tf_static') if wanted['by'] else ():
-            refuse_strangers(one.recording, topic, wanted['by'])
+        _refuse_broadcasters(one, child, wanted['by'])
         for sent in transforms(run, one.scenario)[child]:
             place, axes = sent.frame.translation, [key for key in ('x', 'y', 'z') if key in wanted]
             wrong = [key for key in axes if not abs(place['xyz'.index(key)] - one.number(key)) <= one.tolerance(0.01)]
@@ -69,6 +70,21 @@ def frame(run: Evidence, wanted: Wanted) -> None:
                 seen = turned if abs(turned - asked) <= 1.0 else seen
                 one.require_close(f'the yaw of the frame {child}', seen, asked, 0.01, advice, unit='rad')
                 one.require_close(f'the tilt of the frame {child}', tilt(sent.frame), 0.0, 0.01, advice, unit='rad')
+
+
+def _refuse_broadcasters(one: OfRun, child: str, package: str) -> None:
+    """Refuse a node that broadcasts the frame, but is not of this package. Any node may broadcast other frames."""
+    names = frame_links(one.recording)[child].broadcasters if package else ()
+    for topic in ('/tf', '/tf_static') if package else ():
+        node, process = stranger(one.recording, topic, package, names=names) or (None, None)
+        if node is not None:
+            raise Failure(
+                f'{node.name} broadcasts the frame {child}, which only {package} may broadcast',
+                expected=f'only {package} broadcasts {child}',
+                seen=f'the process {node.process} broadcasts it',
+                where=process.origin if process else None,
+                try_=f'remove the broadcast of {child} from {node.process}',
+            )
 
 
 def _place_advice(one: OfRun, keys: Sequence[str]) -> Advice:

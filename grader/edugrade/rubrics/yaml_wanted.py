@@ -84,8 +84,9 @@ class Wanted(dict[str, Any]):
             elif key in SCALARS:
                 if not all(isinstance(each, (str, int, float)) for each in (value if isinstance(value, list) else [value])):
                     raise ValueError(f'{key} is {value!r}; write a string, a number, true, false, or a list of those')
-            elif key not in (*MEASURES, *CALCULATED, 'after', 'from', 'share') and not (
-                isinstance(value, str) and value.isprintable()
+            elif key not in (*MEASURES, *CALCULATED, 'after', 'from', 'share') and not all(
+                isinstance(each, str) and each.isprintable()
+                for each in (value.values() if key == 'package' and isinstance(value, dict) else [value])
             ):
                 raise ValueError(f'{key} is {value!r}; write a string')
         for key in MEASURES:

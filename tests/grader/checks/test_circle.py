@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
 from edugrade import Scenario
+from edugrade.grading import grade, plan_work
+from edugrade.submission import Submission
 from fake_recording import FakeRecording, arc, circle_run, graded, process
 
 from edulaunch.engine.recording.records import DeclaredArgument, LaunchRecord, NodeRecord
@@ -39,6 +42,22 @@ def test_a_fixed_radius_fails_in_the_parameter_which_explains_the_rest() -> None
     assert statuses(results) == {'radius_is_passed': 'failed', **explained}
     assert results['radius_is_passed'].where == ('/student/a.launch.py', 7)
     assert {results[name].root_cause for name in explained} == {'radius_is_passed'}
+
+
+@pytest.mark.processes
+def test_a_second_node_with_the_right_radius_does_not_hide_the_one_that_drives(tmp_path: Path) -> None:
+    text = (Path(__file__).resolve().parents[3] / 'solutions' / 'circle.launch.py').read_text()
+    shown = (
+        "Node(package='part3_beyond_basics', executable='param_circle.py', name='shown', remappings=[('/cmd_vel', '/none')],\n"
+    )
+    given = "             parameters=[{'radius': LaunchConfiguration('circle_radius')}]),\n"
+    own = "            parameters=[{'radius': LaunchConfiguration('circle_radius')}],\n"
+    (tmp_path / 'circle.launch.py').write_text(
+        text.replace(own, '').replace('        Node(\n', f'        {shown}{given}        Node(\n')
+    )
+    (report,) = grade([plan_work(Submission(str(tmp_path / 'circle.launch.py')))])
+    wrong = ('default_is_one_metre', 'radius_is_passed', 'circle_is_driven')
+    assert tuple(each.name for each in report.results if each.status == 'failed') == wrong
 
 
 def test_a_misspelt_parameter_is_recognised() -> None:

@@ -57,6 +57,12 @@ def test_without_the_pushed_namespace_the_rest_of_the_second_world_is_not_judged
     }
 
 
+def test_a_mimic_called_sim_is_no_second_world() -> None:
+    nodes = [node('/sim', WORLD), node('/turtlesim2/sim', MIMIC), node('/listener', LISTENER), COPIES]
+    results = graded('large_project', lambda s: run(s, nodes=nodes))
+    assert results['second_world_is_there'].status == 'failed'
+
+
 def test_water_that_is_the_default_is_shown_with_its_origin() -> None:
     plain = {name: Parameter(69, 'default') for name in WATER}
     results = graded('large_project', lambda s: run(s, values={**run(s).values, '/turtlesim2/sim': plain}))

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from edugrade.grading import WarmGrader, plan_work
+from edugrade.grading import WarmGrader, grade, plan_work
 from edugrade.submission import Submission
 
 SOLUTIONS = Path(__file__).resolve().parents[3] / 'solutions'
@@ -77,6 +77,27 @@ MISSES = [
     ('black_box.launch.py', 'on_start=[drive]', 'on_start=[]', 'driver'),
     ('black_box.launch.py', "['/', robot, '/turtle1/pose']", "'/red/turtle1/pose'", 'poses'),
     ('two_pools.launch.py', "'input/pose'", "'input'", 'listens'),
+    ('fence.launch.py', "Node(**WORLD, namespace='day')", "Node(**{**WORLD, 'executable': 'mimic'}, namespace='day')", 'nodes'),
+    (
+        'on_request.launch.py',
+        "executable='turtlesim_node', name='sim', namespace='one'",
+        "executable='mimic', name='sim', namespace='one'",
+        'quiet',
+    ),
+    ('mast.launch.py', 'continuous">', 'prismatic"><limit lower="0" upper="1" effort="1" velocity="1"/>', 'turns'),
+    (
+        'water.launch.py',
+        "        Node(\n            package='turtlesim', executable='turtlesim_node', name='sim',",
+        "        Node(package='turtlesim', executable='turtlesim_node', name='other', namespace='x'),\n"
+        "        Node(\n            package='turtlesim', executable='turtlesim_node', name='sim',",
+        'red_water',
+    ),
+    (
+        'two_channels/two_channels/counter.py',
+        'on_message, 10)',
+        'on_message, rclpy.qos.QoSProfile(depth=9, durability=rclpy.qos.DurabilityPolicy.TRANSIENT_LOCAL))',
+        'first_heard',
+    ),
     ('two_pools.launch.py', "'/first/turtle1/cmd_vel'", "'/second/turtle1/cmd_vel'", 'circle'),
 ]
 
@@ -104,6 +125,40 @@ def test_a_near_miss_fails_where_it_misses(
     assert check in failed(tmp_path / top)
 
 
+RELAY = """
+import rclpy
+from std_msgs.msg import String
+from tf2_msgs.msg import TFMessage
+from turtlesim.msg import Pose
+
+
+def relay():
+    rclpy.init()
+    node = rclpy.create_node('relay')
+    publisher = node.create_publisher(String, '/relay', 10)
+    node.create_subscription(Pose, '/turtle1/pose', lambda m: publisher.publish(String(data=f'{m.x} {m.y}')), 10)
+    rclpy.spin(node)
+
+
+def main():
+    rclpy.init()
+    node = rclpy.create_node('where')
+    ago, known, began = node.declare_parameter('ago', 0.5).value, [], []
+
+    def now():
+        return node.get_clock().now().nanoseconds / 1e9
+
+    def say():
+        for word, age in (('newest', 0.0), ('before', ago)):
+            if began and now() - age > began[0]:
+                time, x, y = min(known, key=lambda each: abs(each[0] - now() + age))
+                node.get_logger().info(f'{word}: {float(x):.2f} {float(y):.2f}, {now() - time:.2f} s old')
+
+    node.create_subscription(String, '/relay', lambda m: known.append((now(), *m.data.split())), 10)
+    node.create_subscription(TFMessage, '/tf', lambda m: began.append(now()), 10)
+    node.create_timer(1.0, say)
+    rclpy.spin(node)
+"""
 TELEPORTS = """
 from math import cos, sin
 
@@ -163,8 +218,37 @@ PRETENDED = {
         ('two_channels/counter.py', 'self.count = 0', "self.get_logger().info('messages: 2')"),
         ('two_channels/counter.py', 'self.count += 1', 'return'),
     ),
+    'positions that a program beside it has received': (
+        'where_now',
+        'newest',
+        ('where_now/where.py', '', RELAY),
+        ('setup.py', "'where = where_now.where:main'", "'relay = where_now.where:relay', 'where = where_now.where:main'"),
+        (
+            'launch/where_now.launch.py',
+            "        Node(package='where_now', executable='where'",
+            "        Node(package='where_now', executable='relay'),\n        Node(package='where_now', executable='where'",
+        ),
+    ),
     'followers that jump': ('convoy', 'each_is_near_its_carrot', ('convoy/follower.py', '', TELEPORTS)),
 }
+
+
+@pytest.mark.processes
+@pytest.mark.parametrize(
+    ('file', 'old', 'new', 'line'),
+    [
+        ('launch/convoy.launch.py', "f'turtle{number - 1}'}", "'turtle1'}", "names = {'me'"),
+        ('launch/follower.launch.py', "'target': ['carrot_', leader]", "'target': leader", "parameters=[{'me'"),
+    ],
+)
+def test_a_wrong_leader_has_the_place_that_chooses_it(tmp_path: Path, file: str, old: str, new: str, line: str) -> None:
+    shutil.copytree(SOLUTIONS / 'convoy', tmp_path / 'convoy')
+    path = tmp_path / 'convoy' / file
+    path.write_text(path.read_text().replace(old, new))
+    (report,) = grade([plan_work(Submission(str(tmp_path / 'convoy')))])
+    (failed,) = [result for result in report.results if result.status == 'failed']
+    assert failed.where is not None and failed.where.file.endswith(file)
+    assert path.read_text().splitlines()[(failed.where.line or 0) - 1].strip().startswith(line)
 
 
 @pytest.mark.processes

@@ -36,6 +36,17 @@ LISTENER = "Node(package='turtle_tf2_py', executable='turtle_tf2_listener', para
 CHOICE = "DeclareLaunchArgument('carrot', default_value='fixed')"
 PUB = "cmd=['ros2', 'topic', 'pub', '/teacher/turtle1/cmd_vel', 'geometry_msgs/msg/Twist', circle],"
 
+BOXED = '<launch><arg name="height" default="0.5"/><node_container pkg="rclcpp_components" exec="component_container" name="box" namespace="">'
+for name, parent, values in (
+    ('laser', 'base_link', {'translation.x': '0.2', 'translation.z': '$(var height)'}),
+    ('camera', 'laser', {'translation.z': '0.1', 'rotation.z': '0.70710678', 'rotation.w': '0.70710678'}),
+):
+    BOXED += f'<composable_node pkg="tf2_ros" plugin="tf2_ros::StaticTransformBroadcasterNode" name="{name}_frame">'
+    for key, value in {'frame_id': parent, 'child_frame_id': name, **values}.items():
+        BOXED += f'<param name="{key}" value="{value}"/>'
+    BOXED += '</composable_node>'
+BOXED += '</node_container></launch>'
+
 RIGHT: dict[str, tuple[str, str, str]] = {
     'circle: a default of another spelling': ('circle', '', changed(CIRCLE, ("'1.0'", "'1.00'"))),
     'circle: a default in two parts': ('circle', '', changed(CIRCLE, ("default_value='1.0'", "default_value=['1', '.0']"))),
@@ -167,6 +178,23 @@ RIGHT: dict[str, tuple[str, str, str]] = {
         body(
             "DeclareLaunchArgument('height', default_value='0.5'), Node(package='robot_state_publisher', executable='robot_state_publisher', "
             f"parameters=[{{'robot_description': __import__('launch_ros').parameter_descriptions.ParameterValue([{URDF}], value_type=str)}}])"
+        ),
+    ),
+    'static_frame: components in a container': ('static_frame', 'xml', BOXED),
+    'mast: a component, and a frame above the robot': (
+        'mast',
+        '',
+        changed(
+            solution('mast'),
+            (
+                "Node(package='robot_state_publisher', executable='robot_state_publisher', parameters=[{'robot_description': CART}]),",
+                "ComposableNodeContainer(name='box', namespace='', package='rclcpp_components', executable='component_container',"
+                " composable_node_descriptions=[ComposableNode(package='robot_state_publisher',"
+                " plugin='robot_state_publisher::RobotStatePublisher', parameters=[{'robot_description': CART}])]),"
+                "Node(package='tf2_ros', executable='static_transform_publisher',"
+                " arguments=['--frame-id', 'map', '--child-frame-id', 'base_link']),",
+            ),
+            ('\n\n\ndef generate', '\nfrom launch_ros.descriptions import ComposableNode\n\n\ndef generate'),
         ),
     ),
     'static_frame: a namespace': ('static_frame', '', changed(STATIC, ("name='laser_frame',", "name='any', namespace='mast',"))),

@@ -60,7 +60,7 @@ def graded(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Graded]:
 
 def test_there_are_enough_of_both_for_every_exercise() -> None:
     exercises = {'circle', 'static_frame', 'follow', 'carrot', 'broken_follow', 'large_project'}
-    assert len(ALL_RIGHT) >= 40 and {name.partition(':')[0] for name in ALL_RIGHT} == exercises
+    assert len(ALL_RIGHT) >= 40 and {name.partition(':')[0] for name in ALL_RIGHT} >= exercises
     assert len(FAULTS) >= 30 and len({case[0] for case in FAULTS.values()}) >= 15
     assert len(ALL_WRONG) >= 40 and {name.partition(':')[0] for name in ALL_WRONG} == exercises
 
