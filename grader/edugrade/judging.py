@@ -352,8 +352,8 @@ def _is_part(finding: Finding, result: CheckResult) -> bool:
 
 
 def _is_in_advice(finding: Finding, result: CheckResult) -> bool:
-    """Return whether the advice of a check contains the right name of a finding, the options of its program, or the node whose
-    remapping has no effect.
+    """Return whether the advice of a check contains the right name of a finding or an option of its program. For a remapping
+    without an effect, its node is enough.
     """
     advice = ' '.join(filter(None, (*result.steps, result.try_)))
     node = finding.name.rpartition('/')[2] if finding.rule == 'launch.remapping-unused' else None
