@@ -12,7 +12,7 @@ from ..library.circle_fit import fit_circle
 from ..library.deaths import refuse_dead, refuse_gone
 from ..library.following import driven_track, require_driver, require_near, require_pursuit
 from ..library.frames import numbers, require_frame, tilt, transforms, yaw
-from ..library.identity import nodes_of
+from ..library.identity import nodes_of, processes_of
 from ..library.launched import refuse_strangers, require_process
 from ..library.movement import Track, command_topics, length, odometry_track, since, turtle_track
 from ..library.node_graph import (
@@ -115,6 +115,8 @@ def _name_advice(one: OfRun, key: str = 'name') -> str:
     package, executable = one.program()
     program = executable or package or ''
     if package is not None and not nodes_of(one.recording, package, executable):
+        for position in processes_of(one.recording, package, executable):
+            return f'read what {one.recording.processes[position].name} prints before it ends, because it creates no node'
         return f'start {program} with {one.words}: add its Node, or check its condition and its event'
     argument = ARGUMENT.fullmatch(namespace)
     if argument is not None:
