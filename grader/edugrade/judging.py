@@ -304,9 +304,14 @@ def _is_reversed(finding: Finding, result: CheckResult) -> bool:
     """Return whether a finding suggests the name that a failed check has found in place of the name that the finding is about."""
     names = finding.name, finding.facts.get('near')
     where = result.expected or '', (result.seen or '').split('(')[0]
-    return result.status == FAILED and all(
-        isinstance(name, str) and _names(name, text) and not _names(name, other)
-        for name, text, other in zip(names, where, reversed(where), strict=True)
+    # of a pair of topics, the rule itself decides which name is right
+    return (
+        result.status == FAILED
+        and finding.kind != 'topic'
+        and all(
+            isinstance(name, str) and _names(name, text) and not _names(name, other)
+            for name, text, other in zip(names, where, reversed(where), strict=True)
+        )
     )
 
 
@@ -352,8 +357,8 @@ def _is_part(finding: Finding, result: CheckResult) -> bool:
 
 
 def _is_in_advice(finding: Finding, result: CheckResult) -> bool:
-    """Return whether the advice of a check contains the right name of a finding, the options of its program, or the node whose
-    remapping has no effect.
+    """Return whether the advice of a check contains the right name of a finding or an option of its program. For a remapping
+    without an effect, its node is enough.
     """
     advice = ' '.join(filter(None, (*result.steps, result.try_)))
     node = finding.name.rpartition('/')[2] if finding.rule == 'launch.remapping-unused' else None

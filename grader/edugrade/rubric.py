@@ -123,9 +123,11 @@ class Rubric:
         if name not in known:
             from edulaunch.engine.nearest import nearest
 
-            close = nearest(name, known)
+            alike = [check for check in known if nearest(name, check.split('_'))]  # often, only a part of a long name is written
+            close = nearest(name, known) or next(iter(alike), None)
             hint = f'write {close}, or ' if close else ''
-            raise NoSuchCheck(f'the rubric has no check named "{name}"', help=f'{hint}use one of its checks: {", ".join(known)}')
+            missing = f'the rubric "{self.title}" has no check named "{name}"'
+            raise NoSuchCheck(missing, help=f'{hint}use one of its checks: {", ".join(known)}')
         wanted = {name}
         for check in reversed(self.checks):  # a check comes after the checks that it needs
             if check.name in wanted:

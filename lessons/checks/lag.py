@@ -46,7 +46,7 @@ def it_says_something(run: Evidence) -> None:
 
 @check(points=1, needs=[it_says_something])
 def it_says_only_that(run: Evidence) -> None:
-    """It logs no error"""
+    """lag logs no error"""
     wrong = [text for _, text in said(run) if not SAID.fullmatch(text)]
     if wrong:
         raise Failure(

@@ -14,7 +14,7 @@ def hello_speaks(run: Evidence) -> None:
 
 @check(points=1, needs=[hello_speaks])
 def it_says_it_loud(run: Evidence) -> None:
-    """It publishes HELLO"""
+    """hello publishes HELLO"""
     said = sorted({message.data for _, message in run.first.messages('/greeting')})
     if said != ['HELLO']:
         raise Mismatch(

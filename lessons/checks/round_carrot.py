@@ -60,7 +60,7 @@ def it_moves_smoothly(run: Evidence) -> None:
 
 @check(points=1, needs=[it_moves_smoothly])
 def it_goes_round_once_in_ten_seconds(run: Evidence) -> None:
-    """It makes one turn in 10 s, so after 5 s it is on the opposite side"""
+    """The carrot makes one turn in 10 s, so after 5 s it is on the opposite side"""
     start, half, whole = places(run, (2.05, 2.05 + PERIOD_S / 2, 2.05 + PERIOD_S))
     if not (abs(start - whole) < 0.1 and abs(start + half) < 0.1):
         raise Failure(

@@ -105,7 +105,7 @@ def test_a_speed_that_a_controller_calculates_is_not_in_degrees(tmp_path: Path) 
     for factor, is_told in (('', True), ('* self.angle', False)):
         text = program(body.format(factor=factor), imports)
         found = told(write(tmp_path, main_launch_py=launch(SIM, WALKER), walker_py=text))
-        assert any('in degrees' in one for one in found) == is_told
+        assert any('a full turn in radians' in one for one in found) == is_told
 
 
 def test_a_robot_description_with_the_prefix_slash_is_usual(tmp_path: Path) -> None:

@@ -81,7 +81,7 @@ MISTAKES = {
         ),
         (
             '<launch>\n<log message="$(var x"/></launch>',
-            "2: launch cannot read '$(var x': it expects one space and an argument, or ')' at column 8; check that brackets are closed, that quotes come in pairs, and that one space precedes each argument",
+            "2: launch cannot read '$(var x': at column 8, it expects one space and an argument, or ')'; check that brackets are closed, that quotes come in pairs, and that one space precedes each argument",
         ),
         (
             '<launch>\n<group>\n</launch>',

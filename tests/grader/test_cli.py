@@ -49,7 +49,7 @@ def test_a_file_without_a_rubric_names_the_known_ones(capsys: pytest.CaptureFixt
     code, text = refused(capsys, str(file))
     assert code == 2
     assert 'there is no rubric named "cirlce". Available rubrics: broken_follow, carrot, circle, follow, large_project, static_frame\n'
-    assert '  help: write circle, or name one of these rubrics' in text
+    assert '  help: write --rubric circle, or write the path of a rubric file' in text
 
 
 def test_a_rubric_that_breaks_is_the_graders_fault(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

@@ -65,7 +65,7 @@ def test_an_unknown_exercise_names_the_nearest() -> None:
         and ' circle, ' in error.value.message
     )
     assert error.value.help is not None
-    assert error.value.help.startswith('write circle, or ')
+    assert error.value.help.startswith('write --rubric circle, or ')
 
 
 def test_a_file_without_a_rubric_is_refused(tmp_path: object) -> None:

@@ -167,11 +167,8 @@ LOG_LEVEL = about(
 )
 REMAP_RULE = about(
     'launch.remap-rule',
-    what=("the remapping '{rule}' contains an invalid name", "-r needs an argument of the form 'from:=to'"),
-    do=(
-        'use letters, digits, _ and single slashes between the parts of each name in {rule}',
-        'write it without spaces, as in turtle1/cmd_vel:=cmd_vel',
-    ),
+    what="'{rule}' is not a valid remapping",
+    do='write from:=to without spaces, as in turtle1/cmd_vel:=cmd_vel, with letters, digits, _ and single slashes in both names',
 )
 
 

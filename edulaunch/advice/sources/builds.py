@@ -97,7 +97,7 @@ def no_shebang(source: PackageInWorkspace) -> Iterator[Finding]:
 
 @rule(
     'packages.program-not-installed',
-    what='no build installs the program {file}',
+    what='the build of {package} does not install the program {file}',
     why='`ros2 run {package} {file}` does not find it',
     do=INSTALL,
     lesson=LESSON,
@@ -116,7 +116,7 @@ def program_not_installed(source: PackageInWorkspace) -> Iterator[Finding]:
 
 @rule(
     'packages.program-left-out',
-    what='{file} starts a node, but no build installs it',
+    what='{file} starts a node, but the build of {package} does not install it',
     why='`ros2 run {package} {file}` does not find it, but `python3 {file}` works',
     do=INSTALL + ' if you want to start it with `ros2 run`',
     lesson=LESSON,

@@ -32,7 +32,7 @@ NOT_LAUNCHED = frozenset(('doc', 'docs', 'example', 'examples', 'src'))
 
 @rule(
     'packages.launch-file-not-installed',
-    what='no build installs the launch file {file}',
+    what='the build of {package} does not install the launch file {file}',
     why='`ros2 launch {package} {file}` searches only installed files, so it does not find it',
     do=INSTALL,
     lesson='07_packages',
@@ -52,7 +52,7 @@ def launch_file_not_installed(source: PackageInWorkspace) -> Iterator[Finding]:
 
 @rule(
     'packages.data-not-installed',
-    what='setup.py or CMakeLists.txt does not install {file}, so the file is not in the share folder of {package}',
+    what='the build of {package} does not install {file}, so the file is not in the share folder of the package',
     why='a launch file that uses get_package_share_directory() does not find it there',
     do=INSTALL,
     lesson='07_packages',

@@ -183,8 +183,7 @@ def _remap_rule(flag: str, text: str) -> RemapRule:
     try:
         return remap_rule(text)
     except RuleError as error:
-        names = {'rule': text} if ':=' in text and ' ' not in text else {}
-        raise with_facts(_refuse('remap rule', flag, text, str(error)), 'launch.remap-rule', **names) from None
+        raise with_facts(_refuse('remap rule', flag, text, str(error)), 'launch.remap-rule', rule=text) from None
 
 
 def remap_rule(text: str) -> RemapRule:

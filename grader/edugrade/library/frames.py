@@ -8,6 +8,8 @@ from math import asin, atan2, cos, hypot, sin
 from re import sub
 from typing import TYPE_CHECKING, NamedTuple
 
+from edulaunch.engine.recording.records import Frame
+
 from ..evidence import Advice, Evidence, Failure, Missing
 from .identity import nodes_of, process_of
 from .movement import turtle_track
@@ -16,9 +18,8 @@ from .parameters import parameter_advice, parameter_of
 
 if TYPE_CHECKING:
     from edulaunch.engine.recording import Recording
-    from edulaunch.engine.recording.records import Frame
 
-Frames = Mapping[str, 'Frame']
+Frames = Mapping[str, Frame]
 BROADCASTER = ('turtle_tf2_py', 'turtle_tf2_broadcaster')
 LATE_S, OFF_M = 0.5, 0.1  # largest delay of a frame, and largest error of its position
 LAST_S = 1.0  # greatest age of the last transform of a moving frame that exists until the end
@@ -46,7 +47,6 @@ def transforms(run: Evidence, scenario: str) -> Mapping[str, Sequence[Sent]]:
 
 def _transforms(recording: Recording) -> dict[str, list[Sent]]:
     from edulaunch.engine.recording.frames import TOPICS, transform_wires
-    from edulaunch.engine.recording.records import Frame
 
     found: dict[str, list[Sent]] = {}
     for topic, is_static in TOPICS:

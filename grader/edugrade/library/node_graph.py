@@ -63,9 +63,15 @@ def require_node(run: Evidence, name: str, package: str | None, try_: Advice, ex
 def _to_correct(run: Evidence, scenario: str, name: str, among: Sequence[str]) -> str | None:
     """Return the name if it can be a correction of one of the other names, or None.
 
-    The value of a launch argument is not a correction of a fixed name, because a launch file cannot contain it.
+    The value of a launch argument is not a correction of a fixed name, because a launch file cannot contain it. Neither is a
+    name a correction of the name of a program, because the launch file does not contain that name of the node.
     """
+    from edulaunch.engine.nearest import nearest
+
     values = {str(value) for value in run.scenario(scenario).arguments.values()} & set(name.split('/'))
+    programs = {process.executable for process in run[scenario].processes} - {name.rpartition('/')[2]}
+    if (nearest(name, among) or '').rpartition('/')[2] in programs:
+        return None
     return name if any(values <= set(other.split('/')) for other in among) else None
 
 

@@ -127,7 +127,7 @@ def kind_of(result: CheckResult) -> str:
             continue
         if not result.reason.endswith('missing') or 'default' in result.reason:
             return advice
-        if advice == PARAMETER:
+        if advice == PARAMETER and ' frame ' not in result.reason:
             return 'write the missing parameter into the parameters of this Node, or correct its name there'
         added = ADDED.get(advice, advice)
         return added if added == advice or not result.seen else f'{added}, or {advice}'

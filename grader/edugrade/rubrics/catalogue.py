@@ -83,10 +83,10 @@ def find_rubric(
     from edulaunch.engine.nearest import nearest
 
     close = nearest(name, list(known))
-    hint = f'write {close}, or ' if close else ''
+    hint = f'write --rubric {close}' if close else 'name one of these rubrics with --rubric'
     raise UnusableInput(
         f'there is no rubric named "{name}". Available rubrics: {", ".join(sorted(known)) or "none"}',
-        help=f'{hint}name one of these rubrics, or the path of a rubric file, with --rubric',
+        help=f'{hint}, or write the path of a rubric file',
     )
 
 

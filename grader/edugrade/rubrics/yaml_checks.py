@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Iterator
 from math import inf
 from typing import TYPE_CHECKING, NamedTuple
@@ -10,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from ..evidence import Advice, Evidence, Failure, Mismatch, Missing
 from ..library.arguments import require_default
 from ..library.deaths import refuse_dead, refuse_gone
-from ..library.identity import nodes_of
+from ..library.identity import nodes_of, processes_of
 from ..library.launched import require_process
 from ..library.node_graph import (
     own_name_of_topic,
@@ -28,7 +27,6 @@ from ..shortened import shortened
 from .yaml_wanted import ARGUMENT, OfRun, Wanted
 
 if TYPE_CHECKING:
-    from edulaunch.engine.recording import Recording
     from edulaunch.engine.recording.records import NodeRecord, Parameter
 
 Function = Callable[[Evidence, Wanted], None]
@@ -108,30 +106,17 @@ def _name_advice(one: OfRun, key: str = 'name') -> str:
     arguments are named by these.
     """
     namespace, _, name = str(one.wanted[key]).strip('/').rpartition('/')
-    program = one.wanted['executable'] or one.wanted['package']
-    if not _candidates(one):
+    package, executable = one.program()
+    program = executable or package or ''
+    if package is not None and not nodes_of(one.recording, package, executable):
+        for position in processes_of(one.recording, package, executable):
+            return f'read what {one.recording.processes[position].name} prints before it ends, because it creates no node'
         return f'start {program} with {one.words}: add its Node, or check its condition and its event'
     argument = ARGUMENT.fullmatch(namespace)
     if argument is not None:
         return argument_as_namespace(one.run, argument[1], program)
-    return name_of_node(one.run, one.filled(namespace), '' if name == program else one.filled(name), program)
-
-
-def _candidates(one: OfRun) -> Counter[str]:
-    """Return the names of the nodes of the rubric's program that may need another name. Nodes that also run where the rubric
-    wants no such node have their right names.
-    """
-    absent = [one.run[scenario] for scenario in one.wanted['absent'] if scenario in one.run]
-    names, *others = (_names(recording, one) for recording in (one.recording, *absent))
-    for other in others:
-        names -= other
-    return names
-
-
-def _names(recording: Recording, one: OfRun) -> Counter[str]:
-    package, executable = one.program()
-    positions = range(len(recording.nodes)) if package is None else nodes_of(recording, package, executable)
-    return Counter(recording.nodes[position].name for position in positions)
+    advice = name_of_node(one.run, one.filled(namespace), '' if name == program else one.filled(name), program)
+    return f'{advice}, and check its condition' if one.wanted['absent'] else advice
 
 
 @kind('Only these nodes run: {are}', 'are', 'package')
@@ -329,8 +314,12 @@ def _parameters(run: Evidence, wanted: Wanted) -> Iterator[tuple[OfRun, Paramete
         node, name = one.text('node'), wanted['name']
         _own_node(one)
         code = one.code('value') if 'value' in wanted else 'another value'
-        steps = f'check which parameter file, argument or Node sets {name} of {node}', f'set {name} of {node} to {code}'
-        advice = wanted.try_ or steps
+        where = f'check which parameter file, argument or Node sets {name} of {node}'
+        advice = wanted.try_ or (
+            'check the value that the launch file gives this parameter',
+            where,
+            f'set {name} of {node} to {code}',
+        )
         asked = one.same_type('value') if 'value' in wanted else None
         found = read_parameter(one.recording, node, wanted['package'], name, asked)
         if found is not None and 'origin' in wanted:

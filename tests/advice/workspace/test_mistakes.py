@@ -73,7 +73,7 @@ def test_scripts_of_a_cmake_package(workspace: Any, node: str) -> None:
     assert said(workspace.folder) == [
         'robo/scripts/one.py:1: the first line of the program one.py does not name its interpreter',
         'robo/scripts/two.py: CMake installs two.py without the execute permission',
-        'robo/scripts/three.py: three.py starts a node, but no build installs it',
+        'robo/scripts/three.py: three.py starts a node, but the build of robo does not install it',
     ]
 
 

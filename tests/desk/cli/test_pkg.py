@@ -61,7 +61,7 @@ def test_check_prints_findings_and_counts_them(here: Path, capsys: pytest.Captur
     capsys.readouterr()
     assert main(['pkg', 'check', '.']) == 1
     lines = capsys.readouterr().out.splitlines()
-    assert lines[0].startswith('robo/launch/go.launch.py: no build installs the launch file')
+    assert lines[0].startswith('robo/launch/go.launch.py: the build of robo does not install the launch file')
     assert lines[-1] == '1 package checked (robo): 1 finding'
 
 

@@ -223,7 +223,7 @@ def test_a_check_that_no_rubric_has_changes_no_result(two: tuple[Path, Path], ca
     result.parent.mkdir(parents=True)
     result.write_text('{}')
     assert main(['batch', str(folder), '--rubric', str(rubric), '--only', 'c']) == 2
-    assert 'the rubric has no check named "c"' in capsys.readouterr().err
+    assert 'the rubric "Two" has no check named "c"' in capsys.readouterr().err
     assert result.read_text() == '{}'
 
 
