@@ -261,3 +261,25 @@ executor.spin_until_future_complete(done)
 @pytest.mark.processes
 def test_a_callback_that_waits_for_real_does_not_stop_the_others(tmp_path: Path) -> None:
     assert run_script(tmp_path, WAITING_CALLBACK) == (['waits', 'True'], 0)
+
+
+LAUNCHING = """
+import os, signal, rclpy
+from launch import LaunchDescription, LaunchService
+from launch.actions import OpaqueFunction, TimerAction
+
+rclpy.init()
+press = OpaqueFunction(function=lambda context: os.kill(os.getpid(), signal.SIGINT))
+service = LaunchService(noninteractive=True)
+service.include_launch_description(LaunchDescription([TimerAction(period=1.0, actions=[press]), TimerAction(period=60.0, actions=[])]))
+print(service.run(), rclpy.ok())
+rclpy.shutdown()
+"""
+
+
+@pytest.mark.processes
+@pytest.mark.skipif(os.name == 'nt', reason='no such signals there')
+def test_launch_in_a_script_that_uses_rclpy_takes_ctrl_c_once(tmp_path: Path) -> None:
+    lines, code = run_script(tmp_path, LAUNCHING)
+    assert (lines[-1], code) == ('0 True', 0)
+    assert [line for line in lines if 'ctrl-c' in line] == ['[WARNING] [launch]: user interrupted with ctrl-c (SIGINT)']

@@ -127,6 +127,13 @@ class Process:
         """Send a signal to the program; see :meth:`SignalDelivery.deliver`."""
         self.signals.deliver(signum)
 
+    def receive_real(self, number: int) -> Callable[[int], object] | None:
+        """Receive the real signals of this number, if the program is a plain script; see `AmbientProcess`."""
+        return None
+
+    def release_real(self, number: int) -> None:
+        """End :meth:`receive_real` for this number."""
+
     def _note_force(self, signum: int, waits: list[dict[str, Any]]) -> None:
         self.fact('ended by force', signum, {'signal': signum, 'waits': waits})
 
