@@ -13,7 +13,6 @@ import threading
 import time
 from collections.abc import Callable
 from types import FrameType
-from typing import Any
 
 from edulaunch.engine.graph.graph import Graph
 from edulaunch.engine.packages.sourced import sourced_index, sourced_path
@@ -53,49 +52,29 @@ def _is_script() -> bool:
     return main is not None and is_own(main)
 
 
-class ScriptHandlers(dict[int, Callable[[int], object]]):
-    """The signal handlers of a plain script. While there is one, it receives the real signal of its number.
-
-    A handler that the script itself installed with `signal.signal` is the earlier handler of its number, as for rclpy in ROS 2.
-
-    :param deliver: delivers a signal to the process of the script.
-    """
-
-    def __init__(self, deliver: Callable[[int], object]) -> None:
-        self._deliver = deliver
-        self._before: dict[int, Any] = {}
-        self._own: list[Any] = []
-
-    def get(self, number: int, default: Any = None) -> Any:
-        """Return the handler of a signal, which can be the script's own."""
-        before = signal.getsignal(number)
-        if number in self or before in (signal.SIG_DFL, signal.default_int_handler, None):
-            return super().get(number, default)
-        self._own.append((lambda signum: before(signum, None)) if callable(before) else (lambda signum: None))
-        return self._own[-1]
-
-    def __setitem__(self, number: int, handler: Callable[[int], object]) -> None:
-        if handler in self._own:  # Python's `signal` has it already
-            return
-        super().__setitem__(number, handler)
-        if number not in self._before and threading.current_thread() is threading.main_thread():
-            self._before[number] = signal.signal(number, self._receive)
-
-    def __delitem__(self, number: int) -> None:
-        super().__delitem__(number)
-        before = self._before.pop(number, None)
-        if before is not None and signal.getsignal(number) == self._receive:
-            signal.signal(number, before)
-
-    def _receive(self, number: int, _: FrameType | None) -> None:
-        self._deliver(number)
-
-
 class AmbientProcess(Process):
     """The process of a script or notebook cell that uses ROS packages directly. It has the real standard streams."""
 
     keeps_time = False
     """Whether the script reads the real clock, so simulated time equals real time."""
+
+    def receive_real(self, number: int) -> Callable[[int], object] | None:
+        """In the main thread of a script, receive the real signals of this number. Return the script's own handler, or None."""
+        if not _is_script() or threading.current_thread() is not threading.main_thread():
+            return None
+        before = self.state.setdefault('real signals', {})[number] = signal.signal(number, self._receive)
+        if before in (signal.SIG_DFL, signal.default_int_handler):
+            return None
+        return lambda signum: before(signum, None) if callable(before) else None
+
+    def release_real(self, number: int) -> None:
+        """Give the real signals of this number back to the handler that received them before."""
+        before = self.state.get('real signals', {}).pop(number, None)
+        if before is not None and signal.getsignal(number) == self._receive:
+            signal.signal(number, before)
+
+    def _receive(self, number: int, _: FrameType | None) -> None:
+        self.send_signal(number)
 
     def has_imported(self, package: str) -> bool:
         """Return whether this interpreter has imported a package. No loader observes the imports of a script."""
@@ -136,8 +115,6 @@ def make_ambient_process(task: AmbientTask) -> Process:
     host = Host(task.sim, Graph(task.sim), sourced_index(prefixes), env=dict(os.environ), command_set=commands, hint_of=hint_of)
     process = ambient_process_on(host, task)
     process.keeps_time = keeps_time
-    if _is_script():
-        process.signals.handlers = ScriptHandlers(process.send_signal)
     return process
 
 

@@ -279,3 +279,25 @@ def test_a_thread_of_a_script_takes_turns_with_it_in_simulated_time(script: Ambi
     log.append((0.0, thread.name))
     script.sleep_until(began + 3 * 10**9)
     assert log == [(0.0, 'worker'), (2.0, 'worker')] and not thread.is_real_thread
+
+
+LAUNCHING = """
+import os, signal, rclpy
+from launch import LaunchDescription, LaunchService
+from launch.actions import OpaqueFunction, TimerAction
+
+rclpy.init()
+press = OpaqueFunction(function=lambda context: os.kill(os.getpid(), signal.SIGINT))
+service = LaunchService(noninteractive=True)
+service.include_launch_description(LaunchDescription([TimerAction(period=1.0, actions=[press]), TimerAction(period=60.0, actions=[])]))
+print(service.run(), rclpy.ok())
+rclpy.shutdown()
+"""
+
+
+@pytest.mark.processes
+@pytest.mark.skipif(os.name == 'nt', reason='no such signals there')
+def test_launch_in_a_script_that_uses_rclpy_takes_ctrl_c_once(tmp_path: Path) -> None:
+    lines, code = run_script(tmp_path, LAUNCHING)
+    assert (lines[-1], code) == ('0 True', 0)
+    assert [line for line in lines if 'ctrl-c' in line] == ['[WARNING] [launch]: user interrupted with ctrl-c (SIGINT)']

@@ -43,6 +43,7 @@ class Process:
     :ivar state: the values that ROS packages would store in process-wide globals.
     :ivar exception: the error that ended the program (type, message, place and facts), or None.
     :ivar used: the parts of the real machine that the program has used.
+    :ivar parent: the program that started this one, or None.
     :ivar is_recorded: whether the output of the program is recorded. A child's output is recorded only when its parent writes it.
     :ivar group: the program that was started in a terminal, and whose Ctrl-C reaches this program.
     :ivar is_passed_on: whether the parent passes its own Ctrl-C on to this program.
@@ -52,7 +53,7 @@ class Process:
     """
 
     def __init__(self, host: HostFace, spec: ProcessSpec, pid: int, argv: list[str], main: Callable[[Process], object]) -> None:
-        parent = host.program_here()
+        self.parent = parent = host.program_here()
         self.host = host
         self.sim = host.sim
         self.graph = host.graph
@@ -126,6 +127,13 @@ class Process:
     def send_signal(self, signum: int) -> None:
         """Send a signal to the program; see :meth:`SignalDelivery.deliver`."""
         self.signals.deliver(signum)
+
+    def receive_real(self, number: int) -> Callable[[int], object] | None:
+        """Receive the real signals of this number, if the program is a plain script; see `AmbientProcess`."""
+        return None
+
+    def release_real(self, number: int) -> None:
+        """End :meth:`receive_real` for this number."""
 
     def _note_force(self, signum: int, waits: list[dict[str, Any]]) -> None:
         self.fact('ended by force', signum, {'signal': signum, 'waits': waits})

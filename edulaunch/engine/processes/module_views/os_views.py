@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 LEFT_OUT = ('fork', 'forkpty', 'register_at_fork')
 """A simulated program cannot be copied by the operating system."""
 
+EXEC = tuple(f'exec{form}' for form in ('l', 'le', 'lp', 'lpe', 'v', 've', 'vp', 'vpe'))
+
 CPUS = 4
 """The number of processors of the simulated machine, so that pools have the same size on every real one."""
 
@@ -74,6 +76,10 @@ def make_os(view: ModuleType, process: Process) -> ModuleType:
         getpid=lambda: process.pid,
         getppid=lambda: 1000,
         kill=lambda pid, signum, /: _kill(process, pid, signum),
+        getpgid=lambda pid, /: pid or process.pid,
+        getpgrp=lambda: process.pid,
+        killpg=lambda group, signum, /: _kill_group(process, group or process.pid, signum),
+        **dict.fromkeys(('setpgid', 'setpgrp', 'setsid'), lambda *_: None),
         _exit=lambda status: process.lifecycle.exit_now(status & 0xFF),
         abort=lambda: process.lifecycle.exit_now(-Signals.SIGABRT),
         getcwd=PlainFunction(getcwd),
@@ -81,6 +87,7 @@ def make_os(view: ModuleType, process: Process) -> ModuleType:
         cpu_count=lambda: CPUS,
         process_cpu_count=lambda: CPUS,
         urandom=urandom,
+        **{name: _exec(process, name) for name in EXEC},
     )
     copy_names(view, os)
     for name in LEFT_OUT:
@@ -132,6 +139,20 @@ def _commands(process: Process) -> dict[str, Any]:
     return {'system': lambda command: status(run(command).returncode), 'popen': popen}
 
 
+def _exec(process: Process, name: str) -> Callable[..., None]:
+    """Return a function such as `os.execv`: it ends the program, and another program receives its signals in its place."""
+
+    def call(file: Any, *arguments: Any) -> None:
+        *words, env = arguments if name.endswith('e') else (*arguments, None)
+        subprocess: Any = process.loader.import_module('subprocess')
+        child = subprocess.Popen([file, *(words[0] if name[4] == 'v' else words)[1:]], env=env)
+        process.leave_graph()
+        process.signals.handlers.update(dict.fromkeys(Signals, child.send_signal))
+        process.lifecycle.exit_now(child.wait())
+
+    return call
+
+
 def _kill(process: Process, pid: int, signum: int) -> None:
     if pid == process.pid:
         process.send_signal(signum)
@@ -141,6 +162,19 @@ def _kill(process: Process, pid: int, signum: int) -> None:
             other.send_signal(signum)
             return
     raise ProcessLookupError(3, 'No such process')
+
+
+def _kill_group(process: Process, group: int, signum: int) -> None:
+    """Send a signal to the program with the process ID `group` and to all programs that it started, itself the last."""
+    members = [other for other in process.host.processes if _is_in(other, group)]
+    if not members:
+        raise ProcessLookupError(3, 'No such process')
+    for member in sorted(members, key=lambda member: member is process):
+        member.send_signal(signum)
+
+
+def _is_in(process: Process | None, group: int) -> bool:
+    return process is not None and (process.pid == group or _is_in(process.parent, group))
 
 
 class SysView(ModuleType):

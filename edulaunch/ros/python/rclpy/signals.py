@@ -37,7 +37,7 @@ def _install(state: ProcessState, number: int, default: Callable[[int], object] 
     handlers = state.process.signals.handlers
     if number in state.previous_handlers:
         return
-    before = handlers.get(number)
+    before = state.process.receive_real(number) or handlers.get(number)
     if before == state.process.signals.die_at_once:
         default = None  # rclpy calls the previous handler, but never a default action
 
@@ -58,6 +58,7 @@ def uninstall_signal_handlers() -> None:
     state = process_state()
     handlers = state.process.signals.handlers
     for number, (handler, before) in state.previous_handlers.items():
+        state.process.release_real(number)
         if handlers.get(number) is handler:
             del handlers[number]
             if before is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from pathlib import Path
 from typing import Any
 
@@ -69,3 +70,46 @@ def test_numbers_of_files_that_are_no_streams_are_real_files(world: Any, tmp_pat
     lines = [f'fd = os.open({str(file)!r}, os.O_RDWR | os.O_CREAT)', 'os.write(fd, b"text")', 'os.lseek(fd, 1, 0)']
     assert world.run('\n'.join(['import os', *lines, 'print(os.read(fd, 2), os.isatty(fd))'])) == "b'ex' False\n"
     assert file.read_text() == 'text'
+
+
+@pytest.mark.parametrize(
+    'call',
+    [
+        'os.execl("python3", "python3", path, "a")',
+        'os.execlpe("python3", "python3", path, "a", {**os.environ, "WHO": "other"})',
+        'os.execv(sys.executable, ["python3", path, "a"])',
+        'os.execve("python3", ["python3", path, "a"], {"WHO": "other"})',
+    ],
+)
+def test_a_program_that_replaces_itself_becomes_the_other_one(world: Any, call: str) -> None:
+    other = world.write(
+        'other.py',
+        'import os, sys, time\nprint(sys.argv[1:], os.environ.get("WHO"))\n'
+        'try:\n    time.sleep(60)\nexcept KeyboardInterrupt:\n    sys.exit(3)\n',
+    )
+    text = f'import os, sys\npath = {str(other)!r}\ntry:\n    {call}\nfinally:\n    print("not printed")\n'
+    process = world.start(world.write('first.py', text), 'program-1')
+    world.sim.run(world.sim.start_ns + 10**9)
+    process.send_signal(signal.SIGINT)
+    world.sim.run()
+    assert [line for _, _, line in world.log] == [f"['a'] {'other' if 'other' in call else None}\n"]
+    assert world.codes == {'program-1': 3} and world.sim.elapsed_s == 1.0
+
+
+def test_a_group_of_programs_is_killed_with_all_its_children(world: Any) -> None:
+    waits = world.write('waits.py', 'import time\ntime.sleep(60)\n')
+    shell = world.write('shell.py', f'import subprocess\nsubprocess.run(["python3", {str(waits)!r}])\n')
+    text = """
+        import os, signal, subprocess, time
+        child = subprocess.Popen(["python3", SHELL], preexec_fn=os.setsid)
+        time.sleep(1)
+        os.killpg(os.getpgid(child.pid), signal.SIGTERM)
+        print(child.wait(), os.getpgid(0) == os.getpgrp() == os.getpid())
+        try:
+            os.killpg(99999, signal.SIGTERM)
+        except ProcessLookupError as error:
+            print(error)
+        os.killpg(0, signal.SIGTERM)
+    """
+    assert world.run(text.replace('SHELL', repr(str(shell)))) == '-15 True\n[Errno 3] No such process\n'
+    assert world.codes == {'program-1': -signal.SIGTERM} and world.host.processes == []

@@ -73,7 +73,7 @@ class AsyncSafeSignalManager:
         installed[number] = self.__take
         if is_plain_script() and threading.current_thread() is threading.main_thread():
             before = signal.getsignal(number)
-            if callable(before):
+            if callable(before) and getattr(before, '__self__', None) is not self.__process:  # a process passes its signals on
                 self.__real_before[number] = before
                 signal.signal(number, self.__take_real)
 
