@@ -52,7 +52,7 @@ def test_a_mistake_in_the_yaml_file_is_told(
     two_worlds(student)
     err = capsys.readouterr().err
     assert told in err and err.startswith('warning: ') and 'turtlesim_node-2' in err
-    assert f'{student.folder}/my_ws/src/launch_tutorial/launch/turtlesim_world_2.launch.py:10' in err
+    assert f'{student.folder}/my_ws/src/launch_tutorial/config/turtlesim.yaml:' in err
 
 
 def test_a_value_of_another_type_is_told_with_its_line(walk: Begin, capsys: pytest.CaptureFixture[str]) -> None:

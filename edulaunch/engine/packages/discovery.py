@@ -100,7 +100,7 @@ def _above(folder: str) -> list[str]:
 def _below(folder: str) -> list[str]:
     """Return a list with the folder itself if it contains packages, otherwise the workspaces that are directly in it.
 
-    If there are none of both, it is the folder itself if packages are deeper in it, because `colcon build` would find them.
+    If neither exists, return the folder itself if packages are deeper in it, because `colcon build` would find them.
     """
     if _with_manifest(folder):
         return [folder]

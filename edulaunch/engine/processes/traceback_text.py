@@ -159,9 +159,9 @@ def student_traceback(error: BaseException) -> tuple[str, Origin | None]:
 
     If all frames belong to the engine, they all stay, because the mistake is then in edulaunch. Errors that edulaunch
     raises deliberately never show frames of the engine: an error with facts, an error of rclpy, and Ctrl-C. The same
-    applies to a file that Python could not parse, because none of its code ran, and to a file that a built-in program could not
-    open, because its path came from the student. Newer versions of Python print marks under
-    a line. These are left out, so that recordings are equal with all versions.
+    applies to a file that Python could not parse, because none of its code ran. It also applies to a file that a built-in
+    program could not open, because its path came from the student. Newer versions of Python print marks under a line. These
+    are left out, so that recordings are equal with all versions.
     """
     return ''.join(_chain(error, [])), _place(error)
 

@@ -7,7 +7,6 @@ from collections.abc import Callable
 
 from edulaunch.ros.passed_on import passed_on
 from rclpy.impl.c_enum import Pybind11Enum
-from rclpy.impl.facts import note_interruption
 from rclpy.process_state import ProcessState, process_state
 
 
@@ -42,6 +41,8 @@ def _install(state: ProcessState, number: int, default: Callable[[int], object] 
         default = None  # rclpy calls the previous handler, but never a default action
 
     def handler(signum: int) -> None:
+        from rclpy.impl.facts import note_interruption
+
         for context in list(state.contexts):
             note_interruption(context)
             context.rcl_end_by_signal()
