@@ -82,7 +82,7 @@ def add_common(parser: argparse.ArgumentParser) -> None:
     """Add the options that all grading commands have to a parser."""
     parser.add_argument('--rubric', metavar='FILE|NAME', help='use this rubric; known names: ' + ', '.join(exercises()))
     parser.add_argument(
-        '--seed', type=int, metavar='N', help="select the values of the runs from this number (default: from the file's content)"
+        '--seed', type=_whole, metavar='N', help="select the values of the runs from this number (default: from the file's content)"
     )
     parser.add_argument(
         '--only', metavar='CHECK', help='grade only this check and the checks that it needs; a batch keeps its other results'
@@ -122,6 +122,13 @@ def is_personal(options: argparse.Namespace) -> bool:
             '--personal needs the secret with which the exercises were made', help='add --course-secret-file FILE'
         )
     return bool(options.personal)
+
+
+def _whole(text: str) -> int:
+    try:
+        return int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f'{text!r} is not a whole number; write a number, as in --seed 7') from None
 
 
 def _seconds(text: str) -> float:

@@ -212,7 +212,11 @@ NUMBER_ONLY = about(
 PARAM_ELEMENT = about(
     'launch.param-element', what='{shown} needs a name and a value, or a file', do="add name and value, or from='a file'"
 )
-ELEMENT = about('launch.element', what='{shown} is not valid here', do="compare it with ROS 2's documentation on launch files")
+ELEMENT = about(
+    'launch.element',
+    what=('{shown} has both {one} and {other}, but only one of the two is allowed', '{shown} is not valid here'),
+    do=('remove {one} or {other} from this {shown}', 'remove {shown}, or correct it as the error message says'),
+)
 ROOT = about(
     'launch.root', what="the outermost element is {shown}, not 'launch'", do="put everything into one element named 'launch'"
 )

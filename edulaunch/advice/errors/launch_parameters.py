@@ -109,14 +109,16 @@ PARAMETER_FILE_ENCODING = about(
 PARAMETERS_KEY = about(
     'launch.parameters-key',
     what=(
-        "{parameter_file} contains '{found}' above line {at}, which is not a key of parameter files",
+        "in {parameter_file}, '{found}' (above line {at}) is not a key of parameter files",
         "'{found}' is not a key of parameter files",
     ),
     do='write ros__parameters, with two underscores',
     edits=(('{found}', 'ros__parameters'),),
 )
 PARAMETER_VALUE = about(
-    'launch.parameter-value', what='ROS 2 cannot read this parameter value', do='write a single value or a list of values'
+    'launch.parameter-value',
+    what="a parameter cannot have the value '{value}', which is a mapping",
+    do='write a single value or a list of values',
 )
 
 

@@ -121,7 +121,7 @@ def no_configuration(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.no-argument',
     what=("the launch argument '{needed}' is required, but you passed '{near}'", "the launch argument '{needed}' is required"),
-    do=('replace {near}:= with {needed}:=', 'pass {needed}:=..., or add default_value=... to its DeclareLaunchArgument'),
+    do=("write '{needed}' instead of '{near}' as the name of the launch argument", 'pass {needed}:=..., or add default_value=... to its DeclareLaunchArgument'),
     level='error',
     lesson='01_first_launch',
 )
@@ -261,7 +261,8 @@ def joined_too_early(failure: Failure) -> Iterator[Finding]:
     what='a {given} has no value yet while Python reads the launch file',
     do=(
         'use its value in an OpaqueFunction: int({counted}(...).perform(context))',
-        "let launch compute the result later: PythonExpression([LaunchConfiguration('count'), ' > 1']), or an EqualsSubstitution",
+        "give the action a condition in place of the `if`: condition=IfCondition(PythonExpression([{compared}('count'), ' > 1']))",
+        'call perform() in the function of an OpaqueFunction, with its context: {given}(...).perform(context)',
     ),
     level='error',
 )
@@ -274,7 +275,7 @@ def value_too_early(failure: Failure) -> Iterator[Finding]:
     counted = re.match(r"'(\w+)' object cannot be interpreted as an integer", failure.message)
     name = counted[1] if counted is not None else None if match is None else match[1] or match[2]
     if name is not None and failure.process is None and hasattr(class_named(name), 'perform'):
-        yield report(failure, given=name, counted=counted and name)
+        yield report(failure, given=name, counted=counted and name, compared=match and match[1])
 
 
 @rule(

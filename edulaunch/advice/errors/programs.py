@@ -13,7 +13,7 @@ from edulaunch.advice.run_sources import script_of
 
 NO_INIT = about(
     'programs.no-init',
-    what='rclpy is not initialized: rclpy.init() was not called before this line, or rclpy.shutdown() was',
+    what='rclpy is not initialized: rclpy.init() was not called before this line, or rclpy.shutdown() was called too early',
     why='nodes and spin() need the context that rclpy.init() creates',
     do='call rclpy.init() first in main(), and rclpy.shutdown() last',
     types=('NotInitializedException',),
@@ -54,11 +54,11 @@ SPIN_CLASS = about(
     'programs.spin-class', what='{given} is a class, not a node', do='create a node: write {given}(), with parentheses'
 )
 SPIN_NO_NODE = about(
-    'programs.spin-no-node', what='spin needs a node, but receives a {given}', do='pass the node itself: rclpy.spin(node)'
+    'programs.spin-no-node', what='spin needs a node, but receives {given}', do='pass the node itself: rclpy.spin(node)'
 )
 NO_FUTURE = about(
     'programs.no-future',
-    what='a future is needed here, not a {given}',
+    what='this argument must be a Future, not {given}',
     do='pass the future that client.call_async(request) returns: future = client.call_async(request)',
 )
 BARE_TIMEOUT = about(
@@ -68,7 +68,7 @@ BARE_TIMEOUT = about(
 )
 NO_EXECUTOR = about(
     'programs.no-executor',
-    what='an executor is needed here, not a {given}',
+    what='this argument must be an executor, not {given}',
     do='leave it out, or create one: SingleThreadedExecutor()',
 )
 ENDED_EXECUTOR = about(
@@ -86,7 +86,7 @@ STOP_ITERATION = about(
 )
 WAIT_SET = about(
     'programs.wait-set',
-    what='in the simulation, the entities of a node wake its executor automatically',
+    what='add_to_wait_set() cannot add entities here: in the simulation, the entities of a node wake its executor automatically',
     do='leave add_to_wait_set() empty, and let is_ready() return True when there is work to do',
 )
 DOMAIN_ID = about(
@@ -147,7 +147,10 @@ EMPTY_ACTION_NAME = about(
 NO_SUCH_NODE = about(
     'programs.no-such-node',
     what="the node '{node}' is not running",
-    do=("write '{near}' if you mean that node", 'start it first; `ros2 node list` prints the nodes that are running'),
+    do=(
+        "write '{near}' as the name and '{space}' as the namespace if you mean that node",
+        'start it first; `ros2 node list` prints the nodes that are running',
+    ),
 )
 NO_TRANSITION = about(
     'programs.no-transition',
@@ -156,7 +159,7 @@ NO_TRANSITION = about(
 )
 LOG_NO_TEXT = about(
     'programs.log-no-text',
-    what='a log message must be a string, not a {given}',
+    what='a log message must be a string, not {given}',
     do='write str(...) around it, or an f-string: f"{{value}}"',
 )
 SEVERITY_NAME = about(
@@ -164,7 +167,7 @@ SEVERITY_NAME = about(
 )
 TIMEOUT_NO_DURATION = about(
     'programs.timeout-no-duration',
-    what='the timeout must be a Duration here, not a {given}',
+    what='the timeout must be a Duration here, not {given}',
     do='write Duration(seconds=1.0), and add this line: from rclpy.duration import Duration',
 )
 

@@ -68,10 +68,10 @@ def bracket_open(failure: Failure) -> Iterator[Finding]:
 @rule(
     'programs.bracket-other',
     what=(
-        '{closing} does not match the {opening} on line {opened}, which needs {wanted}',
-        '{closing} does not match {opening}, which needs {wanted}',
+        "'{closing}' cannot close the '{opening}' on line {opened}, which needs '{wanted}'",
+        "'{closing}' cannot close '{opening}', which needs '{wanted}'",
     ),
-    do='write {wanted} before this bracket or instead of it',
+    do="write '{wanted}' before this '{closing}' or instead of it",
     level='error',
 )
 def bracket_other(failure: Failure) -> Iterator[Finding]:

@@ -51,7 +51,10 @@ def two_parents(recording: Recording) -> Iterator[Finding]:
 @rule(
     'tf.two-broadcasters',
     what="two nodes broadcast the frame '{frame}': {first} and {second}",
-    why='a listener receives both transforms, so the frame jumps between two positions',
+    why=(
+        "both transforms of '{still}' are static, and tf2 keeps only the one that arrives last",
+        'a listener receives both transforms, so the frame jumps between two positions',
+    ),
     do='stop one of the nodes, or give it another child_frame_id',
     lesson=LESSON,
 )
@@ -67,7 +70,8 @@ def two_broadcasters(recording: Recording) -> Iterator[Finding]:
             end_s = ended.get(one.node)
             stays = one.is_static and (end_s is None or end_s > other.first_s)
             if one.parent == other.parent and one.node != other.node and (overlap or stays):
-                yield _found(recording, other, first=one.node, second=other.node)
+                still = one.child if one.is_static and other.is_static else None
+                yield _found(recording, other, first=one.node, second=other.node, still=still)
 
 
 @rule(

@@ -112,7 +112,7 @@ def main_misspelt(recording: Recording) -> Iterator[Finding]:
 @rule(
     'programs.parameter-callback',
     what='{callback}() returned no SetParametersResult, so rclpy rejected the new value of the parameter',
-    why='rclpy calls each callback of add_on_set_parameters_callback() to check whether a change is allowed',
+    why='rclpy asks each callback that you pass to add_on_set_parameters_callback() whether a change is allowed',
     do='end {callback}() with: return SetParametersResult(successful=True)',
     lesson='03_parameters',
     level='error',

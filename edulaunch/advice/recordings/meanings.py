@@ -174,7 +174,7 @@ def _turned(recording: Recording) -> list[tuple[Broadcasts, str, list[tuple[floa
     do=(
         'leave out the conversion to degrees: the theta of {in_degrees} and the angles of quaternion_from_euler() are in radians',
         'use transform.rotation.z = math.sin(message.theta / 2) and transform.rotation.w = math.cos(message.theta / 2), '
-        'or compare your function with these formulas',
+        'or compare the function that computes your quaternion with these formulas',
     ),
     lesson=LESSON,
     level='error',

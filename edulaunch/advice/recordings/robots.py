@@ -124,8 +124,8 @@ def _movable(recording: Recording) -> Iterator[tuple[str, list[str]]]:
     do=(
         "start both nodes in one namespace: give {other} namespace='{space}'",
         'start both nodes in one namespace, or remap {elsewhere} to {topic}',
-        "start a publisher, such as Node(package='joint_state_publisher', executable='joint_state_publisher') if "
-        'there is no robot',
+        'if there is no real robot, start joint_state_publisher: '
+        "Node(package='joint_state_publisher', executable='joint_state_publisher')",
     ),
     lesson='12_urdf',
     hides=('messages.nobody-publishes', 'messages.other-topic'),

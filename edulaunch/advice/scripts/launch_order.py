@@ -43,7 +43,7 @@ LESSON_CONDITIONS = '04_conditions'
 
 @rule(
     'launch.setting-after-nodes',
-    what='{written} comes after the last node of its list, so {setting} applies to none of them',
+    what='{written} comes after all nodes of its list, so {setting} applies to none of them',
     why='launch executes the actions of a list in order, and a setting applies to the actions after it',
     do='move {action} before the nodes that should use it',
     lesson=LESSON,

@@ -183,7 +183,7 @@ launch description while it goes through that list.
 
 @rule(
     'launch.opaque-returns-nothing',
-    what='{function}() creates a {action} but returns nothing, so launch does not run it',
+    what='{function}() creates a {action} but returns nothing, so launch does not execute this {action}',
     why='launch runs only the actions that the function of an OpaqueFunction returns',
     do='return a list of the actions at the end of {function}()',
     lesson='13_large_project',

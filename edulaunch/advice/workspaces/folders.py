@@ -102,8 +102,9 @@ def _is_committed(path: str) -> bool:
         'create {absent} in the folder of the package, or remove package.xml if this folder is not a package',
         'create the empty file {marker}, which marks an installed package',
         'create the file {lacking}, or remove it from data_files in {file}',
-        'correct line {at} of {file}, and run the check again',
-        'correct {file}, and run the check again',
+        'write {setting} into the section [install] of {file}',
+        'correct line {at} of {file}',
+        'correct {file}',
     ),
     level='error',
 )
@@ -118,7 +119,8 @@ def build_file(workspace: Workspace) -> Iterator[Finding]:
             lacking = listed and listed[1]
             is_marker = lacking in {f'resource/{package.name}' for package in workspace.packages}
             facts: dict[str, Any] = {'script': script, 'absent': absent, 'marker': lacking if is_marker else None, 'at': line}
-            facts['lacking'] = lacking
+            setting = re.search(r'has no (install_scripts=\S+) in its section', warning.sentence)
+            facts |= {'lacking': lacking, 'setting': setting and setting[1]}
             yield found('file', name, file=warning.file, line=line, said=warning.sentence, **facts)
 
 

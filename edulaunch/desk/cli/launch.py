@@ -52,7 +52,7 @@ def launch_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument('--step', action='store_true', help='stop before each action of the launch file, and show a prompt')
     parser.add_argument('--fast', action='store_true', help='run as fast as possible instead of in real time')
-    parser.add_argument('--seed', type=int, default=0, help='seed of all random numbers (default: 0)')
+    parser.add_argument('--seed', type=_whole, default=0, help='seed of all random numbers (default: 0)')
     parser.add_argument('--record', metavar='FILE', help='write a recording of the run')
     parser.add_argument(
         '--view', metavar='FILE', nargs='?', const='', help='write an HTML page that replays the run (default name: NAME.html)'
@@ -64,6 +64,13 @@ def launch_arguments(parser: argparse.ArgumentParser) -> None:
         metavar='DIR',
         help='folder with packages, may be repeated (default: the workspace of this folder, as if it was sourced)',
     )
+
+
+def _whole(text: str) -> int:
+    try:
+        return int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f'{text!r} is not a whole number; write a number, as in --seed 7') from None
 
 
 def _seconds(text: str) -> float:

@@ -57,7 +57,9 @@ def read_value(text: str) -> Any:
     reader = _Reader(text, of_a_file=False)
     if not reader.skip_to_root(mapping=False):
         return None  # the line is only a comment
-    return _read_value(reader, reader.next())
+    if type(event := reader.next()).__name__ == 'MappingStartEvent':
+        raise with_facts(ParameterFileError('Unknown YAML event'), 'launch.parameter-value', value=text)
+    return _read_value(reader, event)
 
 
 class _Reader:
@@ -175,8 +177,6 @@ def _read_value(reader: _Reader, event: Any) -> Any:
         return _scalar(event)
     if kind == 'SequenceStartEvent':
         return _read_sequence(reader) or None  # rcl does not know the type of an empty list, so it does not set the parameter
-    if not reader.of_a_file:
-        raise with_facts(ParameterFileError('Unknown YAML event'), 'launch.parameter-value')
     raise ParameterFileError(f'Expected a value or a list of values at line {line_of(event)}')
 
 

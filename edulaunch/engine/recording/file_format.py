@@ -97,7 +97,8 @@ def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
     :raises RecordingError: if the file is not a recording, has another version, or is damaged.
     """
     lines = io.BytesIO(data)
-    header = _parse(lines.readline(), name, 1)
+    first = lines.readline()
+    header = _parse(first, name, 1) if first.startswith(b'{') else {}
     if header.get('format') != FORMAT:
         raise RecordingError(f'{name} is not a recording of edulaunch.', help=help_text('no-recording'))
     if header.get('version') != VERSION:

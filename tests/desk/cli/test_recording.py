@@ -42,7 +42,7 @@ def test_what_is_no_recording_gets_a_sentence(tmp_path: Path, capsys: pytest.Cap
     assert main(['recording', 'info', str(tmp_path / 'x')]) == 2
     assert main(['recording', 'info', str(tmp_path / 'y')]) == 2
     err = capsys.readouterr().err
-    assert 'is damaged: line 1 is not JSON' in err and 'cannot read the recording' in err and 'Traceback' not in err
+    assert 'x is not a recording of edulaunch' in err and 'cannot read the recording' in err and 'Traceback' not in err
 
 
 def test_two_recordings_are_compared(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

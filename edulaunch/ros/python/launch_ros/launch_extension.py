@@ -67,7 +67,7 @@ def parameters_in(entity: Entity, parser: ParserProtocol, tag: str) -> list[Any]
 
 def _file(param: Entity, given: list[str], parser: ParserProtocol) -> ParameterFile:
     if 'name' in given:
-        raise _wrong(param, 'name and from attributes are mutually exclusive')
+        raise _wrong(param, 'name and from attributes are mutually exclusive', one='name', other='from')
     param.assert_entity_completely_parsed()
     path = parser.parse_substitution(param.get_attr('from'))
     allow_substs = param.get_attr('allow_substs', data_type=bool) if 'allow_substs' in given else False
@@ -95,7 +95,8 @@ def _value(param: Entity, parser: ParserProtocol) -> Any:
     if 'param' in given:
         for name in ('value', 'type'):
             if name in given:
-                raise _wrong(param, f'nested parameters and {name} attributes are mutually exclusive')
+                text = f'nested parameters and {name} attributes are mutually exclusive'
+                raise _wrong(param, text, one=name, other=f'a nested {param.shown}')
         param.assert_entity_completely_parsed()
         plain = param.plain_pairs('param', 'name', 'value', is_typed=True)
         if plain is not None:
@@ -117,8 +118,8 @@ def _data_type(param: Entity) -> Any:
     return _TYPES[name]
 
 
-def _wrong(param: Entity, message: str) -> RuntimeError:
-    return places.at(RuntimeError(message), param)
+def _wrong(param: Entity, message: str, **facts: str) -> RuntimeError:
+    return places.at(RuntimeError(message), param, **facts)
 
 
 def _remappings(entity: Entity, parser: ParserProtocol, name: str) -> list[tuple[Substitutions, Substitutions]]:

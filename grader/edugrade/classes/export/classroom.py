@@ -79,7 +79,7 @@ def tests(exercise: str) -> list[Test]:
     :raises UnusableInput: when there is no such exercise.
     """
     name, _, path = exercise.partition('=')
-    rubric = find_rubric(name)[1]
+    rubric = find_rubric(name, name)[1]
     if not path:
         known = {entry.name: entry.path for entry in read_course(find_course(os.getcwd()))}
         path = known.get(name, f'{name}.launch.py')

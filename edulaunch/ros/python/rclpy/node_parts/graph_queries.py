@@ -169,11 +169,13 @@ def _nodes(core: NodeCore, name: str, namespace: str, kind: str) -> list[Any]:
     nodes = [node for node in graph.nodes if node.name == name and node.namespace == namespace]
     if not nodes:
         wanted = fully_qualified_name(namespace, name)
+        space, _, near = (nearest(wanted, [node.fully_qualified_name for node in graph.nodes]) or '').rpartition('/')
         raise with_facts(
             NodeNameNonExistentError(f'cannot get {what} names and types for nonexistent node: error not set'),
             'programs.no-such-node',
             node=wanted,
-            near=nearest(wanted, [node.fully_qualified_name for node in graph.nodes]),
+            near=near or None,
+            space=space or '/',
         )
     return nodes
 
