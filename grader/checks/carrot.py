@@ -75,7 +75,7 @@ def one_carrot_at_a_time(run: Evidence) -> None:
                 expected=wanted,
                 seen=' and '.join(started) or 'no broadcaster of carrot1',
                 where=run.source.own(wrong.origin if wrong else None),
-                try_=f'write {CONDITION.format(other if wrong else name)} in the Node of {wrong.executable if wrong else wanted}',
+                try_=f'start {wrong.executable if wrong else wanted} only with this condition: {CONDITION.format(other if wrong else name)}',
             )
 
 

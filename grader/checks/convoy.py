@@ -88,13 +88,16 @@ def everybody_is_there(run: Evidence) -> None:
         poses = [topic for topic in run[scenario].topics.values() if topic.count and topic.name.endswith('/pose')]
         seen = {topic.name.split('/')[1] for topic in poses if topic.name.startswith('/turtle')}
         if seen != wanted:
-            raise Mismatch(
-                'the turtles',
-                ', '.join(sorted(wanted)),
-                ', '.join(sorted(seen)),
-                where=run.source.place,
-                try_='include follower.launch.py once for each follower, with a condition',
-                during=run.scenario(scenario).words,
+            words, turtles = run.scenario(scenario).words, ' and '.join(sorted(wanted - {'turtle1'}))
+            wrong = ' and '.join(sorted(wanted - seen or seen - wanted))
+            raise Failure(
+                f'{wrong} is missing in the run with {words}'
+                if wanted - seen
+                else f'{wrong} should not exist in the run with {words}',
+                expected=', '.join(sorted(wanted)),
+                seen=', '.join(sorted(seen)),
+                where=run.source.place_in('convoy.launch.py', 'IncludeLaunchDescription[(]'),
+                try_=f'check the conditions of the included follower.launch.py: with {words}, include it only for {turtles}',
             )
 
 

@@ -82,7 +82,10 @@ def add_common(parser: argparse.ArgumentParser) -> None:
     """Add the options that all grading commands have to a parser."""
     parser.add_argument('--rubric', metavar='FILE|NAME', help='use this rubric; known names: ' + ', '.join(exercises()))
     parser.add_argument(
-        '--seed', type=_whole, metavar='N', help="select the values of the runs from this number (default: from the file's content)"
+        '--seed',
+        type=_whole,
+        metavar='N',
+        help="select the values of the runs from this number (default: from the file's content)",
     )
     parser.add_argument(
         '--only', metavar='CHECK', help='grade only this check and the checks that it needs; a batch keeps its other results'

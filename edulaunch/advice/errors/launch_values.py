@@ -121,7 +121,10 @@ def no_configuration(failure: Failure) -> Iterator[Finding]:
 @rule(
     'launch.no-argument',
     what=("the launch argument '{needed}' is required, but you passed '{near}'", "the launch argument '{needed}' is required"),
-    do=("write '{needed}' instead of '{near}' as the name of the launch argument", 'pass {needed}:=..., or add default_value=... to its DeclareLaunchArgument'),
+    do=(
+        "write '{needed}' instead of '{near}' as the name of the launch argument",
+        'pass {needed}:=..., or add default_value=... to its DeclareLaunchArgument',
+    ),
     level='error',
     lesson='01_first_launch',
 )

@@ -134,7 +134,7 @@ def require_broadcast(run: Evidence, turtle: str, try_: Advice) -> None:
     try:
         node = recording.nodes[position].name
         loose = [words for words in loose_ends(recording, *BROADCASTER) if words.startswith(f'{node} ')]
-        require_frame(run, turtle, 'world', advice, next(iter(loose), f'{node} broadcasts the turtle {value}'))
+        require_frame(run, turtle, 'world', advice, next(iter(loose), f'{node} broadcasts the frame of {value}'))
     except Failure as failure:
         failure.where = run.source.own(process.origin)
         raise

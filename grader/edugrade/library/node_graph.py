@@ -187,17 +187,19 @@ def heard_topics(node: NodeRecord) -> list[str]:
     return [name for name, _ in node.subscriptions if name not in ALWAYS_THERE]
 
 
-def own_name_of_topic(recording: Recording, position: int, node: NodeRecord) -> str:
+def own_name_of_topic(recording: Recording, position: int, node: NodeRecord, wanted: str = '') -> str:
     """Return the name that a program uses for the only topic to which it subscribes, or '...'.
 
     :param position: the position of the node in `recording.nodes`.
+    :param wanted: the topic to which the node should subscribe. A remapping of this name is not the one that the program needs.
     """
     heard, process = heard_topics(node), process_of(recording, node, position)
     if len(heard) != 1:
         return '...'
     namespace = node.name.rpartition('/')[0]
     rules = [word.partition(':=') for word in process.argv] if process is not None else []
-    inside = next((name for name, _, to in rules if to and heard[0] in (to, f'{namespace}/{to}')), heard[0])
+    used = (name for name, _, to in rules if to and heard[0] in (to, f'{namespace}/{to}'))
+    inside = next((name for name in used if wanted not in (name, f'{namespace}/{name}')), heard[0])
     return inside.removeprefix(f'{namespace}/')
 
 

@@ -158,7 +158,12 @@ def parameter_advice(run: Evidence, name: str, code: str, seen: Parameter | None
     argument = seen.origin.removeprefix(FROM_ARGUMENT)
     if argument != seen.origin and written_text(described_defaults(run.first).get(argument) or '') == str(seen.value):
         return try_  # the launch file passes no value: the argument has its default
-    return f'write {code} as the value of {name}'
+    used = re.fullmatch(r"LaunchConfiguration\('(\w+)'\)|\$\(var (\w+)\)", code)
+    return (
+        f'use the launch argument {used[1] or used[2]} as the value of {name}: {code}'
+        if used
+        else f'write {code} as the value of {name}'
+    )
 
 
 class MissingParameterFile(Failure):

@@ -162,10 +162,18 @@ def next_step(report: Report) -> str:
     if report.exit_code == BROKEN_GRADER:
         return 'Next: show this report and the launch file to your teacher. This is not your mistake.'
     first = next(_of(FAILED, list(report.results)))
+    is_package = report.package is not None
     if report.gaps and not any(outcome.recording is None for outcome in report.outcomes):
         lines = ', '.join(str(gap.line) for gap in report.gaps)
+        if is_package:
+            return (
+                f'Next: make the check "{first.sentence}" pass, and grade the package again. '
+                f'Lines that still have a "# TODO" comment: {lines}'
+            )
         return (
             f'Next: make the check "{first.sentence}" pass, and grade the file again. '
             f'Lines that still have a "# TODO" comment: {lines}'
         )
+    if is_package:
+        return f'Next: make the check "{first.sentence}" pass, and grade the package again.'
     return f'Next: make the check "{first.sentence}" pass, and grade the file again.'

@@ -94,7 +94,7 @@ LAUNCHED = ' in the run with '
 def at_level(result: CheckResult, level: int) -> CheckResult:
     """Return a result with the advice of a level. At KIND, the result has no cause, unless an error ended a program."""
     if result.status == FAILED and ' died ' in result.reason:  # the cause knows more than the check
-        known = None if level >= ALL else 'correct the mistake that the cause names'
+        known = 'make the change that the cause describes' if level >= ALL else 'correct the mistake that the cause names'
         return replace(result, steps=(), try_=known if _has_ended(result) else result.try_)
     # this result is not part of the task, so nothing is hidden
     if result.status != FAILED or level >= ALL or result.name in OF_NO_RUBRIC:

@@ -86,7 +86,9 @@ def find_rubric(
     hint = f'write --rubric {close}' if close else 'name one of these rubrics with --rubric'
     raise UnusableInput(
         f'there is no rubric named "{name}". Available rubrics: {", ".join(sorted(known)) or "none"}',
-        help=f'{hint}, or write the path of a rubric file' if given != exercise else f'write {close or "one of these names"} instead of {name}',
+        help=f'{hint}, or write the path of a rubric file'
+        if given != exercise
+        else f'write {close or "one of these names"} instead of {name}',
     )
 
 

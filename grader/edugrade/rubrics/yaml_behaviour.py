@@ -7,6 +7,7 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterable
 from math import inf
+from typing import Any
 
 from ..evidence import Evidence, Failure, Mismatch, Missing
 from ..library.description import joints_of, require_derived
@@ -93,19 +94,23 @@ def counts(run: Evidence, wanted: Wanted) -> None:
         times = sorted(time_s for topic in _topics(one) for time_s in _message_times(one, topic))
         lines = _lines(one)
         seen = [(time_s, float(found[1])) for time_s, found in lines]
-        thing = f'the count that {wanted["executable"]} prints'
+        thing, advice = f'the count that {wanted["executable"]} prints', _in_program(one)
         if not seen:
             asked = readable(str(wanted['pattern']))
-            raise Failure(
-                f'the program {wanted["executable"]} prints no count', expected=asked, seen=_last_lines(one), **one.advice
-            )
+            raise Failure(f'the program {wanted["executable"]} prints no count', expected=asked, seen=_last_lines(one), **advice)
         for time_s, number in seen:
             low, high = bisect_right(times, time_s - SENT_WITH_S), bisect_right(times, time_s + SENT_WITH_S)
             if not (low + 1 if high > low else low) <= number <= high:
-                raise Mismatch(thing, f'{high} at {time_s:.2f} s', f'{number:g}', during=one.words, **one.advice)
+                raise Mismatch(thing, f'{high} at {time_s:.2f} s', f'{number:g}', during=one.words, **advice)
         if len(seen) < len(times) - 1:
             asked, words = f'on a line after each of {len(times)} messages', f'{len(seen)} lines'
-            raise Mismatch(thing, asked, words, during=one.words, **one.advice)
+            raise Mismatch(thing, asked, words, during=one.words, **advice)
+
+
+def _in_program(one: OfRun) -> dict[str, Any]:
+    """Return the advice, with the line of the student's program that contains the beginning of the pattern as its place."""
+    text = re.escape(readable(str(one.wanted['pattern'])).partition('NUMBER')[0])
+    return one.advice | {'where': one.run.source.place_in(f'{one.wanted["executable"]}.py', text)}
 
 
 @kind('{executable} counts to {at_least}', 'package executable pattern topics at_least')
@@ -115,20 +120,20 @@ def counts_up(run: Evidence, wanted: Wanted) -> None:
     """
     for one in wanted.of_each(run):
         times = sorted(time_s for topic in _topics(one) for time_s in _message_times(one, topic))
-        newest, program = 0.0, wanted['executable']
+        newest, program, advice = 0.0, wanted['executable'], _in_program(one)
         for time_s, found in _lines(one):
             number, sent = float(found[1]), bisect_right(times, time_s + SENT_WITH_S)
             if not newest <= number <= sent:
                 thing = f'the number that {program} prints at {time_s:.2f} s'
                 asked = f'{sent}' if newest == sent else f'{newest:g} to {sent}'
-                raise Mismatch(thing, asked, f'{number:g}', during=one.words, **one.advice)
+                raise Mismatch(thing, asked, f'{number:g}', during=one.words, **advice)
             newest = number
         if not newest >= one.number('at_least'):
-            asked = readable(str(wanted['pattern']))
+            asked = readable(str(wanted['pattern'])).replace('NUMBER', f'{one.number("at_least"):g}', 1)
             thing = f'the program {program} does not count to {one.number("at_least"):g} in the run with {one.words}'
             is_rare = len(_lines(one)) < len(times) - 1
-            advice = f'log a line after each message: {program} logs {len(_lines(one))} of them for {len(times)} messages'
-            failure = Failure(thing, expected=asked, seen=_last_lines(one), **one.advice | ({'try_': advice} if is_rare else {}))
+            log = f'log a line after each message: {program} logs {len(_lines(one))} of them for {len(times)} messages'
+            failure = Failure(thing, expected=asked, seen=_last_lines(one), **advice | ({'try_': log} if is_rare else {}))
             failure.fits_rubric = not is_rare
             raise failure
 
@@ -295,13 +300,14 @@ def bag(run: Evidence, wanted: Wanted) -> None:
         require_topic(one.run, one.scenario, topic, None, wanted['package'] or None, wanted.try_)
         times = [time_s for time_s, _ in one.recording.messages(topic)]
         late = [time_s for time_s in times if time_s >= times[0] + FOUND_AFTER_S]
-        thing = f'a bag with the messages on {topic} in the run with {one.words}'
         if not bags:
-            raise Missing(thing, seen='no bag after Ctrl-C', **one.advice)
+            thing, asked = f'the run with {one.words} leaves no bag', f'a bag with the messages on {topic}'
+            raise Failure(thing, expected=asked, seen='no bag after Ctrl-C', **one.advice)
         counts = [each['topics'][topic] for each in bags if topic in each['topics']]
         if not counts:
             known = sorted({name for each in bags for name in each['topics']})
-            raise Missing(thing, expected=topic, seen=', '.join(known) or 'bags without messages', **one.advice)
+            thing = f'the bag has no messages on {topic} in the run with {one.words}'
+            raise Failure(thing, expected=topic, seen=', '.join(known) or 'bags without messages', **one.advice)
         count, known = max(counts, key=lambda each: each[1])
         if not len(late) <= known == count:
             seen = f'{count} messages, of which {known} were published'

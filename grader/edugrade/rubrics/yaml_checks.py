@@ -136,7 +136,7 @@ def hears(run: Evidence, wanted: Wanted) -> None:
         require_topic(
             run, one.scenario, topic, try_='check the name, the namespace and the remappings of the node that publishes'
         )
-        name = own_name_of_topic(one.recording, *_own_node(one))
+        name = own_name_of_topic(one.recording, *_own_node(one), topic)
         require_listener(run, one.scenario, node, topic, wanted.try_ or remapping_to(run, topic, name), *one.program())
 
 
@@ -289,8 +289,10 @@ def node_parameter(run: Evidence, wanted: Wanted) -> None:
         if found is None or not is_right or origin not in found.origin:
             refuse_missing_file(one.alone, [found], wanted['package'])
             seen = value_and_origin(found)
-            thing, words = f'{wanted["name"]} of {one.text("node")}', f'{asked}, from {origin}' if origin else str(asked)
-            raise Mismatch(thing, words, seen, where=run.source.place, try_=advice, during=one.words)
+            thing, words = f'{wanted["name"]} of {one.text("node")}', f'{asked} (from {origin})' if origin else str(asked)
+            is_default = found is None or found.origin == 'default'
+            where = run.source.place_in(origin, wanted['name']) if origin and is_default else run.source.place
+            raise Mismatch(thing, words, seen, where=where, try_=advice, during=one.words)
 
 
 @kind('The parameter {name} of {node} has the right value', 'node package name', 'at_least at_most origin')
