@@ -68,6 +68,7 @@ def one_carrot_at_a_time(run: Evidence) -> None:
         if started != [wanted]:
             wrong = next((each for each in found if each.executable != wanted), None)
             words, other = run.scenario(name).words, next(key for key in BROADCASTERS if key != name)
+            program, only = (wrong.executable, other) if wrong else (wanted, name)
             raise Failure(
                 f'{wrong.executable} should not start in the run with {words}'
                 if wrong
@@ -75,7 +76,7 @@ def one_carrot_at_a_time(run: Evidence) -> None:
                 expected=wanted,
                 seen=' and '.join(started) or 'no broadcaster of carrot1',
                 where=run.source.own(wrong.origin if wrong else None),
-                try_=f'start {wrong.executable if wrong else wanted} only with this condition: {CONDITION.format(other if wrong else name)}',
+                try_=f'start {program} only with this condition: {CONDITION.format(only)}',
             )
 
 

@@ -11,7 +11,7 @@ from math import cos, hypot, sin
 from random import Random
 from typing import TYPE_CHECKING
 
-from edugrade import Evidence, Failure, Mismatch, Missing, Rubric, Scenario, check
+from edugrade import Evidence, Failure, Missing, Rubric, Scenario, check
 from edugrade.library.deaths import refuse_dead, refuse_gone
 from edugrade.library.following import driven_track, require_driver
 from edugrade.library.frames import transforms

@@ -264,7 +264,8 @@ def joined_too_early(failure: Failure) -> Iterator[Finding]:
     what='a {given} has no value yet while Python reads the launch file',
     do=(
         'use its value in an OpaqueFunction: int({counted}(...).perform(context))',
-        "give the action a condition in place of the `if`: condition=IfCondition(PythonExpression([{compared}('count'), ' > 1']))",
+        'give the action a condition in place of the `if`: '
+        "condition=IfCondition(PythonExpression([{compared}('count'), ' > 1']))",
         'call perform() in the function of an OpaqueFunction, with its context: {given}(...).perform(context)',
     ),
     level='error',

@@ -184,5 +184,5 @@ def test_a_cause_that_ended_a_program_replaces_the_general_advice_on_its_death()
     cause = Finding('process', 'go-1', {'entry': 'go = robo.go:mian'}, None, None, None, 'packages.entry-function', 'go-1')
     died = replace(failed('check the arguments', reason='go-1 died after 0.0 s with exit code 1'), cause=cause)
     assert [at_level(died, level).try_ for level in (KIND, THING, ALL)] == ['correct the mistake that the cause names'] * 2 + [
-        None
+        'make the change that the cause describes'
     ]
