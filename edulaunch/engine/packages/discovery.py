@@ -31,7 +31,7 @@ def find_workspaces(folder: str, env: Mapping[str, str], launch_file: str | None
     """Return the absolute paths of the workspaces for a command, without duplicates, in order of search.
 
     The search covers EDULAUNCH_WORKSPACES, the parents of the launch file, and the parents of the current folder. If no
-    parent has a workspace, the search covers the folders below the current folder. AMENT_PREFIX_PATH and COLCON_PREFIX_PATH
+    parent has a workspace, the search covers one level below the current folder. AMENT_PREFIX_PATH and COLCON_PREFIX_PATH
     come last, as a real `install/setup.bash` sets them.
 
     :param folder: the current folder of the command.
@@ -42,7 +42,7 @@ def find_workspaces(folder: str, env: Mapping[str, str], launch_file: str | None
     found = [os.path.join(here, path) for path in _listed(env, 'EDULAUNCH_WORKSPACES') if os.path.isdir(os.path.join(here, path))]
     if launch_file is not None:
         found += _above(os.path.dirname(os.path.join(here, launch_file)))
-    found += _above(here) or _below(here)
+    found += _above(here) or _below(here) or _around(here, launch_file)
     found += map(_of_prefix, filter(_is_overlay, [*_listed(env, 'COLCON_PREFIX_PATH'), *_listed(env, 'AMENT_PREFIX_PATH')]))
     first = {os.path.realpath(path): os.path.normpath(path) for path in reversed(found)}
     return [first[real] for real in dict.fromkeys(map(os.path.realpath, found))]
@@ -97,17 +97,21 @@ def _above(folder: str) -> list[str]:
     return next(([_root_of(path)] for path in _upwards(folder) if _holds_sources(path)), [])
 
 
-def _below(folder: str) -> list[str]:
-    """Return a list with the folder itself if it contains packages, otherwise the workspaces that are directly in it.
+def _around(here: str, launch_file: str | None) -> list[str]:
+    """Return a list with the current folder if the launch file is in a package below it, otherwise an empty list.
 
-    If neither exists, return the folder itself if packages are deeper in it, because `colcon build` would find them.
+    The current folder is then a workspace, because `colcon build` would find all packages there.
     """
+    path = os.path.join(here, launch_file or '')
+    is_inside = path.startswith(here + os.sep) and here != os.path.expanduser('~')
+    return [here] if launch_file is not None and is_inside and workspace_around(path) is not None else []
+
+
+def _below(folder: str) -> list[str]:
+    """Return a list with the folder itself if it contains packages, otherwise the workspaces that are directly in it."""
     if _with_manifest(folder):
         return [folder]
-    workspaces = [path for name in _names(folder) if _holds_sources(path := os.path.join(folder, name))]
-    if workspaces or folder in (os.sep, os.path.expanduser('~')):
-        return workspaces
-    return [folder] if _holds_packages(folder) else []
+    return [path for name in _names(folder) if _holds_sources(path := os.path.join(folder, name))]
 
 
 def _upwards(folder: str) -> Iterator[str]:
@@ -128,16 +132,11 @@ def _root_of(outer: str) -> str:
 
 
 def _holds_sources(folder: str) -> bool:
-    """Return whether the folder `src` contains packages, also below the repositories that are cloned there."""
-    return _holds_packages(os.path.join(folder, 'src'))
+    """Return whether the folder `src` contains packages, also below the repositories that are cloned there.
 
-
-def _holds_packages(folder: str) -> bool:
-    """Return whether a package is in a folder or below, among the folders that are nearest to it.
-
-    The search is limited, because any folder of the computer can be the current one.
+    The search is limited to the nearest folders, because any folder of the computer can be the current one.
     """
-    waiting = [folder]
+    waiting = [os.path.join(folder, 'src')]
     for place in waiting:
         files, folders = list_folder(place)
         if 'package.xml' in files:

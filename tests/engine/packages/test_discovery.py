@@ -116,7 +116,7 @@ def test_packages_deeper_in_the_current_folder_are_found_with_a_launch_file_of_t
     one = package(tmp_path / 'repo' / 'group' / 'one')
     package(tmp_path / 'repo' / 'other' / 'two')
     here = str(tmp_path / 'repo')
-    assert find_workspaces(here, {}) == [here]
+    assert find_workspaces(here, {}) == []
     assert find_workspaces(here, {}, str(one / 'launch' / 'a.launch.py')) == [str(one), here]
 
 
@@ -125,13 +125,6 @@ def test_a_cloned_repository_with_a_folder_src_of_its_own_is_a_part_of_the_works
     package(tmp_path / 'ws' / 'src' / 'repo' / 'src' / 'group' / 'leg')
     (tmp_path / 'ws' / here).mkdir(exist_ok=True)
     assert find_workspaces(str(tmp_path / 'ws' / here), {}) == [str(tmp_path / 'ws')]
-
-
-def test_packages_deeper_in_the_current_folder_are_found_as_colcon_would(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    package(tmp_path / 'repo' / 'week1' / 'day2' / 'leg')
-    assert find_workspaces(str(tmp_path / 'repo'), {}) == [str(tmp_path / 'repo')]
-    monkeypatch.setenv('HOME', str(tmp_path / 'repo'))
-    assert find_workspaces(str(tmp_path / 'repo'), {}) == []
 
 
 def test_the_search_for_a_first_package_has_an_end(tmp_path: Path) -> None:
