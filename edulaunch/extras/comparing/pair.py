@@ -24,8 +24,8 @@ OTHER_SEEDS = (1, 2)
 class Pair(NamedTuple):
     """The result of a comparison: the differences, split by whether they count, and the observations of both runs.
 
-    Differences that depend on the computer's speed do not count. Subjects that depend on random numbers, and programs that
-    had not started before Ctrl-C, do not count either.
+    Differences that depend on the computer's speed or on random numbers do not count. Neither do differences of programs that
+    had not started when the run was interrupted.
     """
 
     found: list[Difference]
