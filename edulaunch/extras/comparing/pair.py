@@ -50,7 +50,7 @@ def compare(
     in reality, at the same time of day. Other differences depend on random numbers; see :func:`by_chance`. The result
     contains the remaining differences.
 
-    :param seconds: the simulated seconds until Ctrl-C.
+    :param seconds: the simulated seconds until SIGINT ends the run.
     :param is_known: returns whether a difference is known. The run does not wait for known differences.
     :raises UnusableInput: when the file cannot be launched, or the real rclpy is not installed.
     """
