@@ -110,7 +110,10 @@ def advice_on_limits(text: str) -> str | None:
 
 
 def looks_like_one(outcome: Outcome) -> bool:
-    """Return whether the computer may have caused an outcome. The error numbers and messages in the outcome decide."""
+    """Return whether a fault of the computer, such as a full disk, may have caused an outcome.
+
+    The function searches the outcome for error numbers and messages of such faults.
+    """
     text = _text_of(outcome)
     return fault_in(text) is not None or any(words in text for words in (*LOADING_FAULTS, 'MemoryError', _NO_FOLDER))
 

@@ -9,7 +9,7 @@ from edugrade import Evidence, Failure, Rubric, Scenario, check
 from edugrade.library.node_graph import require_started
 
 LATEST_S, NEAR_M = 20.0, 0.8
-ORDER = 'follow the order of lesson 16: does it exist, is it in the tf tree, does its node find the carrot, does it publish?'
+ORDER = 'follow the order of lesson 16: does the turtle exist, is it in the tf tree, does its node find the carrot, and does the node publish?'
 
 
 def followers(run: Evidence) -> Iterator[tuple[str, int]]:

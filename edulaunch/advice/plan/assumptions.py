@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Assumptions:
-    """Replaces the parts of packages that do not exist, and records every request for them.
+    """Replaces missing packages, programs, commands and files in a dry run, and records every request for them.
 
     :param placeholders: the prefix that contains the placeholder packages.
     :ivar packages: the names of missing packages, in the order in which launch asked for them.

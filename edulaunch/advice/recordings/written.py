@@ -141,7 +141,7 @@ def spin_in_constructor(recording: Recording) -> Iterator[Finding]:
     edits=(('=+', '+='),),
 )
 def equals_plus(recording: Recording) -> Iterator[Finding]:
-    """Report `=+` with a space after it. A plus sign before a number has no space after it."""
+    """Report `=+` with a space after it. `x =+1` is not reported, because its plus sign can be the sign of the number."""
     for file, tree in program_scripts(recording):
         for node in walked(tree):
             is_plus = isinstance(node, ast.Assign) and isinstance(node.value, ast.UnaryOp) and isinstance(node.value.op, ast.UAdd)

@@ -68,7 +68,7 @@ def _split(line: str) -> list[str]:
 def ros2_words(
     words: Sequence[str], typed: str, index: Callable[[], Index] | None = None, run: Callable[[str], Sequence[str]] | None = None
 ) -> Iterable[str]:
-    """Return the words that can follow in `ros2 WORDS...`. `ros2 launch` is completed in the same way as `edulaunch launch`.
+    """Return the words that can come next after `ros2 WORDS...`. `ros2 launch` is completed like `edulaunch launch`.
 
     :param words: the complete words after `ros2`.
     :param typed: the beginning of the word that the user is typing.
@@ -225,7 +225,7 @@ def _paths(typed: str, suffixes: tuple[str, ...] = ()) -> list[str]:
 
 
 def ros2_candidates(words: Sequence[str], typed: str, index: Callable[[], Index], run: Run | None = None) -> Iterable[str]:
-    """Return the words that can follow in `ros2 WORDS...`.
+    """Return the words that can come next after `ros2 WORDS...`.
 
     :param words: the complete words after `ros2`.
     :param typed: the beginning of the word that the user is typing.

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def machine_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the argument for the command, such as `status` or `stop`, and for its value."""
+    """Add two arguments: the command, such as `status` or `stop`, and its value, such as the speed."""
     commands = ('status', 'pause', 'resume', 'speed', 'stop')
     about = f'one of {", ".join(commands)} (default: status)'
     parser.add_argument('word', metavar='COMMAND', choices=commands, nargs='?', default='status', help=about)

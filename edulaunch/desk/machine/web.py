@@ -1,4 +1,4 @@
-"""The web server of `edulaunch view`: a small server on the loopback, between the browser and the machine.
+"""The web server of `edulaunch view`. It listens on the loopback interface and connects the browser to the machine.
 
 A browser needs the token in the address. The server accepts a web socket only from its own page, so pages of other origins
 receive nothing. Each page has one connection to the machine.

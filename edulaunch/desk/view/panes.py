@@ -109,7 +109,7 @@ class _Keyboard(PipedInput):
 
 
 def completions(session: Session, words: list[str], typed: str, index: Callable[[], Index]) -> list[str]:
-    """Return the words that can follow in `ros2 WORDS...` and begin with `typed`, in alphabetical order.
+    """Return, in alphabetical order, the words that can come next after `ros2 WORDS...` and that begin with `typed`.
 
     :param session: the session of the machine.
     :param words: the complete words after `ros2`.

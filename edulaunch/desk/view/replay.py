@@ -96,7 +96,7 @@ class RecordingSource:
         return 0
 
     def lines(self) -> Mapping[int, tuple[str, int]]:
-        """Implement `TimelineSource.lines`. A recording from a file has no lines."""
+        """Implement `TimelineSource.lines`. A recording from a file does not store these lines."""
         return self._lines
 
     def beside(self, name: str, since: Mapping[int, int]) -> Sequence[dict[str, Any]]:

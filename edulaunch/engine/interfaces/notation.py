@@ -32,7 +32,7 @@ def sections_of(text: str, file: str, kind: str, wanted: int) -> list[list[Line]
     :param file: the path of the file, for error messages.
     :param kind: 'msg', 'srv' or 'action'.
     :param wanted: the number of sections of that kind: 1, 2 or 3.
-    :raises InterfaceError: if the number of `---` is wrong, or for a longer line of hyphens.
+    :raises InterfaceError: if the number of `---` lines is wrong, or if other text follows `---` on a line.
     """
     sections: list[list[Line]] = [[]]
     number = 0

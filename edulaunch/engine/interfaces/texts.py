@@ -48,7 +48,7 @@ class TextRegistry(Registry):
 def texts_of(registry: Registry, names: Iterable[str]) -> dict[str, str]:
     """Return the definitions of the named types and of all types that they contain, by type name.
 
-    Types of the registry's base are left out.
+    Leave out the types that the registry takes from its base, such as the types of the underlay.
 
     :param names: type names; a part such as 'pkg/srv/Catch_Request' means the whole type.
     """

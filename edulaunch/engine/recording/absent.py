@@ -1,5 +1,5 @@
-"""Errors for questions about missing parts of a recording. The traceback of such an error contains only the message, without
-frames of edulaunch.
+"""Errors for questions about missing parts of a recording. In a notebook, the traceback of such an error
+shows only the message.
 """
 
 from __future__ import annotations

@@ -166,7 +166,7 @@ class Note(NamedTuple):
 
 
 class Fact(NamedTuple):
-    """An unusual fact about a program: its kind, its data (see `Process.fact`), and the number and times of its occurrences."""
+    """An unusual fact about a program: its kind and data (see `Process.fact`), how often it occurred, and when first and last."""
 
     time_s: float
     process: str | None

@@ -1,7 +1,6 @@
 """An asyncio event loop with a simulated clock.
 
-Waiting for the next timer parks the task that runs the loop, so coroutines, futures and `asyncio.sleep` take turns with all
-other programs. Launch runs on this loop.
+While the loop waits for its next timer, its task is parked and other programs run. Launch runs on this loop.
 """
 
 from __future__ import annotations

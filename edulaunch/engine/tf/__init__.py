@@ -1,4 +1,4 @@
-"""Transforms and their time-ordered buffer, with numbers only: no nodes, topics or messages.
+"""Transforms and their time-ordered buffer, as numbers: without nodes, topics or messages.
 
 Read `quaternions.py` and `transforms.py` (the maths), then `history.py` (one frame over time) and `path.py` (the usual lookup).
 `walk.py` handles all other lookups, and `buffer.py` combines these files.

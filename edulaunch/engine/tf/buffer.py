@@ -1,4 +1,4 @@
-"""The time-ordered buffer of transforms: tf2's BufferCore with numbers only.
+"""The time-ordered buffer of transforms: tf2's BufferCore without ROS messages.
 
 Times are integer nanoseconds; 0 means "the latest common time". `tf2_py` turns messages into these numbers.
 """

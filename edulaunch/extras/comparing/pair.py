@@ -24,8 +24,8 @@ OTHER_SEEDS = (1, 2)
 class Pair(NamedTuple):
     """The result of a comparison: the differences, split by whether they count, and the observations of both runs.
 
-    Differences that depend on the computer's speed do not count. Subjects that depend on random numbers, and programs that
-    had not started before Ctrl-C, do not count either.
+    Differences that depend on the computer's speed or on random numbers do not count. Neither do differences of programs that
+    had not started when the run was interrupted.
     """
 
     found: list[Difference]
@@ -50,7 +50,7 @@ def compare(
     in reality, at the same time of day. Other differences depend on random numbers; see :func:`by_chance`. The result
     contains the remaining differences.
 
-    :param seconds: the simulated seconds until Ctrl-C.
+    :param seconds: the simulated seconds until SIGINT ends the run.
     :param is_known: returns whether a difference is known. The run does not wait for known differences.
     :raises UnusableInput: when the file cannot be launched, or the real rclpy is not installed.
     """

@@ -39,7 +39,7 @@ def machine_of(config: pytest.Config) -> TestMachine:
 
 
 def put_on_machine(config: pytest.Config, path: Path) -> None:
-    """Give a test file simulated time and the packages around the file, before pytest imports it."""
+    """Before pytest imports a test file, give it simulated time and make the packages in its workspace available to it."""
     machine = machine_of(config)
     machine.add(path)
     machine.enter(path)
@@ -47,7 +47,7 @@ def put_on_machine(config: pytest.Config, path: Path) -> None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_make_collect_report(collector: pytest.Collector) -> Generator[None, Any, Any]:
-    """Give a file the packages around it while pytest imports the file."""
+    """Make the packages in the workspace of a file available while pytest imports the file."""
     if isinstance(collector, pytest.Module):
         collector.config.stash[MACHINE].enter(collector.path)
     return (yield)
@@ -55,7 +55,7 @@ def pytest_make_collect_report(collector: pytest.Collector) -> Generator[None, A
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, Any, Any]:
-    """Give a test the packages around its file, and limit the duration of the test."""
+    """Make the packages in the workspace of the test file available to the test, and limit its duration."""
     machine = item.config.stash[MACHINE]
     machine.enter(item.path)
     with machine.limited():

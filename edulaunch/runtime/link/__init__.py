@@ -1,4 +1,5 @@
-"""One simulation in two processes: a trusted peer and a confined peer, joined by a socket in lock-step simulated time.
+"""One simulation in two operating-system processes: a trusted peer and a confined peer, joined by a socket in lock-step simulated
+time.
 
 Read the files in this order:
 

@@ -82,7 +82,7 @@ def require_nodes(
 
     :param packages: the packages of some nodes, by the node's name, such as 'turtlesim' or, for one of its programs, 'turtlesim
         mimic'. The other nodes may belong to any program.
-    :raises Mismatch: with both lists of nodes.
+    :raises Failure: with both lists of nodes.
     :raises Missing: if a node belongs to another program.
     """
     recording = run[scenario]

@@ -31,10 +31,10 @@ USUAL = ('/rosout', '/parameter_events')
 
 
 def launch_graph(recording: Recording | None) -> list[str]:
-    """Return sorted lines: one for each program, with the names of its parameters, and one for each connection of two programs.
+    """Return sorted lines: one for each program, and one for each connection between two programs.
 
-    The lines contain no names of nodes and topics, so that a copy with other names has the same graph. For a recording that
-    cannot be read, return [].
+    The line of a program contains the names of its parameters. No line contains names of nodes or topics, so
+    that a copy with other names has the same graph. For a recording that cannot be read, return [].
     """
     if recording is None:
         return []

@@ -1,4 +1,4 @@
-"""The limits of a run other than memory and time, and the name of a layer that some systems lack.
+"""The limits of a run on processes, threads and files, and the name of a layer of the sandbox that some systems do not support.
 
 This module imports nothing.
 """

@@ -32,7 +32,7 @@ class FillError(Exception):
 def parse_values(text: str) -> dict[str, Any]:
     """Return the field values that a YAML string contains, by name.
 
-    :raises FillError: when the string is not valid YAML or not a dictionary, with the message of ROS 2.
+    :raises ValuesError: when the string is not valid YAML or not a dictionary, with the message of ROS 2.
     """
     import yaml
 

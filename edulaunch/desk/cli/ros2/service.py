@@ -153,7 +153,7 @@ def echo_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def echo_verb(arguments: argparse.Namespace) -> str | None:
-    """Print each event of the service until Ctrl-C."""
+    """Print each event of the service until Ctrl-C is pressed or `--timeout` expires. With `--once`, print one event."""
     import rclpy
 
     with cli_node.cli_node(arguments) as node:

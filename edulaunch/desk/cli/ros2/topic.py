@@ -107,7 +107,7 @@ def echo_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def echo_verb(arguments: argparse.Namespace) -> str | int | None:
-    """Print each message of the topic until Ctrl-C. With `--once`, stop after the first message."""
+    """Print each message of the topic until Ctrl-C is pressed. With `--once`, stop after the first."""
     import rclpy
 
     with cli_node.cli_node(arguments) as node:

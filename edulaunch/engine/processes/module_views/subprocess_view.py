@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def make_subprocess(view: ModuleType, process: Process) -> ModuleType:
-    """Make a `subprocess` with its own `Popen`, `run`, `call`, `check_call`, `check_output`, `getoutput` and `getstatusoutput`.
+    """Put simulated versions of the functions of `subprocess`, such as `Popen` and `run`, into a view of the module.
 
     `run` and the functions that use it take no simulated time for a real program. While a real program runs in the background
     (`Popen`), simulated time follows real time.

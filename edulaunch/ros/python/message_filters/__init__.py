@@ -1,4 +1,7 @@
-"""Filters through which messages pass before a program receives them: a cache, synchronizers, and a filter that waits for tf."""
+"""Filters through which messages pass before a program receives them: a cache, synchronizers, and a filter that waits for tf.
+
+In ROS 2, the filter that waits for tf exists only in C++, as `tf2_ros::MessageFilter`.
+"""
 
 from __future__ import annotations
 

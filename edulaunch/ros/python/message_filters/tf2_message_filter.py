@@ -1,4 +1,4 @@
-"""A filter that delays messages until tf has a transform for their frame."""
+"""A filter that delays messages until tf has a transform for their frame. ROS 2 has this filter only in C++."""
 
 from __future__ import annotations
 

@@ -26,6 +26,7 @@ def deserialize_message(serialized_message: bytes, message_type: Any) -> Any:
     """Return the message of type `message_type` that the CDR bytes contain.
 
     :raises RMWError: when the bytes are not a message of that type.
+    :raises TypeError: if `serialized_message` is not of type bytes.
     """
     check_is_valid_msg_type(message_type)
     if not isinstance(serialized_message, bytes):

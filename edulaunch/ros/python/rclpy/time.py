@@ -28,6 +28,7 @@ class Time:
     As in rclpy, the default clock type is SYSTEM_TIME, while `node.get_clock().now()` has ROS_TIME. Times of these two types
     cannot be compared.
 
+    :raises TypeError: if `clock_type` is not a ClockType.
     :raises ValueError: for negative seconds or nanoseconds.
     :raises OverflowError: for 2**63 nanoseconds or more.
     """

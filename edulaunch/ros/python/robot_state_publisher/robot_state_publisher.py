@@ -25,10 +25,14 @@ from robot_state_publisher._joints import Joint, read_joints
 
 
 class RobotStatePublisher(CppNode):
-    """Publishes fixed joints on /tf_static once, and moving joints on /tf whenever /joint_states contains them.
+    """Publishes fixed joints on /tf_static, and the moving joints in messages on /joint_states on /tf.
 
-    Parameters: `robot_description` (URDF), `publish_frequency` (the highest frequency, 20.0 Hz), `ignore_timestamp` (false),
-    `frame_prefix` ('').
+    The parameters and their defaults:
+
+    - `robot_description`, the URDF: no default
+    - `publish_frequency`, the maximum rate on /tf in Hz: 20.0
+    - `ignore_timestamp`, which removes this limit: false
+    - `frame_prefix`, the prefix of all frames: ''
     """
 
     def __init__(self, description: str = '', **options: Any) -> None:

@@ -78,7 +78,7 @@ class Executable:
 
     @property
     def prefix(self) -> Substitutions:
-        """The prefix, as substitutions."""
+        """The prefix of the command, such as `gdb --args`, as a list of substitutions."""
         return [PREFIX] if self.__given_prefix is None else self.__given_prefix
 
     @property

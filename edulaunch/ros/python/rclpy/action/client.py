@@ -263,7 +263,7 @@ class ActionClient(Asker, Waitable):
         return self.server_is_ready()
 
     def destroy(self) -> None:
-        """Remove the endpoints of the action from the graph."""
+        """Remove the endpoints of this action client from the graph."""
         if self.destroyed:
             return
         self._node.remove_waitable(self)

@@ -80,11 +80,13 @@ def _clash(kind: str, name: str, wanted: Any, other: Any) -> dict[str, str]:
 
 
 def checked_action_name(core: NodeCore, name: str, kind: str) -> str:
-    """Return the absolute name of an action. Remapping rules apply to the services and topics of the action instead.
+    """Return the absolute name of an action, not remapped. Remapping rules apply to the services and topics of the action.
 
     :param kind: 'client' or 'server'.
     :raises InvalidHandle: when the node was destroyed.
-    :raises ValueError: after shutdown, and for an invalid name. For other kinds of names, ROS 2 raises other classes.
+    :raises ValueError: after shutdown, and for an invalid or missing name. For an invalid topic or service name, ROS 2 raises
+        InvalidTopicNameException or InvalidServiceNameException.
+    :raises TypeError: if the name is not a string.
     """
     core.check_alive()
     failed = f'Failed to create action {kind}'

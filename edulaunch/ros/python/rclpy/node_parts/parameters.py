@@ -63,6 +63,7 @@ class NodeParameters:
 
         :param namespace: a prefix; each parameter is named `namespace.name`.
         :param parameters: tuples (name,), (name, value) or (name, value, descriptor).
+        :raises ParameterAlreadyDeclaredException: when a parameter is already declared. Then no parameter is declared.
         """
         core = self._rclpy
         overrides: Mapping[str, Override] = {} if ignore_override else core.overrides
@@ -161,6 +162,8 @@ class NodeParameters:
 
         :param prefixes: return only names below one of these prefixes; an empty list selects all parameters.
         :param depth: the greatest number of levels below a prefix; 0 means no limit.
+        :raises TypeError: if `prefixes` is not a list of strings, or `depth` is not an int.
+        :raises ValueError: for a negative depth.
         """
         from rcl_interfaces.msg import ListParametersResult
 
