@@ -123,4 +123,4 @@ def test_a_misspelt_key_of_a_parameter_file_is_told_with_its_file_and_line(
     sim = f"Node(package='turtlesim', executable='turtlesim_node', name='sim', parameters=[{str(tmp_path / 'sim.yaml')!r}])"
     (tmp_path / 'a.launch.py').write_text(launch_file(sim))
     printed = report(capsys, tmp_path / 'a.launch.py')
-    assert "1. sim.yaml contains 'ros_parameters' above line 3, which is not a key of parameter files" in printed
+    assert "1. in sim.yaml, 'ros_parameters' (above line 3) is not a key of parameter files" in printed

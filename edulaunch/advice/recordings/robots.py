@@ -124,7 +124,7 @@ def _movable(recording: Recording) -> Iterator[tuple[str, list[str]]]:
     do=(
         "start both nodes in one namespace: give {other} namespace='{space}'",
         'start both nodes in one namespace, or remap {elsewhere} to {topic}',
-        'if there is no real robot, start joint_state_publisher: '
+        'start joint_state_publisher if there is no real robot: '
         "Node(package='joint_state_publisher', executable='joint_state_publisher')",
     ),
     lesson='12_urdf',

@@ -73,7 +73,7 @@ def _driven(recording: Recording, turtle: str, node: str, time_s: float, **facts
     what='{turtle} drove into the wall at x={x}, y={y} and pushed against it for {seconds} s',
     why='the field extends from 0 to 11.09 in x and y, and a turtle cannot leave it',
     do=(
-        'keep the frame that {follower} follows inside the field',
+        'check the frame that {follower} follows, and the velocities that {follower} calculates from it',
         'subscribe to the pose, and turn when x or y is below 1 or above 10',
     ),
     lesson=LESSON,

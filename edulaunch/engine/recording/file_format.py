@@ -90,7 +90,7 @@ def refuse_huge(data: bytes, name: str) -> None:
             )
 
 
-def decode(data: bytes, name: str = 'this recording') -> dict[str, Any]:
+def decode(data: bytes, name: str = 'this input') -> dict[str, Any]:
     """Return the content of a recording file.
 
     :param name: the name of the file, for error messages.

@@ -95,7 +95,7 @@ class Recording(Messages, Views):
         return cls.from_bytes(data, name)
 
     @classmethod
-    def from_bytes(cls, data: bytes, name: str = 'this recording', *, is_ours: bool = False) -> Recording:
+    def from_bytes(cls, data: bytes, name: str = 'this input', *, is_ours: bool = False) -> Recording:
         """Return a recording from the bytes of :meth:`to_bytes`.
 
         :param name: the name of the recording, for error messages.

@@ -172,9 +172,9 @@ def test_a_message_may_name_a_file_too(recording: Recording) -> None:
 @pytest.mark.parametrize(
     ('data', 'text'),
     [
-        (b'', 'line 1 is not JSON'),
-        (b'\x00\xff\n', 'line 1 is not JSON'),
-        (b'[]\n', 'is not a part'),
+        (b'', 'this input is not a recording of edulaunch'),
+        (b'\x00\xff\n', 'this input is not a recording of edulaunch'),
+        (b'[]\n', 'this input is not a recording of edulaunch'),
         (b'{"format": "something"}\n', 'is not a recording of edulaunch'),
         (b'{"format": "edulaunch recording", "version": 99}\n', 'has recording format 99; this edulaunch reads format 1'),
     ],

@@ -1,5 +1,5 @@
 import rclpy
-from example_interfaces.action import Fibonacci
+from action_tutorials_interfaces.action import Fibonacci
 from rclpy.action import ActionClient
 from rclpy.node import Node
 

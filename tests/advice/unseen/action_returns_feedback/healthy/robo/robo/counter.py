@@ -1,5 +1,5 @@
 import rclpy
-from example_interfaces.action import Fibonacci
+from action_tutorials_interfaces.action import Fibonacci
 from rclpy.action import ActionServer
 from rclpy.node import Node
 
@@ -11,13 +11,13 @@ class Counter(Node):
 
     def execute(self, goal_handle):
         feedback = Fibonacci.Feedback()
-        feedback.sequence = [0, 1]
+        feedback.partial_sequence = [0, 1]
         for index in range(1, goal_handle.request.order):
-            feedback.sequence.append(feedback.sequence[index] + feedback.sequence[index - 1])
+            feedback.partial_sequence.append(feedback.partial_sequence[index] + feedback.partial_sequence[index - 1])
             goal_handle.publish_feedback(feedback)
         goal_handle.succeed()
         result = Fibonacci.Result()
-        result.sequence = feedback.sequence
+        result.sequence = feedback.partial_sequence
         return result
 
 
