@@ -146,7 +146,7 @@ def test_a_wall_is_reported_with_the_launch_file_that_drives_now(desk: Desk) -> 
     write(desk, 'fast.launch.py', OWN, setup=DRIVES.format('cmd_vel'), work=SENDS.format(20.0, 0.0))
     reported = launched(desk, 'fast.launch.py', 'works 30')
     assert reported.startswith('warning: /turtle1 drove into the wall') and 'slow.launch.py' not in reported
-    assert 'fast.launch.py' in reported
+    assert 'program.py:14' in reported
 
 
 def test_a_launch_that_runs_in_another_terminal_is_named(desk: Desk) -> None:

@@ -57,7 +57,7 @@ def test_a_second_node_with_the_right_radius_does_not_hide_the_one_that_drives(t
     )
     (report,) = grade([plan_work(Submission(str(tmp_path / 'circle.launch.py')))])
     assert [each.name for each in report.results if each.status == 'failed'] == ['radius_is_passed']
-    assert report.points == 5.0  # what the failed check explains gives no points either
+    assert report.earned == 5.0  # what the failed check explains gives no points either
 
 
 def test_a_misspelt_parameter_is_recognised() -> None:
