@@ -44,7 +44,7 @@ def test_an_argument_is_used_if_a_launch_configuration_reads_it_by_a_variable(
 @pytest.mark.parametrize(
     ('body', 'imports', 'cure'),
     [
-        (FOLLOWER, FOLLOWS, 'keep the frame that /walker follows inside the field'),
+        (FOLLOWER, FOLLOWS, 'check the frame that /walker follows, and the velocities that /walker calculates from it'),
         (FOLLOWER.split('\n', 2)[2], FOLLOWS, 'turn when x or y is below 1 or above 10'),
     ],
 )

@@ -93,7 +93,7 @@ def wall(recording: Recording) -> Iterator[Finding]:
             x, y = (round(value, 2) for value in at[0][1][:2])
             file, line = end_place(recording, 'publisher', f'{turtle}/cmd_vel', driver or node)
             seconds = round(len(at) * TICK_S, 1)
-            facts = {'x': x, 'y': y, 'seconds': seconds, 'follower': follower, 'node': speaker(recording, driver or node)}
+            facts = {'x': x, 'y': y, 'seconds': seconds, 'follower': follower, 'asker': speaker(recording, driver or node)}
             yield found('turtle', turtle, file=file, line=line, time_s=at[0][0] / 1e9, **facts)
 
 
