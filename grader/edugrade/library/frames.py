@@ -70,27 +70,7 @@ def require_frame(run: Evidence, child: str, parent: str, try_: Advice | Sequenc
         if any(item.frame.parent == child for item in everything.get(parent, ())):
             try_ = f'exchange the parent and the child: {child} should have the parent {parent}'
         if sent is None:
-            frames = frames_at_end(run, scenario)
-            known = ', '.join(f'{name} (parent {frame.parent})' for name, frame in frames.items()) or 'no frames'
-            if any(item.frame.parent == child for items in everything.values() for item in items):
-                raise Failure(
-                    f'the frame {child} has no parent',
-                    expected=f'the frame {child} with the parent {parent}',
-                    seen='\n'.join(filter(None, (known, hint_seen))),
-                    where=run.source.place,
-                    try_=try_,
-                    name=child,
-                    among=_misspelt(child, frames),
-                )
-            raise Missing(
-                f'the frame {child}',
-                name=child,
-                among=_misspelt(child, frames),
-                where=run.source.place,
-                try_=try_,
-                seen='\n'.join(filter(None, (known, hint_seen))),
-                expected=f'the frame {child} with the parent {parent}',
-            )
+            raise _absent(run, scenario, child, parent, try_, hint_seen)
         words = run.scenario(scenario).words
         elsewhere = next((item for item in sent if item.frame.parent != parent), None)
         if elsewhere is not None:
@@ -107,6 +87,19 @@ def require_frame(run: Evidence, child: str, parent: str, try_: Advice | Sequenc
         _require_all_the_time(run, scenario, child, sent, try_)
         if parent == 'world':
             _require_truth(run, scenario, child, sent, try_)
+
+
+def _absent(run: Evidence, scenario: str, child: str, parent: str, try_: Advice | Sequence[str], hint_seen: str) -> Failure:
+    """Return the failure of a frame that no node broadcasts, or that is only a parent of other frames."""
+    frames = frames_at_end(run, scenario)
+    known = ', '.join(f'{name} (parent {frame.parent})' for name, frame in frames.items()) or 'no frames'
+    is_a_parent = any(item.frame.parent == child for items in transforms(run, scenario).values() for item in items)
+    seen, expected = '\n'.join(filter(None, (known, hint_seen))), f'the frame {child} with the parent {parent}'
+    among, where = _misspelt(child, frames), run.source.place
+    if is_a_parent:
+        thing = f'the frame {child} has no parent'
+        return Failure(thing, expected=expected, seen=seen, where=where, try_=try_, name=child, among=among)
+    return Missing(f'the frame {child}', name=child, among=among, where=where, try_=try_, seen=seen, expected=expected)
 
 
 def require_broadcast(run: Evidence, turtle: str, try_: Advice) -> None:
